@@ -2,7 +2,9 @@
 #pragma once
 
 /// Marks a function whose loops are worth compiling for several instruction sets, chosen when the program is loaded.
-/// Left out under sanitizers, whose run time is not ready yet when the choice is made.
+/// It must not throw, and so not allocate, unless all that calls it has nothing to clean up: GCC takes the call that
+/// chooses for one that cannot throw, and ends the program where an exception meets a destructor. Left out under
+/// sanitizers, whose run time is not ready yet when the choice is made.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
     !defined(__SANITIZE_THREAD__)
 #define TETRA_SIMD_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))

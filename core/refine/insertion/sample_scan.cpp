@@ -515,6 +515,7 @@ TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const double* samples, co
 void scanSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
                  const ErrorLimits& limits, ScannedPart part, std::vector<WorstSample>& worst)
 {
+    worst.reserve(worst.size() + slots.size()); // one of each at most: scan() does not allocate
     samples.visit([&](const auto* values) { scan(mesh, values, limits, slots, part, worst); });
 }
 

@@ -2,7 +2,6 @@
 #include "core/refine/lattice/lattice_refinement.h"
 
 #include "core/base/rounding.h"
-#include "core/base/simd.h"
 #include "core/refine/greedy.h"
 #include "core/refine/lattice/error_queue.h"
 #include "core/refine/lattice/point_pool.h"
@@ -245,7 +244,7 @@ std::uint32_t LatticeRefiner::State::takeBucketNumber()
 }
 
 /// Makes the buckets of `slots` out of what the relocation placed into the tetrahedra of its star.
-TETRA_SIMD_CLONES void LatticeRefiner::State::fillBuckets(std::span<const std::uint32_t> slots)
+void LatticeRefiner::State::fillBuckets(std::span<const std::uint32_t> slots)
 {
     // Which tetrahedra have points at all is told without a branch, because nobody could predict it.
     std::size_t filledCount = 0;
@@ -275,7 +274,7 @@ TETRA_SIMD_CLONES void LatticeRefiner::State::fillBuckets(std::span<const std::u
 
 /// Takes the points of the last insertion's cavity, without `apex`, and the history numbers of what it destroyed, and
 /// gives the buckets back.
-TETRA_SIMD_CLONES void LatticeRefiner::State::collectDestroyed(PackedPoint apex)
+void LatticeRefiner::State::collectDestroyed(PackedPoint apex)
 {
     destroyedHistory_.clear();
     destroyedBuckets_.clear();

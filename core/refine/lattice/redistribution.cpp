@@ -192,9 +192,7 @@ TETRA_SIMD_CLONES void makeKeys(const double* errors, const PackedPoint* points,
 
 TETRA_SIMD_CLONES void Redistribution::findWorst(std::size_t faceCount)
 {
-    keys_.resize(points_.size());
     makeKeys(errors_.data(), points_.data(), points_.size(), keys_.data());
-    faces_.resize(faceCount);
     FacePoints* const faces = faces_.data();
     std::fill_n(faces, faceCount, FacePoints{0, 0});
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -224,6 +222,8 @@ void Redistribution::run(const PackedLattice& lattice, const LatticeSamples& sam
     locateInStar(star, {x_, y_, z_}, planes_, owners_);
     computeErrors(lattice, samples, star, {points_, owners_, x_, y_, z_}, room_, errors_);
     points_.resize(points.size());
+    keys_.resize(points.size());
+    faces_.resize(star.faceCount());
     findWorst(star.faceCount());
 }
 

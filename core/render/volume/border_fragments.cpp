@@ -245,10 +245,8 @@ template <bool perspective> TETRA_SIMD_INLINE void collectBlock(const CellSetup&
     collectSide<perspective>(cell, fine, tile, place, passage, region.out, region.leave, fragments);
 }
 
-} // namespace
-
-TETRA_SIMD_CLONES void collectBorder(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
-                                     std::vector<BorderFragment>& fragments)
+TETRA_SIMD_CLONES void collect(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
+                               std::vector<BorderFragment>& fragments)
 {
     for (const CellSetup& cell : cells) {
         if (cell.flat)
@@ -260,6 +258,15 @@ TETRA_SIMD_CLONES void collectBorder(std::span<const CellSetup> cells, bool fine
                 else
                     collectBlock<false>(cell, fine, tile, {column, row}, fragments);
     }
+}
+
+} // namespace
+
+/// A function of its own, because an exception ends the program where a caller of clones has something to clean up.
+[[gnu::noipa]] void collectBorder(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
+                                  std::vector<BorderFragment>& fragments)
+{
+    collect(cells, fine, tile, fragments);
 }
 
 } // namespace tetra
