@@ -71,7 +71,7 @@ Status withOtherBuilder(PluginHost& host, const Dataset& dataset, const Status& 
             checkPluginOptions(arguments, allParameters(host.builders()), builder.plugin->parameters(), {}))
             others += (others.empty() ? "" : " or ") + optionInQuotes("builder " + builder.id);
     return Error{known.error().kind,
-                 known.error().text + " Leave it out" + (others.empty() ? "." : ", or build with " + others + ".")};
+                 known.error().text() + " Leave it out" + (others.empty() ? "." : ", or build with " + others + ".")};
 }
 
 /// What a build would be able to do in blocks, if its builder knows them.

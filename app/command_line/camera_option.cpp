@@ -40,7 +40,7 @@ Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bo
                      "The camera '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
     const auto camera = cameraFromText(file.read(largestFile).toStdString(), bounds, aspectRatio);
     if (!camera)
-        return Error{camera.error().kind, "'" + path + "': " + camera.error().text};
+        return Error{camera.error().kind, "'" + path + "': " + camera.error().text()};
     return camera;
 }
 

@@ -37,7 +37,7 @@ int exitCode(ErrorKind kind)
 
 int fail(const Streams& streams, const Error& error)
 {
-    streams.messages << "tan: " << error.text << std::endl;
+    streams.messages << "tan: " << error.text() << std::endl;
     return exitCode(error.kind);
 }
 
@@ -103,7 +103,7 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
     const auto arguments = parseArguments(syntax, words);
     if (!arguments)
         return fail(streams,
-                    trueReason({arguments.error().kind, arguments.error().text + " 'tan " +
+                    trueReason({arguments.error().kind, arguments.error().text() + " 'tan " +
                                                             std::string(subcommand.name) + " --help' explains it."},
                                host));
 

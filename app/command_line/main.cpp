@@ -40,7 +40,7 @@ int run(int argc, char** argv)
 {
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (tetra::isForWindow(words)) {
-        std::cerr << "tan: " << tetra::startWindow(argv).text << std::endl;
+        std::cerr << "tan: " << tetra::startWindow(argv).text() << std::endl;
         return 4;
     }
     const tetra::Interruption interruption;

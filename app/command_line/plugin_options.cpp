@@ -97,7 +97,7 @@ Result<ParameterValue> readTransferFunction(const std::string& path)
     const QByteArray text = file.readAll();
     auto functions = importTransferFunctions({text.constData(), static_cast<std::size_t>(text.size())}, {});
     if (!functions)
-        return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text};
+        return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text()};
     if (functions->front().coloursOnly)
         return Error{ErrorKind::BadInput,
                      "'" + path +

@@ -49,7 +49,7 @@ Result<FocusedFields> writtenField(const Arguments& arguments)
                                                     std::string(option) + "' does not go with it."};
     const auto error = parseErrorField(*arguments.value("field"));
     if (!error)
-        return Error{ErrorKind::WrongUsage, "'--field': " + error.error().text};
+        return Error{ErrorKind::WrongUsage, "'--field': " + error.error().text()};
     if (!arguments.has("warping"))
         return FocusedFields{*error, *error};
     const auto warping = numberOption(arguments, "warping", anyWarping, 0, anyWarping);

@@ -142,7 +142,7 @@ Result<SessionDocument> readSession(const std::filesystem::path& path)
                      "The picture '" + path.string() + "' does not say how it was made. Give a model or a session."};
     auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
     if (!document)
-        return Error{document.error().kind, path.string() + ": " + document.error().text};
+        return Error{document.error().kind, path.string() + ": " + document.error().text()};
     return document;
 }
 
@@ -170,7 +170,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
         return safe.error();
     const auto model = Model::open(document->model);
     if (!model)
-        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text};
+        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text()};
     view.model = *model;
     const auto modes = renderingModes(invocation.host);
     const FieldExtent field = extentOf(*view.model);

@@ -133,7 +133,7 @@ Result<LevelReport> verifyExtracted(const std::shared_ptr<const Model>& model, c
         return level;
     LevelReport verdict;
     verdict.asked = keptEverywhere(query, 1);
-    verdict.failures = {level.error().text};
+    verdict.failures = {level.error().text()};
     return verdict;
 }
 

@@ -31,7 +31,7 @@ int main(int argc, char** argv)
                                                          {"tan.fish", tetra::fishCompletion(subcommands)}};
     for (const auto& [name, text] : files)
         if (const auto written = tetra::writeWholeFile(folder / name, std::as_bytes(std::span(text))); !written) {
-            std::cerr << "tan-write-documents: " << written.error().text << '\n';
+            std::cerr << "tan-write-documents: " << written.error().text() << '\n';
             return 4;
         }
     return 0;

@@ -48,14 +48,14 @@ Result<std::optional<Dataset>> open(PluginHost& host, ComparedDataset& entry, co
         return std::optional<Dataset>();
     }
     if (const auto reader = chooseReader(host, path); !reader) {
-        entry.skipped = "No reader here reads '" + entry.file.string() + "': " + reader.error().text;
+        entry.skipped = "No reader here reads '" + entry.file.string() + "': " + reader.error().text();
         return std::optional<Dataset>();
     }
     auto dataset = openDataset(host, path, {.values = entry.readerValues}, progress);
     if (!dataset && dataset.error().kind == ErrorKind::Cancelled)
         return dataset.error();
     if (!dataset) {
-        entry.skipped = dataset.error().text;
+        entry.skipped = dataset.error().text();
         return std::optional<Dataset>();
     }
     return std::optional(*std::move(dataset));
@@ -74,7 +74,7 @@ Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const std:
     ComparedBuild result;
     result.builder = builder;
     if (const auto chosen = chooseBuilder(host, dataset, builder); !chosen) {
-        result.refusal = chosen.error().text;
+        result.refusal = chosen.error().text();
         return result;
     }
     // As a whole, as decimation is.

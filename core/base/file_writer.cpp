@@ -41,9 +41,9 @@ std::string remedy(int systemError, const std::filesystem::path& folder)
     }
 }
 
-Error cannotWrite(const std::filesystem::path& target, const std::string& reason, const std::string& whatToDo)
+Error cannotWrite(const std::filesystem::path& target, const Message& reason, const Message& whatToDo)
 {
-    return {ErrorKind::CannotWrite, "Cannot write '" + target.string() + "': " + reason + ". " + whatToDo};
+    return {ErrorKind::CannotWrite, Message::say("Cannot write '%1': %2. %3", target.string(), reason, whatToDo)};
 }
 
 Error cannotWrite(const std::filesystem::path& target, int systemError)
@@ -76,10 +76,11 @@ Status checkTarget(const std::filesystem::path& target, std::optional<mode_t>& m
     if (S_ISDIR(existing.st_mode))
         return cannotWrite(target, EISDIR);
     if (!S_ISREG(existing.st_mode))
-        return cannotWrite(target, "it is not a regular file", "Choose another name.");
+        return cannotWrite(target, Message::say("it is not a regular file"), Message::say("Choose another name."));
     // A rename would replace a read-only file, and the superuser may write any: neither is what its owner meant.
     if ((existing.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 || ::access(target.c_str(), W_OK) != 0)
-        return cannotWrite(target, "the file is read-only", "Choose another name, or make it writable.");
+        return cannotWrite(target, Message::say("the file is read-only"),
+                           Message::say("Choose another name, or make it writable."));
     mode = existing.st_mode & 07777;
     return {};
 }
@@ -126,7 +127,7 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
     FileWriter writer;
     writer.target_ = behindLinks(target);
     if (writer.target_.empty() || !writer.target_.has_filename())
-        return cannotWrite(target, "it does not name a file", "Name a file.");
+        return cannotWrite(target, Message::say("it does not name a file"), Message::say("Name a file."));
     std::optional<mode_t> mode;
     if (const Status possible = checkTarget(writer.target_, mode); !possible)
         return possible.error();
@@ -141,7 +142,7 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
         writer.buffer_.reserve(std::max<std::size_t>(bufferBytes, 1));
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource,
-                     "Not enough memory to write '" + target.string() + "'. Close other programs."};
+                     Message::say("Not enough memory to write '%1'. Close other programs.", target.string())};
     }
     return writer;
 }

@@ -16,7 +16,7 @@ try {
     return work();
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource,
-                 "Not enough memory to " + std::string(purpose) + ". Close other programs, or take fewer samples."};
+                 Message::say("Not enough memory to %1. Close other programs, or take fewer samples.", purpose)};
 }
 
 } // namespace tetra

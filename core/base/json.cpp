@@ -51,7 +51,7 @@ public:
             value = fail("there is something after the end of the value");
         if (value)
             return std::move(*value);
-        return Error{ErrorKind::BadInput, "Not valid JSON: " + error_};
+        return Error{ErrorKind::BadInput, Message::say("Not valid JSON: %1", error_)};
     }
 
 private:

@@ -130,19 +130,19 @@ bool isMappingDamaged(int index) noexcept
     return table[index].damaged.load(std::memory_order_acquire);
 }
 
-Error cannotRead(const std::filesystem::path& path, const std::string& reason)
+Error cannotRead(const std::filesystem::path& path, const Message& reason)
 {
-    return {ErrorKind::BadInput, "Cannot read '" + path.string() + "': " + reason};
+    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason)};
 }
 
 Error cannotRead(const std::filesystem::path& path, int systemError)
 {
     const std::string reason = systemErrorText(systemError) + ".";
     if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource, cannotRead(path, reason + " " + std::string(resourceRemedy)).text};
+        return {ErrorKind::OutOfResource, cannotRead(path, Message::say("%1 %2", reason, resourceRemedy)).message};
     switch (systemError) {
-    case ENOENT: return cannotRead(path, reason + " Check its name and folder.");
-    case EACCES: return cannotRead(path, reason + " Ask its owner for the right to read it.");
+    case ENOENT: return cannotRead(path, Message::say("%1 Check its name and folder.", reason));
+    case EACCES: return cannotRead(path, Message::say("%1 Ask its owner for the right to read it.", reason));
     default: return cannotRead(path, reason);
     }
 }
@@ -166,9 +166,9 @@ Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem
     if (::fstat(file->descriptor_, &status) != 0)
         return cannotRead(path, errno);
     if (S_ISDIR(status.st_mode))
-        return cannotRead(path, "it is a folder. Name a file in it.");
+        return cannotRead(path, Message::say("it is a folder. Name a file in it."));
     if (!S_ISREG(status.st_mode))
-        return cannotRead(path, "it is not a regular file. Copy its content into one first.");
+        return cannotRead(path, Message::say("it is not a regular file. Copy its content into one first."));
     file->modified_ = nanoseconds(status.st_mtim);
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size == 0)
@@ -180,7 +180,7 @@ Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem
     file->guard_ = guardMapping(file->bytes_);
     if (file->guard_ < 0)
         return Error{ErrorKind::OutOfResource,
-                     "Cannot open '" + path.string() + "': too many files are open. Close some of them."};
+                     Message::say("Cannot open '%1': too many files are open. Close some of them.", path.string())};
     return std::shared_ptr<const MappedFile>(file);
 }
 

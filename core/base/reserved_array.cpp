@@ -19,10 +19,10 @@ Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, std::string_view 
     void* const start =
         ::mmap(nullptr, length, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (start == MAP_FAILED)
-        return Error{ErrorKind::OutOfResource, "Not enough memory: " + std::to_string(length >> 20) +
-                                                   " MiB of address space for " + std::string(purpose) +
-                                                   " were refused (" + systemErrorText(errno) +
-                                                   "). Close other programs, or raise the memory limit."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory: %1 MiB of address space for %2 were refused (%3). Close other "
+                                  "programs, or raise the memory limit.",
+                                  length >> 20, purpose, systemErrorText(errno))};
     ::madvise(start, length, MADV_HUGEPAGE);
     return std::shared_ptr<void>(start, [length](void* memory) { ::munmap(memory, length); });
 }

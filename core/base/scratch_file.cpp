@@ -18,8 +18,8 @@ namespace {
 Error refused(const std::filesystem::path& folder, int systemError)
 {
     return {isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
-            "Cannot make a temporary file in '" + folder.string() + "': " + systemErrorText(systemError) + ". " +
-                diskRemedy(systemError)};
+            Message::say("Cannot make a temporary file in '%1': %2. %3", folder.string(), systemErrorText(systemError),
+                         diskRemedy(systemError))};
 }
 
 } // namespace
@@ -58,8 +58,8 @@ SpoolFile::~SpoolFile()
 Error SpoolFile::failed(int systemError) const
 {
     return {isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
-            "A temporary file in '" + folder_.string() + "' cannot be used: " + systemErrorText(systemError) + ". " +
-                diskRemedy(systemError)};
+            Message::say("A temporary file in '%1' cannot be used: %2. %3", folder_.string(),
+                         systemErrorText(systemError), diskRemedy(systemError))};
 }
 
 Status SpoolFile::open()

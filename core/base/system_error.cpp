@@ -13,14 +13,17 @@ namespace {
 
 Error lackOfThreads()
 {
-    return {ErrorKind::OutOfResource,
-            "This machine can start no more threads now. Close other programs, or raise the limit (ulimit)."};
+    return {
+        ErrorKind::OutOfResource,
+        Message::say("This machine can start no more threads now. Close other programs, or raise the limit (ulimit).")};
 }
 
 Error lackOfMemory()
 {
-    return {ErrorKind::OutOfResource,
-            "The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit)."};
+    return {
+        ErrorKind::OutOfResource,
+        Message::say(
+            "The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).")};
 }
 
 } // namespace
@@ -69,7 +72,7 @@ std::optional<Error> lackOfResources(const std::exception& problem)
             return lackOfThreads();
         if (number == ENOMEM)
             return lackOfMemory();
-        return Error{ErrorKind::OutOfResource, systemErrorText(number) + ". " + std::string(resourceRemedy)};
+        return Error{ErrorKind::OutOfResource, Message::say("%1. %2", systemErrorText(number), resourceRemedy)};
     }
     // TBB throws a std::runtime_error with the text of pthread_create().
     if (namesLackOfResources(problem.what()))

@@ -23,9 +23,9 @@ namespace {
 /// The file that is locked, and that tells such a folder from one of the user's.
 constexpr const char* lockName = ".tan-work";
 
-Error cannotUse(const std::filesystem::path& path, const std::string& reason, const std::string& whatToDo)
+Error cannotUse(const std::filesystem::path& path, const Message& reason, const Message& whatToDo)
 {
-    return {ErrorKind::CannotWrite, "Cannot work in '" + path.string() + "': " + reason + ". " + whatToDo};
+    return {ErrorKind::CannotWrite, Message::say("Cannot work in '%1': %2. %3", path.string(), reason, whatToDo)};
 }
 
 /// All but the lock.
@@ -69,10 +69,10 @@ Error cannotBeUsedForWork(const std::filesystem::path& path, int systemError)
 
 Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers leftovers)
 {
-    const Error inUse =
-        cannotUse(path, "another program is building this model", "Wait for it, or give the model another name.");
-    const Error foreign =
-        cannotUse(path, "it holds something else", "Give the model another name, or move that folder away.");
+    const Error inUse = cannotUse(path, Message::say("another program is building this model"),
+                                  Message::say("Wait for it, or give the model another name."));
+    const Error foreign = cannotUse(path, Message::say("it holds something else"),
+                                    Message::say("Give the model another name, or move that folder away."));
     // One that was made here does not stay empty, whatever comes, lack of memory included.
     const auto removeIfEmpty = [](const std::filesystem::path* empty) { ::rmdir(empty->c_str()); };
     std::unique_ptr<const std::filesystem::path, decltype(removeIfEmpty)> made(nullptr, removeIfEmpty);
@@ -87,7 +87,8 @@ Result<WorkFolder> WorkFolder::open(const std::filesystem::path& path, Leftovers
         if (problem && problem != std::errc::file_exists)
             return cannotBeUsedForWork(path, problem.value());
         if (std::filesystem::is_symlink(path, problem))
-            return cannotUse(path, "it is a link", "Give the model another name, or move that link away.");
+            return cannotUse(path, Message::say("it is a link"),
+                             Message::say("Give the model another name, or move that link away."));
         const bool isForeign = holdsSomethingElse(path, problem);
         if (isForeign || problem) { // what cannot be looked at may be anything
             refusal = isForeign ? foreign : cannotBeUsedForWork(path, problem.value());

@@ -46,17 +46,17 @@ Status checkDecimationNeed(const DecimationSize& size, std::uint64_t usableBytes
     const std::string mesh =
         std::to_string(size.points) + " points and " + std::to_string(size.tetrahedra) + " tetrahedra";
     if (size.points > mostPoints || size.tetrahedra > mostTetrahedra)
-        return Error{ErrorKind::OutOfResource, "A mesh of " + mesh +
-                                                   " is too large to be decimated: " + std::to_string(mostPoints) +
-                                                   " points and " + std::to_string(mostTetrahedra) +
-                                                   " tetrahedra are the most. Take a region of it or fewer samples."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("A mesh of %1 is too large to be decimated: %2 points and %3 tetrahedra are the "
+                                  "most. Take a region of it or fewer samples.",
+                                  mesh, mostPoints, mostTetrahedra)};
     const std::uint64_t need = decimationNeed(size);
     if (usableBytes == 0 || need <= usableBytes)
         return {};
     return Error{ErrorKind::OutOfResource,
-                 "Decimation of " + mesh + " takes about " + neededBytesText(need) +
-                     " of memory, and this machine has " + neededBytesText(usableBytes) +
-                     ". Take a region of it or fewer samples, or, of a lattice or grid, refine it instead."};
+                 Message::say("Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it "
+                              "or fewer samples, or, of a lattice or grid, refine it instead.",
+                              mesh, neededBytesText(need), neededBytesText(usableBytes))};
 }
 
 namespace {
@@ -115,8 +115,9 @@ try {
     }
     return input;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 "Not enough memory to decimate '" + dataset.source.name + "'. Take a region of it or fewer samples."};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("Not enough memory to decimate '%1'. Take a region of it or fewer samples.", dataset.source.name)};
 }
 
 DecimationMesh DecimationInput::mesh() const
@@ -227,9 +228,10 @@ Status checkFinest(const Decimation& decimation)
     const double stop = decimation.error > 0 ? decimation.error : decimation.warping;
     if (!(stop > 0) || decimation.finest <= stop)
         return {};
-    return Error{ErrorKind::WrongUsage, "The finest error (" + formatNumber(decimation.finest) +
-                                            " %) is larger than the error at which to stop (" + formatNumber(stop) +
-                                            " %). Choose a smaller finest error, or 0 to keep everything."};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a "
+                              "smaller finest error, or 0 to keep everything.",
+                              formatNumber(decimation.finest), formatNumber(stop))};
 }
 
 } // namespace
@@ -237,11 +239,13 @@ Status checkFinest(const Decimation& decimation)
 Status checkDecimation(const Dataset& dataset)
 {
     if (dataset.domain == DomainClass::Scattered)
-        return Error{ErrorKind::BadInput,
-                     "Scattered points have no tetrahedra that decimation could begin with. Refine them instead."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("Scattered points have no tetrahedra that decimation could begin with. Refine them instead.")};
     const DecimationSize size = decimationSize(dataset);
     if (size.tetrahedra == 0)
-        return Error{ErrorKind::BadInput, "A tetrahedral mesh needs a cell: two points or more along each axis."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("A tetrahedral mesh needs a cell: two points or more along each axis.")};
     return checkDecimationNeed(size, usableBytes());
 }
 

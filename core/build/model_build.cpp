@@ -61,14 +61,14 @@ Status checkModelOutput(const std::filesystem::path& output)
     std::ifstream file(output, std::ios::binary);
     if (!file.is_open()) // what cannot be looked at may be anything
         return Error{isLackOfResources(errno) ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                     "'" + output.string() + "' cannot be read: " + systemErrorText(errno) + "."};
+                     Message::say("'%1' cannot be read: %2.", output.string(), systemErrorText(errno))};
     std::array<char, format::magic.size()> begin{};
     file.read(begin.data(), begin.size());
     if (beginsLikeModel(std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(file.gcount()))))
         return {};
-    return Error{ErrorKind::WrongUsage, "'" + output.string() +
-                                            "' exists and is no TAn model, so it is not overwritten. Give the model "
-                                            "another name, or remove that file first."};
+    return Error{ErrorKind::WrongUsage, Message::say("'%1' exists and is no TAn model, so it is not overwritten. Give "
+                                                     "the model another name, or remove that file first.",
+                                                     output.string())};
 }
 
 std::filesystem::path workFolderOf(const std::filesystem::path& output)
@@ -162,8 +162,9 @@ Status checkPercents(std::initializer_list<double> percents)
 {
     for (const double percent : percents)
         if (!(percent >= 0 && percent <= 100))
-            return Error{ErrorKind::WrongUsage,
-                         formatNumber(percent) + " is no percentage at which to stop. Give one from 0 to 100."};
+            return Error{
+                ErrorKind::WrongUsage,
+                Message::say("%1 is no percentage at which to stop. Give one from 0 to 100.", formatNumber(percent))};
     return {};
 }
 

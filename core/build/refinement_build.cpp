@@ -147,7 +147,8 @@ Result<BuildReport> buildLattice(const Dataset& dataset, const Refinement& refin
     if (!cells)
         return cells.error();
     if (*cells > 0 && !target.ofFixedSize)
-        return Error{ErrorKind::WrongUsage, "Blocks cannot be built into this target. Set the block to \"none\"."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Blocks cannot be built into this target. Set the block to \"none\".")};
     const Result<std::vector<float>> weights = pointWeights(refinement.weighting, dataset, progress);
     if (!weights)
         return weights.error();
@@ -191,9 +192,10 @@ try {
     for (std::uint64_t point = 0; point < values.size(); ++point) {
         values[point] = dataset.values.at(point);
         if (!std::isfinite(values[point]) || !dataset.position(point).allFinite())
-            return Error{ErrorKind::BadInput, "Point " + std::to_string(point) + " of '" + dataset.source.name +
-                                                  "' has a position or a value that is not a finite number. Leave it "
-                                                  "out."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("Point %1 of '%2' has a position or a value that is not a finite number. Leave it out.",
+                             point, dataset.source.name)};
     }
     const double stopError = refinement.error / 100 * dataset.values.range().extent();
     const Result<ScatteredRefinementResult> result =
@@ -202,7 +204,8 @@ try {
         return result.error();
     return BuildReport{result->sites, result->tetrahedra, 0, 0};
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to refine these points. Close other programs."};
+    return Error{ErrorKind::OutOfResource,
+                 Message::say("Not enough memory to refine these points. Close other programs.")};
 }
 
 /// A good compromise: the mesh has a few percent more sites than a whole one, and its memory stays in the cache.
@@ -247,21 +250,22 @@ Status checkRefinement(const Dataset& dataset)
     case DomainClass::RegularLattice:
         if (dataset.lattice.pointCount() <= mostPoints)
             return {};
-        return Error{ErrorKind::BadInput, "A lattice of " + latticeSizeText(dataset.lattice) +
-                                              " points is too large: a model holds at most 4294967296. Crop or "
-                                              "subsample it."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.",
+                         latticeSizeText(dataset.lattice))};
     case DomainClass::Curvilinear:
         if (const auto metric = latticeMetric(dataset.lattice.size, {1, 1, 1}); !metric)
-            return Error{ErrorKind::BadInput, metric.error().text};
+            return Error{ErrorKind::BadInput, metric.error().message};
         return {};
     case DomainClass::Scattered:
         if (dataset.pointCount() >= 4)
             return {};
-        return Error{ErrorKind::BadInput, "A tetrahedral mesh needs four points or more."};
+        return Error{ErrorKind::BadInput, Message::say("A tetrahedral mesh needs four points or more.")};
     case DomainClass::Irregular: break;
     }
     return Error{ErrorKind::BadInput,
-                 "Refinement does not take " + std::string(domainClassName(dataset.domain)) + " data."};
+                 Message::say("Refinement does not take %1 data.", domainClassName(dataset.domain))};
 }
 
 bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_t points, std::uint64_t usableBytes)
@@ -277,9 +281,10 @@ Result<std::uint32_t> chooseBlocks(const std::optional<std::uint32_t>& block, co
     if (*block == 0)
         return 0u;
     if (const std::uint64_t count = blockCount(lattice, *block); count > mostBlocks)
-        return Error{ErrorKind::WrongUsage, "Blocks of " + std::to_string(*block) + " cells cut this dataset into " +
-                                                std::to_string(count) + " pieces; " + std::to_string(mostBlocks) +
-                                                " are the most. Choose larger blocks."};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.",
+                         *block, count, mostBlocks)};
     return *block;
 }
 

@@ -35,17 +35,17 @@ std::string sizeText(const std::array<std::uint64_t, 3>& size)
 Status checkLatticeSize(const std::array<std::uint64_t, 3>& size)
 {
     if (std::ranges::any_of(size, [](std::uint64_t points) { return points < 2; }))
-        return Error{ErrorKind::BadInput, "it has " + sizeText(size) +
-                                              " points. A volume needs at least 2 along each axis: put several slices "
-                                              "together, or repeat the one there is."};
+        return Error{ErrorKind::BadInput, Message::say("it has %1 points. A volume needs at least 2 along each axis: "
+                                                       "put several slices together, or repeat the one there is.",
+                                                       sizeText(size))};
     constexpr std::uint64_t largestBytes = std::uint64_t(1) << 62;
     std::uint64_t room = largestBytes / sizeof(double);
     for (const std::uint64_t points : size) {
         room = points > std::numeric_limits<std::uint32_t>::max() ? 0 : room / points;
         if (room == 0)
-            return Error{ErrorKind::BadInput, "it claims to have " + sizeText(size) +
-                                                  " points, more than any machine can hold. Its description is "
-                                                  "wrong: check the sizes."};
+            return Error{ErrorKind::BadInput, Message::say("it claims to have %1 points, more than any machine can "
+                                                           "hold. Its description is wrong: check the sizes.",
+                                                           sizeText(size))};
     }
     return {};
 }
@@ -57,20 +57,23 @@ Status checkLatticePlacement(const Lattice& lattice)
     };
     for (int axis = 0; axis < 3; ++axis)
         if (!(lattice.spacing[axis] > 0) || !std::isfinite(lattice.spacing[axis]))
-            return Error{ErrorKind::BadInput, "its spacing is " + text(lattice.spacing) +
-                                                  ". The distance of neighbouring points must be a positive number "
-                                                  "along each axis."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "its spacing is %1. The distance of neighbouring points must be a positive number along each axis.",
+                    text(lattice.spacing))};
     const Eigen::AlignedBox3d bounds = lattice.bounds();
     if (!lattice.origin.allFinite() || !bounds.max().allFinite())
-        return Error{ErrorKind::BadInput, "its origin " + text(lattice.origin) + " and spacing " +
-                                              text(lattice.spacing) +
-                                              " give positions that are no finite numbers. Check both."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its origin %1 and spacing %2 give positions that are no finite numbers. Check both.",
+                                  text(lattice.origin), text(lattice.spacing))};
     const Eigen::Vector3d beforeLast = lattice.position(lattice.size[0] - 2, lattice.size[1] - 2, lattice.size[2] - 2);
     if ((bounds.max().array() <= beforeLast.array()).any() ||
         (lattice.position(1, 1, 1).array() <= lattice.origin.array()).any())
-        return Error{ErrorKind::BadInput, "its origin " + text(lattice.origin) + " is so far away for the spacing " +
-                                              text(lattice.spacing) +
-                                              " that neighbouring points fall together. Move the origin nearer to 0."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its origin %1 is so far away for the spacing %2 that neighbouring points fall "
+                                  "together. Move the origin nearer to 0.",
+                                  text(lattice.origin), text(lattice.spacing))};
     return {};
 }
 
@@ -79,10 +82,11 @@ Status checkFinite(const Lattice& lattice, const ScalarField& values)
     if (values.notFiniteCount() == 0)
         return {};
     const auto [i, j, k] = lattice.coordinates(firstNotFinite(values));
-    return Error{ErrorKind::BadInput,
-                 std::to_string(values.notFiniteCount()) + " of its " + std::to_string(values.count()) +
-                     " samples are NaN or infinite, the first at point (" + std::to_string(i) + ", " +
-                     std::to_string(j) + ", " + std::to_string(k) + "). Replace them by numbers first."};
+    return Error{
+        ErrorKind::BadInput,
+        Message::say(
+            "%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them by numbers first.",
+            values.notFiniteCount(), values.count(), i, j, k)};
 }
 
 namespace {
@@ -153,17 +157,20 @@ Status checkGrid(const Dataset& dataset)
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
         if (!((*dataset.positions)[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
             !(*dataset.positions)[point].allFinite())
-            return Error{ErrorKind::BadInput, "the position of point " + pointText(dataset.lattice, point) +
-                                                  " is no number, or far beyond what can be reckoned with. Repair the "
-                                                  "file."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "the position of point %1 is no number, or far beyond what can be reckoned with. Repair the file.",
+                    pointText(dataset.lattice, point))};
     if (dataset.values.notFiniteCount() > 0)
-        return Error{ErrorKind::BadInput, std::to_string(dataset.values.notFiniteCount()) +
-                                              " values are too large for single precision, or no numbers. Choose "
-                                              "another array."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("%1 values are too large for single precision, or no numbers. Choose another array.",
+                                  dataset.values.notFiniteCount())};
     const CellCornerSigns signs = cellCornerSigns(dataset);
     if (signs.positive == 0 && signs.negative == 0)
-        return Error{ErrorKind::BadInput,
-                     "all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes.")};
     return {};
 }
 

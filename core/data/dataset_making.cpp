@@ -14,17 +14,16 @@ namespace tetra {
 
 namespace {
 
-Error cannotUse(const std::string& name, const std::string& reason)
+Error cannotUse(const std::string& name, const Message& reason)
 {
-    return {ErrorKind::BadInput, "Cannot use '" + name + "': " + reason};
+    return {ErrorKind::BadInput, Message::say("Cannot use '%1': %2", name, reason)};
 }
 
 Status checkCount(const std::string& name, std::uint64_t values, std::uint64_t points)
 {
     if (values == points)
         return {};
-    return cannotUse(name, "it has " + std::to_string(values) + " values for " + std::to_string(points) +
-                               " points. Give one a point.");
+    return cannotUse(name, Message::say("it has %1 values for %2 points. Give one a point.", values, points));
 }
 
 Dataset named(Dataset dataset, std::string name)
@@ -38,13 +37,13 @@ Dataset named(Dataset dataset, std::string name)
 Result<Dataset> latticeDataset(const Lattice& lattice, ScalarField values, std::string name)
 {
     if (const Status usable = checkLatticeSize({lattice.size[0], lattice.size[1], lattice.size[2]}); !usable)
-        return cannotUse(name, usable.error().text);
+        return cannotUse(name, usable.error().text());
     if (const Status usable = checkLatticePlacement(lattice); !usable)
-        return cannotUse(name, usable.error().text);
+        return cannotUse(name, usable.error().text());
     if (const Status usable = checkCount(name, values.count(), lattice.pointCount()); !usable)
         return usable.error();
     if (const Status usable = checkFinite(lattice, values); !usable)
-        return cannotUse(name, usable.error().text);
+        return cannotUse(name, usable.error().text());
     return named(Dataset{.lattice = lattice, .values = std::move(values), .source = {}}, std::move(name));
 }
 
@@ -52,7 +51,7 @@ Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size, std
                                    ScalarField values, std::string name)
 {
     if (const Status usable = checkLatticeSize({size[0], size[1], size[2]}); !usable)
-        return cannotUse(name, usable.error().text);
+        return cannotUse(name, usable.error().text());
     Dataset dataset{.domain = DomainClass::Curvilinear, .lattice = {.size = size}, .values = {}, .source = {}};
     for (const std::uint64_t count : {values.count(), std::uint64_t(positions.size())})
         if (const Status usable = checkCount(name, count, dataset.lattice.pointCount()); !usable)
@@ -60,7 +59,7 @@ Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size, std
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
     dataset.values = std::move(values);
     if (const Status usable = checkGrid(dataset); !usable)
-        return cannotUse(name, usable.error().text);
+        return cannotUse(name, usable.error().text());
     return named(std::move(dataset), std::move(name));
 }
 
@@ -71,12 +70,15 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
     for (std::size_t point = 0; point < positions.size(); ++point)
         if (!positions[point].allFinite() || !(positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
             !std::isfinite(values[point]))
-            return cannotUse(name, "the position or the value of point " + std::to_string(point) +
-                                       " is no finite number, or too large. Leave it out.");
+            return cannotUse(
+                name,
+                Message::say("the position or the value of point %1 is no finite number, or too large. Leave it out.",
+                             point));
     if (positions.empty())
-        return cannotUse(name, "it has no points.");
+        return cannotUse(name, Message::say("it has no points."));
     if (positions.size() > std::numeric_limits<std::uint32_t>::max())
-        return Error{ErrorKind::OutOfResource, "'" + name + "' has more than 4294967295 points. Take a part of them."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("'%1' has more than 4294967295 points. Take a part of them.", name)};
     Dataset dataset{.domain = DomainClass::Scattered, .lattice = {}, .values = {}, .source = {}};
     if (const std::string merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
         dataset.remarks.push_back(merged);

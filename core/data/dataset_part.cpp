@@ -186,11 +186,11 @@ std::string nameOfPart(const DatasetPart& part)
 
 constexpr std::uint32_t notTaken = std::numeric_limits<std::uint32_t>::max();
 
-Error nothingInside(const std::string& what)
+Error nothingInside(const Message& what)
 {
-    return {ErrorKind::WrongUsage, "The region holds " + what +
-                                       ". Take a larger one; 'bounds' of 'tan info' says where "
-                                       "the points lie."};
+    return {ErrorKind::WrongUsage,
+            Message::say("The region holds %1. Take a larger one; 'bounds' of 'tan info' says where the points lie.",
+                         what)};
 }
 
 /// The points that are taken, in their order, and the number that each point has there.
@@ -252,7 +252,7 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
             isUsed[point] |= taken[i];
     const Chosen chosen = choose(isUsed.size(), [&](std::uint32_t point) { return isUsed[point] != 0; });
     if (chosen.points.empty())
-        return nothingInside("no whole tetrahedron");
+        return nothingInside(Message::say("no whole tetrahedron"));
     auto result = ofPoints(dataset, chosen.points);
     if (!result)
         return result;
@@ -280,7 +280,7 @@ Result<Dataset> partOfPoints(const Dataset& dataset, const Eigen::AlignedBox3d& 
     const Chosen chosen =
         choose(dataset.pointCount(), [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
     if (chosen.points.size() < leastPoints)
-        return nothingInside(std::to_string(chosen.points.size()) + " points, and a volume needs four");
+        return nothingInside(Message::say("%1 points, and a volume needs four", chosen.points.size()));
     return ofPoints(dataset, chosen.points);
 }
 
@@ -322,7 +322,7 @@ try {
     progress.report(1, "Reading");
     return result;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory for this part. Take a smaller one."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory for this part. Take a smaller one.")};
 }
 
 namespace {
@@ -363,24 +363,24 @@ Result<std::optional<Eigen::AlignedBox3d>> parseRegion(std::string_view text)
 {
     if (text.empty())
         return std::optional<Eigen::AlignedBox3d>();
-    const auto wrong = [&](const std::string& what) {
-        return Error{ErrorKind::WrongUsage, "The region '" + std::string(text) + "' " + what};
+    const auto wrong = [&](const Message& what) {
+        return Error{ErrorKind::WrongUsage, Message::say("The region '%1' %2", text, what)};
     };
     const auto entries = entriesOf(text);
     if (entries.size() != 6)
-        return wrong("is not understood. Give six numbers separated by commas: the first corner's and the last one's, "
-                     "as in 0,0,0,31,31,15.");
+        return wrong(Message::say("is not understood. Give six numbers separated by commas: the first corner's and the "
+                                  "last one's, as in 0,0,0,31,31,15."));
     std::array<double, 6> numbers{};
     for (std::size_t i = 0; i < 6; ++i) {
         const auto number = parseNumber<double>(entries[i]);
         if (!number || !std::isfinite(*number))
-            return wrong("holds '" + std::string(entries[i]) + "', which is no number.");
+            return wrong(Message::say("holds '%1', which is no number.", entries[i]));
         numbers[i] = *number;
     }
     const Eigen::Vector3d first(numbers[0], numbers[1], numbers[2]);
     const Eigen::Vector3d last(numbers[3], numbers[4], numbers[5]);
     if ((first.array() > last.array()).any())
-        return wrong("ends before it begins. Give the smaller numbers first.");
+        return wrong(Message::say("ends before it begins. Give the smaller numbers first."));
     return std::optional(Eigen::AlignedBox3d(first, last));
 }
 
@@ -395,9 +395,9 @@ Result<std::array<std::uint32_t, 3>> parseStride(std::string_view text)
         stride[axis] = number.value_or(0);
     }
     if ((entries.size() != 1 && entries.size() != 3) || stride[0] == 0 || stride[1] == 0 || stride[2] == 0)
-        return Error{ErrorKind::WrongUsage, "The stride '" + std::string(text) +
-                                                "' is not understood. Give one whole number from 1, or three "
-                                                "separated by commas, as in 2,2,1."};
+        return Error{ErrorKind::WrongUsage, Message::say("The stride '%1' is not understood. Give one whole number "
+                                                         "from 1, or three separated by commas, as in 2,2,1.",
+                                                         text)};
     return stride;
 }
 

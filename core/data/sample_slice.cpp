@@ -46,7 +46,7 @@ Result<SampleSlice> readSampleSlice(std::span<const std::byte> file, const Store
                                     std::uint32_t number, std::uint32_t most, const Progress& progress)
 {
     if (axis < 0 || axis > 2 || number >= samples.size[static_cast<std::size_t>(axis)])
-        return Error{ErrorKind::WrongUsage, "There is no layer " + std::to_string(number) + " along this axis."};
+        return Error{ErrorKind::WrongUsage, Message::say("There is no layer %1 along this axis.", number)};
     const auto across = static_cast<std::size_t>(axis);
     const std::size_t right = axis == 0 ? 1 : 0;
     const std::size_t up = axis == 2 ? 1 : 2;

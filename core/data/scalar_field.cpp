@@ -23,9 +23,9 @@ Result<std::shared_ptr<std::byte>> allocateSamples(SampleType type, std::uint64_
     const std::uint64_t limit = physical != 0 ? physical : std::numeric_limits<std::uint64_t>::max() / 2;
     if (count > limit / sampleSize(type))
         return Error{ErrorKind::OutOfResource,
-                     "Not enough memory: " + std::to_string(count) + " samples of type " +
-                         std::string(sampleTypeName(type)) + " do not fit into the " + std::to_string(limit >> 20) +
-                         " MiB of this machine. Use a smaller part or a coarser version of the data."};
+                     Message::say("Not enough memory: %1 samples of type %2 do not fit into the %3 MiB of this "
+                                  "machine. Use a smaller part or a coarser version of the data.",
+                                  count, sampleTypeName(type), limit >> 20)};
     Result<std::shared_ptr<void>> memory = reserveMemory(count * sampleSize(type), "the samples");
     if (!memory)
         return memory.error();

@@ -47,9 +47,11 @@ Result<std::vector<float>> pointWeights(const Weighting& weighting, const Datase
     try {
         weights.resize(dataset.pointCount());
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory for the weights of " +
-                                                   std::to_string(dataset.pointCount()) +
-                                                   " points. Build without weights, or close other programs."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "Not enough memory for the weights of %1 points. Build without weights, or close other programs.",
+                dataset.pointCount())};
     }
     visitSampleType(dataset.values.type(), [&]<class T>() {
         const std::span<const T> values = dataset.values.as<T>();
@@ -109,9 +111,9 @@ const TermKind* kindOf(std::string_view name)
     return nullptr;
 }
 
-Error wrong(std::string_view term, const std::string& why)
+Error wrong(std::string_view term, const Message& why)
 {
-    return {ErrorKind::WrongUsage, "The weight '" + printable(term) + "' cannot be used: " + why + "."};
+    return {ErrorKind::WrongUsage, Message::say("The weight '%1' cannot be used: %2.", printable(term), why)};
 }
 
 /// The numbers of a term, the floor always among them.
@@ -121,22 +123,22 @@ Result<std::vector<double>> numbersOf(std::string_view term, std::string_view li
     for (const std::string_view part : parts(list, ',')) {
         const std::optional<double> number = parseNumber<double>(part);
         if (!number || !std::isfinite(*number))
-            return wrong(term, "'" + printable(part) + "' is not a number");
+            return wrong(term, Message::say("'%1' is not a number", printable(part)));
         numbers.push_back(*number);
     }
     const std::size_t least = kind.coordinates + 1;
     if (numbers.size() != least && numbers.size() != least + 1)
-        return wrong(term, "it has " + std::to_string(numbers.size()) + " numbers, and the form is " +
-                               std::string(kind.form));
+        return wrong(term, Message::say("it has %1 numbers, and the form is %2", numbers.size(), kind.form));
     if (numbers.size() == least)
         numbers.push_back(defaultWeightFloor);
     const double reach = numbers[kind.coordinates];
     if (reach < 0 || (reach == 0 && !kind.mayEndSharply))
-        return wrong(term, "its reach is " + formatNumber(reach) + " and must be " +
-                               (kind.mayEndSharply ? "at least 0" : "above 0"));
+        return wrong(term, kind.mayEndSharply
+                               ? Message::say("its reach is %1 and must be at least 0", formatNumber(reach))
+                               : Message::say("its reach is %1 and must be above 0", formatNumber(reach)));
     if (numbers.back() < smallestWeightFloor || numbers.back() > 1)
-        return wrong(term, "its floor is " + formatNumber(numbers.back()) + " and must be from " +
-                               formatNumber(smallestWeightFloor) + " to 1");
+        return wrong(term, Message::say("its floor is %1 and must be from %2 to 1", formatNumber(numbers.back()),
+                                        formatNumber(smallestWeightFloor)));
     return numbers;
 }
 
@@ -145,7 +147,7 @@ Status addTerm(std::string_view term, Weighting& weighting)
     const auto colon = term.find(':');
     const TermKind* kind = kindOf(trimmed(term.substr(0, colon)));
     if (kind == nullptr || colon == std::string_view::npos)
-        return wrong(term, "a weight begins with 'point:', 'box:' or 'value:'");
+        return wrong(term, Message::say("a weight begins with 'point:', 'box:' or 'value:'"));
     const Result<std::vector<double>> numbers = numbersOf(term, term.substr(colon + 1), *kind);
     if (!numbers)
         return numbers.error();
@@ -158,7 +160,7 @@ Status addTerm(std::string_view term, Weighting& weighting)
     const Eigen::Vector3d low(n[0], n[1], n[2]);
     const Eigen::Vector3d high = kind == &boxKind ? Eigen::Vector3d(n[3], n[4], n[5]) : low;
     if ((low.array() > high.array()).any())
-        return wrong(term, "its first corner must be the smaller one along every axis");
+        return wrong(term, Message::say("its first corner must be the smaller one along every axis"));
     weighting.places.push_back({{low, high}, reach, n.back()});
     return {};
 }

@@ -142,7 +142,7 @@ Status CollapseLog::replay(std::span<const std::uint32_t> points, std::span<cons
         made += collapse.madeCount;
     if (std::max<std::uint64_t>(made, tetrahedra_.size() + coarsest.size()) >= none)
         return Error{ErrorKind::OutOfResource,
-                     "The history has more than 4 billion tetrahedra. Decimate a part of the mesh."};
+                     Message::say("The history has more than 4 billion tetrahedra. Decimate a part of the mesh.")};
     std::vector<std::uint8_t> removed(points.size(), 0);
     for (const Collapse& collapse : collapses_)
         removed[collapse.vertex] = 1;

@@ -38,9 +38,9 @@ private:
     bool leftHanded_;
 };
 
-Error cannotDecimate(const std::string& text)
+Error cannotDecimate(const Message& text)
 {
-    return {ErrorKind::BadInput, "The mesh cannot be decimated: " + text};
+    return {ErrorKind::BadInput, Message::say("The mesh cannot be decimated: %1", text)};
 }
 
 Status checkSizes(const DecimationMesh& mesh)
@@ -49,13 +49,14 @@ Status checkSizes(const DecimationMesh& mesh)
     if (points >= 0xffffffff || mesh.tetrahedra.size() >= std::size_t(1) << 30)
         return Error{
             ErrorKind::OutOfResource,
-            "Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part."};
+            Message::say(
+                "Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part.")};
     if (mesh.tetrahedra.empty())
-        return cannotDecimate("it has no tetrahedra.");
+        return cannotDecimate(Message::say("it has no tetrahedra."));
     if (mesh.values.size() != points || (!mesh.physical.empty() && mesh.physical.size() != points) ||
         (!mesh.weights.empty() && mesh.weights.size() != points))
-        return cannotDecimate("it has not one value, weight and place for each of its " + std::to_string(points) +
-                              " points.");
+        return cannotDecimate(
+            Message::say("it has not one value, weight and place for each of its %1 points.", points));
     return {};
 }
 
@@ -64,21 +65,21 @@ Status checkNumbers(const DecimationMesh& mesh)
     const auto finite = [](const Eigen::Vector3d& position) { return position.allFinite(); };
     for (const auto& positions : {mesh.positions, mesh.physical})
         if (const auto bad = std::ranges::find_if_not(positions, finite); bad != positions.end())
-            return cannotDecimate("point " + std::to_string(bad - positions.begin()) + " has no finite place.");
+            return cannotDecimate(Message::say("point %1 has no finite place.", bad - positions.begin()));
     if (const auto bad = std::ranges::find_if_not(mesh.values, [](double value) { return std::isfinite(value); });
         bad != mesh.values.end())
-        return cannotDecimate("point " + std::to_string(bad - mesh.values.begin()) + " has no finite value.");
+        return cannotDecimate(Message::say("point %1 has no finite value.", bad - mesh.values.begin()));
     if (!std::ranges::all_of(mesh.weights, [](float weight) { return weight > 0 && weight <= 1; }))
-        return cannotDecimate("weights must be above 0 and at most 1.");
+        return cannotDecimate(Message::say("weights must be above 0 and at most 1."));
     std::vector<bool> used(mesh.positions.size(), false);
     for (const auto& tetrahedron : mesh.tetrahedra)
         for (const std::uint32_t vertex : tetrahedron) {
             if (vertex >= used.size())
-                return cannotDecimate("a tetrahedron has vertex " + std::to_string(vertex) + ", which does not exist.");
+                return cannotDecimate(Message::say("a tetrahedron has vertex %1, which does not exist.", vertex));
             used[vertex] = true;
         }
     if (const auto alone = std::ranges::find(used, false); alone != used.end())
-        return cannotDecimate("point " + std::to_string(alone - used.begin()) + " is in no tetrahedron. Leave it out.");
+        return cannotDecimate(Message::say("point %1 is in no tetrahedron. Leave it out.", alone - used.begin()));
     return {};
 }
 
@@ -86,9 +87,9 @@ Status checkDecimationOptions(const DecimationMesh& mesh, const DecimationOption
 {
     const bool warps = !mesh.box || !mesh.physical.empty();
     if (!(options.warpingWeight >= 0) || !std::isfinite(options.warpingWeight) || (warps && options.warpingWeight == 0))
-        return Error{ErrorKind::WrongUsage, "The weight of the warping must be a positive number."};
+        return Error{ErrorKind::WrongUsage, Message::say("The weight of the warping must be a positive number.")};
     if (!(options.stopKey >= 0))
-        return Error{ErrorKind::WrongUsage, "The error to stop at must not be negative."};
+        return Error{ErrorKind::WrongUsage, Message::say("The error to stop at must not be negative.")};
     return {};
 }
 
@@ -135,8 +136,9 @@ Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOp
             return status.error();
         return decimateSound(mesh, options, sink, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to decimate this mesh. Close other programs, use a "
-                                               "machine with more memory, or take a part of the data."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to decimate this mesh. Close other programs, use a machine with "
+                                  "more memory, or take a part of the data.")};
     }
 }
 

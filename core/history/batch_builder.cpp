@@ -118,8 +118,10 @@ Status BatchBuilder::check(const HistoryStep& step) const
     if (std::isnan(step.keyBefore) || step.keyBefore < 0)
         return inconsistent("the error before it is not a number of at least 0");
     if (step.star.size() > gone - storedNumbers_.size())
-        return Error{ErrorKind::OutOfResource,
-                     "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.")};
     for (const HistoryTetrahedron& tetrahedron : step.star) {
         if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
             return inconsistent("a tetrahedron of its star has a site that comes after it");

@@ -48,7 +48,7 @@ private:
 Status PrefixScan::run(const Progress& progress)
 {
     if (expected_ > model_.tetrahedronCount())
-        return inconsistentModel(model_, "its star offsets do not fit its mesh sizes");
+        return inconsistentModel(model_, Message::say("its star offsets do not fit its mesh sizes"));
     out_.resize(expected_ + slack);
     const auto scan = [this](const Stars& stars) {
         const bool fits = stars.count() + aliveScanOverrun <= out_.size() - found_;
@@ -57,9 +57,8 @@ Status PrefixScan::run(const Progress& progress)
     if (const Status walked = walkHistory(model_, 0, sites_, progress, extracting, scan); !walked)
         return walked;
     if (found_ != expected_)
-        return inconsistentModel(model_, "the mesh of " + std::to_string(sites_) + " sites has " +
-                                             std::to_string(found_) + " tetrahedra instead of " +
-                                             std::to_string(expected_));
+        return inconsistentModel(
+            model_, Message::say("the mesh of %1 sites has %2 tetrahedra instead of %3", sites_, found_, expected_));
     out_.resize(found_);
     return {};
 }
@@ -69,8 +68,9 @@ Status PrefixScan::scanStars(const Stars& stars)
     const AliveScan scanned = scan_(stars, sites_, out_.data() + found_);
     found_ = static_cast<std::uint64_t>(scanned.end - out_.data());
     if (!scanned.sitesComeBefore)
-        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(stars.firstSite) +
-                                             " or soon after has a site that comes after its creator");
+        return inconsistentModel(
+            model_, Message::say("a tetrahedron of site %1 or soon after has a site that comes after its creator",
+                                 stars.firstSite));
     return found_ > expected_ ? tooMany() : Status();
 }
 
@@ -84,8 +84,8 @@ Status PrefixScan::scanLongStars(const Stars& stars)
             Tetrahedron alive[1 + aliveScanOverrun];
             const AliveScan scanned = scan_({stars.otherSites, stars.destroyers, creator, one}, sites_, alive);
             if (!scanned.sitesComeBefore)
-                return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
-                                                     " has a site that comes after its creator");
+                return inconsistentModel(
+                    model_, Message::say("a tetrahedron of site %1 has a site that comes after its creator", creator));
             if (scanned.end == alive)
                 continue;
             if (found_ == expected_)
@@ -97,8 +97,9 @@ Status PrefixScan::scanLongStars(const Stars& stars)
 
 Error PrefixScan::tooMany() const
 {
-    return inconsistentModel(model_, "the mesh of " + std::to_string(sites_) + " sites has more than the " +
-                                         std::to_string(expected_) + " tetrahedra that it should have");
+    return inconsistentModel(
+        model_,
+        Message::say("the mesh of %1 sites has more than the %2 tetrahedra that it should have", sites_, expected_));
 }
 
 Status extractInto(const Model& model, std::uint32_t sites, const Progress& progress, TetrahedralMesh& mesh)
@@ -160,21 +161,23 @@ Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, c
                                       TetrahedralMesh reuse)
 {
     if (sites > model.siteCount())
-        return Error{ErrorKind::WrongUsage, "'" + model.path().string() + "' has " + std::to_string(model.siteCount()) +
-                                                " sites, fewer than the " + std::to_string(sites) + " asked for."};
+        return Error{ErrorKind::WrongUsage, Message::say("'%1' has %2 sites, fewer than the %3 asked for.",
+                                                         model.path().string(), model.siteCount(), sites)};
     if (sites > 0 && (!model.check(model.groupGoesOn()[sites - 1]) || !model.check(model.meshSizes()[sites - 1])))
         if (const Status intact = model.checkIntact(); !intact)
             return intact.error();
     if (sites > 0 && model.groupGoesOn()[sites - 1] != 0)
-        return Error{ErrorKind::WrongUsage, "The first " + std::to_string(sites) + " sites of '" +
-                                                model.path().string() + "' have no mesh of their own: site " +
-                                                std::to_string(sites) + " enters together with the one before it."};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "The first %1 sites of '%2' have no mesh of their own: site %3 enters together with the one before it.",
+                sites, model.path().string(), sites)};
     try {
         if (const Status extracted = extractInto(model, sites, progress, reuse); !extracted)
             return extracted.error();
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource,
-                     "Not enough memory for a mesh of " + std::to_string(sites) + " sites. Choose a larger error."};
+                     Message::say("Not enough memory for a mesh of %1 sites. Choose a larger error.", sites)};
     }
     return reuse;
 }
@@ -238,9 +241,9 @@ Result<std::string> levelsFor(const std::filesystem::path& path, const Model& mo
         return levelsAsCsv(model, levels);
     if (ending == ".json")
         return levelsAsJson(model, levels);
-    return Error{ErrorKind::WrongUsage, "'" + path.string() +
-                                            "' ends in neither .csv nor .json, the formats in which statistics are "
-                                            "written. Choose one of these endings."};
+    return Error{ErrorKind::WrongUsage, Message::say("'%1' ends in neither .csv nor .json, the formats in which "
+                                                     "statistics are written. Choose one of these endings.",
+                                                     path.string())};
 }
 
 } // namespace tetra

@@ -19,9 +19,6 @@ using format::Header;
 using format::Section;
 using format::SectionId;
 
-const std::string update = " Install a later version of TAn.";
-const std::string copyAgain = " Copy the file again, or build it again.";
-
 /// The bytes of one element of each section that every model needs; 0 for the type of the samples.
 struct Expected {
     SectionId id;
@@ -65,12 +62,16 @@ private:
     std::uint32_t positionBytes() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
-    Error bad(const std::string& text) const { return {ErrorKind::BadInput, name_ + " " + text}; }
-    Error damaged(const std::string& what) const { return bad("is damaged: " + what + "." + copyAgain); }
+    Error bad(const Message& text) const { return {ErrorKind::BadInput, Message::say("%1 %2", name_, text)}; }
+    Error damaged(const Message& what) const
+    {
+        return bad(Message::say("is damaged: %1. Copy the file again, or build it again.", what));
+    }
     Error cutShort(std::uint64_t expectedBytes) const
     {
-        return bad("is cut short: it has " + std::to_string(file_.size()) + " bytes and should have " +
-                   std::to_string(expectedBytes) + "." + copyAgain);
+        return bad(
+            Message::say("is cut short: it has %1 bytes and should have %2. Copy the file again, or build it again.",
+                         file_.size(), expectedBytes));
     }
 
     std::span<const std::byte> file_;
@@ -96,18 +97,18 @@ Status LayoutReader::readHeader()
     Header& header = layout_.header;
     const std::size_t available = std::min(file_.size(), sizeof(Header));
     if (available == 0)
-        return bad("is empty. Models are made by 'tan build'.");
+        return bad(Message::say("is empty. Models are made by 'tan build'."));
     std::memcpy(static_cast<void*>(&header), file_.data(), available);
     if (available < sizeof header.magic || header.magic != format::magic)
-        return bad("is not a TAn model: it does not begin like one. Models are made by 'tan build'.");
+        return bad(Message::say("is not a TAn model: it does not begin like one. Models are made by 'tan build'."));
     if (available < sizeof(Header))
         return cutShort(sizeof(Header));
     if (header.byteOrderMark == format::byteOrderMarkReversed)
-        return bad("was written with the other byte order. Build it again on this machine.");
+        return bad(Message::say("was written with the other byte order. Build it again on this machine."));
     if (header.majorVersion > format::majorVersion)
-        return bad("has format version " + std::to_string(header.majorVersion) + "." +
-                   std::to_string(header.minorVersion) + "; this program reads up to version " +
-                   std::to_string(format::majorVersion) + "." + update);
+        return bad(Message::say(
+            "has format version %1.%2; this program reads up to version %3. Install a later version of TAn.",
+            header.majorVersion, header.minorVersion, format::majorVersion));
     if (header.majorVersion == 0 || header.byteOrderMark != format::byteOrderMark ||
         header.headerBytes != sizeof(Header) || header.sectionCount > format::mostSections)
         return damaged("its header makes no sense");
@@ -138,11 +139,13 @@ Status LayoutReader::checkWhatItHolds() const
 {
     const Header& header = layout_.header;
     if (header.domainClass > static_cast<std::uint32_t>(DomainClass::Scattered))
-        return bad("is a model of domain class " + std::to_string(header.domainClass) +
-                   ", which this version cannot read." + update);
+        return bad(Message::say(
+            "is a model of domain class %1, which this version cannot read. Install a later version of TAn.",
+            header.domainClass));
     if (header.sampleType > static_cast<std::uint32_t>(SampleType::Float64))
-        return bad("has samples of type " + std::to_string(header.sampleType) + ", which this version cannot read." +
-                   update);
+        return bad(
+            Message::say("has samples of type %1, which this version cannot read. Install a later version of TAn.",
+                         header.sampleType));
     return {};
 }
 
@@ -216,10 +219,12 @@ Status LayoutReader::checkCodecs() const
     for (const Section& section : layout_.sections) {
         const bool known = format::sectionName(section.id) != "unknown";
         if (!known && (section.flags & format::required))
-            return bad("needs section " + std::to_string(section.id) + ", which this version does not know." + update);
+            return bad(Message::say(
+                "needs section %1, which this version does not know. Install a later version of TAn.", section.id));
         if (known && section.codec != static_cast<std::uint32_t>(format::Codec::None))
-            return bad("packs its " + std::string(format::sectionName(section.id)) + " with codec " +
-                       std::to_string(section.codec) + ", which this version does not know." + update);
+            return bad(Message::say(
+                "packs its %1 with codec %2, which this version does not know. Install a later version of TAn.",
+                format::sectionName(section.id), section.codec));
     }
     return {};
 }
@@ -429,9 +434,11 @@ Result<std::string> textOf(const ModelDescription& description, const std::files
     for (const auto& [name, value] : description.parameters)
         appendLine(text, std::string(parameterPrefix) + name, value);
     if (text.size() > format::longestText)
-        return Error{ErrorKind::OutOfResource, "Cannot write '" + target.string() +
-                                                   "': the names and parameters of the model are longer than 1 MiB. "
-                                                   "Shorten them."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "Cannot write '%1': the names and parameters of the model are longer than 1 MiB. Shorten them.",
+                target.string())};
     return text;
 }
 

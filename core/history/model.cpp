@@ -91,13 +91,16 @@ Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
     if (checksum(sectionBytes(file, section)) != section.checksum)
         return Error{
             ErrorKind::BadInput,
-            "'" + file.path().string() +
-                "' is damaged: the checksum of its history kind is wrong. Copy the file again, or build it again."};
+            Message::say(
+                "'%1' is damaged: the checksum of its history kind is wrong. Copy the file again, or build it again.",
+                file.path().string())};
     const auto kind = elementsOf<std::uint32_t>(file, layout, SectionId::HistoryKind).front();
     if (kind != static_cast<std::uint32_t>(format::HistoryKind::ClosedSetsOnly))
-        return Error{ErrorKind::BadInput, "'" + file.path().string() + "' has a history of kind " +
-                                              std::to_string(kind) +
-                                              ", which this version cannot read. Install a later version of TAn."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "'%1' has a history of kind %2, which this version cannot read. Install a later version of TAn.",
+                file.path().string(), kind)};
     return false;
 }
 
@@ -115,9 +118,10 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     const Section& textSection = layout->section(SectionId::Text);
     const std::span<const std::byte> text = sectionBytes(mapped, textSection);
     if (checksum(text) != textSection.checksum)
-        return Error{ErrorKind::BadInput,
-                     "'" + path.string() +
-                         "' is damaged: the checksum of its text is wrong. Copy the file again, or build it again."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' is damaged: the checksum of its text is wrong. Copy the file again, or build it again.",
+                         path.string())};
     const Result<bool> delaunay = readHistoryKind(mapped, *layout);
     if (!delaunay)
         return delaunay.error();
@@ -201,9 +205,9 @@ Status Model::checkUnchanged() const
 {
     if (!changed())
         return {};
-    return Error{ErrorKind::BadInput, "'" + path_.string() +
-                                          "' was cut short or changed while it was open. Open it again; if that fails, "
-                                          "copy the file again, or build it again."};
+    return Error{ErrorKind::BadInput, Message::say("'%1' was cut short or changed while it was open. Open it again; if "
+                                                   "that fails, copy the file again, or build it again.",
+                                                   path_.string())};
 }
 
 } // namespace tetra

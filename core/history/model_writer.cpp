@@ -103,7 +103,7 @@ Result<std::unique_ptr<ModelFileWriter>> ModelFileWriter::create(const std::file
         return writer;
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource,
-                     "Not enough memory to write '" + path.string() + "'. Close other programs."};
+                     Message::say("Not enough memory to write '%1'. Close other programs.", path.string())};
     }
 }
 
@@ -260,9 +260,9 @@ std::uint64_t ModelFileWriter::expectedBytes(const FixedCounts& counts, SampleTy
 
 Error ModelFileWriter::notAsAnnounced() const
 {
-    return {ErrorKind::BadInput, "The builder '" + description_.builder +
-                                     "' made another history than it had announced. Nothing was written; report this "
-                                     "to its author."};
+    return {ErrorKind::BadInput, Message::say("The builder '%1' made another history than it had announced. Nothing "
+                                              "was written; report this to its author.",
+                                              description_.builder)};
 }
 
 // A history that is written while it is made.
@@ -295,7 +295,7 @@ private:
     Status writeArrays(float finalError);
     void storeMeshSizes(const Batch& batch);
     const ModelDescription& description() const { return file_->description(); }
-    Error inconsistent(const std::string& what) const;
+    Error inconsistent(const Message& what) const;
     Error outOfMemory() const;
 
     std::unique_ptr<ModelFileWriter> file_;
@@ -319,9 +319,9 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
 {
     if (siteCount() > 0 || !(traits.warpingWeight >= 0) || !std::isfinite(traits.warpingWeight) ||
         canWarp(description().domain) != (traits.warpingWeight > 0))
-        return inconsistent("its warping weight is " + formatNumber(traits.warpingWeight));
+        return inconsistent(Message::say("its warping weight is %1", formatNumber(traits.warpingWeight)));
     if (description().domain == DomainClass::Irregular && traits.delaunay)
-        return inconsistent("meshes of irregular data are not Delaunay ones");
+        return inconsistent(Message::say("meshes of irregular data are not Delaunay ones"));
     file_->setTraits(traits);
     return {};
 }
@@ -329,10 +329,10 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
 Status HistoryFileWriter::add(const HistoryStep& step)
 {
     if (canWarp(description().domain) && !(description().warpingWeight > 0))
-        return inconsistent(std::string(domainClassName(description().domain)) + " data need a warping weight");
+        return inconsistent(Message::say("%1 data need a warping weight", domainClassName(description().domain)));
     try {
         const Status added = builder_.add(step);
-        return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().text);
+        return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().text());
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
@@ -383,9 +383,9 @@ void HistoryFileWriter::storeMeshSizes(const Batch& batch)
 Status HistoryFileWriter::finish(float finalError)
 {
     if (siteCount() < fewestSites(description().domain) || builder_.aliveCount() == 0)
-        return inconsistent("a model needs at least the sites of a first mesh");
+        return inconsistent(Message::say("a model needs at least the sites of a first mesh"));
     if (!(finalError >= 0) || !std::isfinite(finalError))
-        return inconsistent("the final error is not a number of at least 0");
+        return inconsistent(Message::say("the final error is not a number of at least 0"));
     try {
         if (const Status closed = builder_.finish(); !closed)
             return closed;
@@ -399,8 +399,9 @@ Status HistoryFileWriter::finishEarly()
 {
     // The open batch began with a mesh of the running error.
     if (std::isinf(builder_.runningKey()))
-        return Error{ErrorKind::Cancelled,
-                     "The build was stopped before there was a mesh of known error, so there is nothing to keep."};
+        return Error{
+            ErrorKind::Cancelled,
+            Message::say("The build was stopped before there was a mesh of known error, so there is nothing to keep.")};
     builder_.abandonBatch();
     try {
         return writeArrays(builder_.runningKey());
@@ -429,18 +430,19 @@ Status HistoryFileWriter::writeArrays(float finalError)
     return file_->finish(finalError);
 }
 
-Error HistoryFileWriter::inconsistent(const std::string& what) const
+Error HistoryFileWriter::inconsistent(const Message& what) const
 {
-    return {ErrorKind::BadInput, "The builder '" + description().builder + "' made a history that is wrong at site " +
-                                     std::to_string(siteCount()) + ": " + what +
-                                     ". Nothing was written; report this to its author."};
+    return {ErrorKind::BadInput, Message::say("The builder '%1' made a history that is wrong at site %2: %3. Nothing "
+                                              "was written; report this to its author.",
+                                              description().builder, siteCount(), what)};
 }
 
 Error HistoryFileWriter::outOfMemory() const
 {
-    return {ErrorKind::OutOfResource, "Not enough memory to write '" + file_->target().string() + "' after " +
-                                          std::to_string(siteCount()) +
-                                          " sites. Ask for a larger error, or close other programs."};
+    return {
+        ErrorKind::OutOfResource,
+        Message::say("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other programs.",
+                     file_->target().string(), siteCount())};
 }
 
 } // namespace
@@ -450,9 +452,9 @@ Result<std::unique_ptr<ModelWriter>> ModelWriter::create(const std::filesystem::
                                                          const std::filesystem::path& workFolder)
 {
     if (dataset.pointCount() > (1ull << 32))
-        return Error{ErrorKind::OutOfResource, "A model holds at most 4294967296 points, and '" + dataset.source.name +
-                                                   "' has " + std::to_string(dataset.pointCount()) +
-                                                   ". Take a part of it."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("A model holds at most 4294967296 points, and '%1' has %2. Take a part of it.",
+                                  dataset.source.name, dataset.pointCount())};
     auto file = ModelFileWriter::create(path, dataset, std::move(description), workFolder);
     if (!file)
         return file.error();

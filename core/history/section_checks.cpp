@@ -68,10 +68,10 @@ std::uint64_t bitsOf(std::uint64_t word, std::uint64_t first, std::uint64_t end)
     return ~std::uint64_t(0) << from & ~std::uint64_t(0) >> (bitsInWord - to);
 }
 
-Error damaged(const MappedFile& file, const std::string& what)
+Error damaged(const MappedFile& file, const Message& what)
 {
     return {ErrorKind::BadInput,
-            "'" + file.path().string() + "' is damaged: " + what + ". Copy the file again, or build it again."};
+            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", file.path().string(), what)};
 }
 
 std::string wrongChecksum(std::uint32_t section)
@@ -111,7 +111,7 @@ Status SectionChecks::readChunkSums(const FileLayout& layout)
                              bytes.size() / sizeof(std::uint64_t));
     const std::uint64_t chunk = elements.empty() ? 0 : elements.front();
     if (!std::has_single_bit(chunk) || chunk < format::leastChunkBytes || chunk > format::mostChunkBytes)
-        return damaged(*file_, "chunks of " + std::to_string(chunk) + " bytes cannot be");
+        return damaged(*file_, Message::say("chunks of %1 bytes cannot be", chunk));
     std::uint64_t next = 1;
     for (Watched& watched : sections_) {
         if (watched.id == section.id)
@@ -129,9 +129,8 @@ Status SectionChecks::readChunkSums(const FileLayout& layout)
     for (const Watched& watched : sections_)
         expected += watched.id == section.id ? 0 : format::chunkCount(watched.bytes.size(), chunk);
     if (expected != elements.size() || section.elementBytes != sizeof(std::uint64_t))
-        return damaged(*file_, "section '" + std::string(format::sectionName(section.id)) + "' has " +
-                                   std::to_string(bytes.size()) + " bytes instead of " + std::to_string(expected) +
-                                   " elements of 8");
+        return damaged(*file_, Message::say("section '%1' has %2 bytes instead of %3 elements of 8",
+                                            format::sectionName(section.id), bytes.size(), expected));
     chunkBits_ = std::countr_zero(chunk);
     return {};
 }

@@ -24,7 +24,7 @@ Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::
         out[site] = lookUp.position(point);
     }
     if (outside)
-        return inconsistentModel(model, "a site is no point of its lattice");
+        return inconsistentModel(model, Message::say("a site is no point of its lattice"));
     return {};
 }
 
@@ -69,12 +69,12 @@ void turnToPhysicalSpace(const Model& model, std::span<std::array<std::uint32_t,
         std::swap(tetrahedron[2], tetrahedron[3]);
 }
 
-Error inconsistentModel(const Model& model, const std::string& what)
+Error inconsistentModel(const Model& model, const Message& what)
 {
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
     return {ErrorKind::BadInput,
-            "'" + model.path().string() + "' is damaged: " + what + ". Copy the file again, or build it again."};
+            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", model.path().string(), what)};
 }
 
 } // namespace tetra

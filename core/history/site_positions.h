@@ -70,6 +70,6 @@ void turnToPhysicalSpace(const Model& model, std::span<std::array<std::uint32_t,
 
 /// That numbers in the model's file contradict each other, or that it changed meanwhile: `what` is the end of a
 /// sentence.
-Error inconsistentModel(const Model& model, const std::string& what);
+Error inconsistentModel(const Model& model, const Message& what);
 
 } // namespace tetra

@@ -28,7 +28,7 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
     const std::uint64_t begin = file[first];
     const std::uint64_t all = file[end];
     if (begin > all || all > model.tetrahedronCount() || (first == 0 && begin != 0))
-        return inconsistentModel(model, "its star offsets do not fit its tetrahedra");
+        return inconsistentModel(model, Message::say("its star offsets do not fit its tetrahedra"));
     std::vector<std::uint64_t> offsets = {begin};
     std::uint64_t piece = 0;
     for (std::uint32_t site = first; site < end; ++piece) {
@@ -39,8 +39,8 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
         while (offsets.size() <= most && offsets.back() - offsets.front() < tetrahedraAtOnce) {
             const std::uint64_t next = file[site + offsets.size()];
             if (next < offsets.back() || next > all)
-                return inconsistentModel(model, "the star offsets of site " +
-                                                    std::to_string(site + offsets.size() - 1) + " make no sense");
+                return inconsistentModel(
+                    model, Message::say("the star offsets of site %1 make no sense", site + offsets.size() - 1));
             offsets.push_back(next);
         }
         if (piece % piecesAtOnce == 0) {

@@ -157,7 +157,7 @@ Result<TetrahedralMesh> order(const TetrahedralMesh& mesh, const Progress& progr
     progress.report(0.3, orderingMesh);
     CellDeal deal(mesh.positions.size(), mesh.tetrahedra.size());
     if (!deal.take(mesh.tetrahedra, numbers, progress))
-        return Error{ErrorKind::WrongUsage, "A tetrahedron has a corner that does not exist."};
+        return Error{ErrorKind::WrongUsage, Message::say("A tetrahedron has a corner that does not exist.")};
     progress.report(0.6, orderingMesh);
     deal.deal(ordered.tetrahedra, progress);
     if (progress.cancelled())
@@ -190,12 +190,12 @@ ChunkRange rangeOf(const TetrahedralMesh& mesh, std::size_t first, std::size_t e
 Result<TetrahedralMesh> inSpatialOrder(const TetrahedralMesh& mesh, const Progress& progress)
 {
     if (mesh.values.size() != mesh.positions.size())
-        return Error{ErrorKind::WrongUsage, "The mesh and its values do not belong together."};
+        return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
     try {
         return order(mesh, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to put the mesh in spatial order. Close other "
-                                               "programs or lower the accuracy of the mesh."};
+        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to put the mesh in spatial order. Close "
+                                                            "other programs or lower the accuracy of the mesh.")};
     }
 }
 

@@ -29,8 +29,9 @@ constexpr std::size_t largestTriangleCount = 0xffffffff / 3; // corners have num
 
 Error tooManyFaces()
 {
-    return {ErrorKind::OutOfResource,
-            "The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh."};
+    return {
+        ErrorKind::OutOfResource,
+        Message::say("The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.")};
 }
 
 /// An edge as one of its triangles has it. Corner c of triangle t has the number 3 t + c.
@@ -168,7 +169,7 @@ try {
     return boundaryOfMesh(mesh, featureAngle, progress);
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource,
-                 "Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh."};
+                 Message::say("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.")};
 }
 
 namespace {
@@ -342,7 +343,7 @@ TriangleMesh colouredByValue(const TriangleMesh& surface, const TransferFunction
 Result<Surface> BoundaryCache::plain(const BoundaryLook& look, const Progress& progress)
 {
     if (!(look.opacity > 0 && look.opacity <= 1))
-        return Error{ErrorKind::WrongUsage, "The boundary's opacity must be above 0 and at most 1."};
+        return Error{ErrorKind::WrongUsage, Message::say("The boundary's opacity must be above 0 and at most 1.")};
     if (!boundary_) {
         auto boundary = extractBoundary(*mesh_, usualFeatureAngle, progress);
         if (!boundary)
@@ -368,7 +369,7 @@ try {
     return surface;
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource,
-                 "Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh."};
+                 Message::say("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.")};
 }
 
 } // namespace tetra

@@ -307,8 +307,8 @@ private:
     void fail(const JsonValue& value, std::string_view key, const std::string& what)
     {
         if (!error_)
-            error_ = Error{ErrorKind::BadInput, "The key \"" + printable(key) + "\" of the camera " + what + " (" +
-                                                    describePlace(value.place) + ")."};
+            error_ = Error{ErrorKind::BadInput, Message::say("The key \"%1\" of the camera %2 (%3).", printable(key),
+                                                             what, describePlace(value.place))};
     }
 
     const JsonValue& root_;
@@ -339,9 +339,9 @@ Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& 
 {
     const Result<JsonValue> root = parseJson(text);
     if (!root)
-        return Error{ErrorKind::BadInput, "This is no camera. " + root.error().text};
+        return Error{ErrorKind::BadInput, Message::say("This is no camera. %1", root.error().text())};
     if (root->object() == nullptr)
-        return Error{ErrorKind::BadInput, "This is no camera: it holds no JSON object, in braces."};
+        return Error{ErrorKind::BadInput, Message::say("This is no camera: it holds no JSON object, in braces.")};
     CameraReader reader(*root);
     Camera camera;
     reader.number("azimuth", camera.azimuth, -1e6, 1e6);

@@ -11,13 +11,15 @@ namespace tetra {
 Status checkMesh(const TriangleMesh& mesh)
 {
     if (mesh.normals.size() != mesh.positions.size())
-        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one normal for each vertex."};
+        return Error{ErrorKind::WrongUsage, Message::say("A surface of the scene has not one normal for each vertex.")};
     const auto fits = [&](std::size_t count) { return count == 0 || count == mesh.positions.size(); };
     if (!fits(mesh.values.size()) || !fits(mesh.colours.size()))
-        return Error{ErrorKind::WrongUsage, "A surface of the scene has not one value or colour for each vertex."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A surface of the scene has not one value or colour for each vertex.")};
     for (const auto& triangle : mesh.triangles)
         if (std::ranges::max(triangle) >= mesh.positions.size())
-            return Error{ErrorKind::WrongUsage, "A triangle of the scene has a corner that does not exist."};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("A triangle of the scene has a corner that does not exist.")};
     return {};
 }
 
@@ -25,7 +27,7 @@ Status checkLines(const LineSet& lines)
 {
     for (const auto& segment : lines.segments)
         if (std::ranges::max(segment) >= lines.points.size())
-            return Error{ErrorKind::WrongUsage, "A line of the scene has an end that does not exist."};
+            return Error{ErrorKind::WrongUsage, Message::say("A line of the scene has an end that does not exist.")};
     return {};
 }
 
@@ -42,13 +44,13 @@ bool hasFocus(const Scene& scene)
 Status checkOptions(const PictureOptions& options)
 {
     if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largestPictureSide)
-        return Error{ErrorKind::WrongUsage, "A picture cannot be " + std::to_string(options.width) + " x " +
-                                                std::to_string(options.height) + " pixels. Each side must be 1 to " +
-                                                std::to_string(largestPictureSide) + "."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A picture cannot be %1 x %2 pixels. Each side must be 1 to %3.", options.width,
+                                  options.height, largestPictureSide)};
     if (options.samplesPerAxis < 1 || options.samplesPerAxis > 4)
-        return Error{ErrorKind::WrongUsage, "The samples per axis of a pixel must be 1 to 4."};
+        return Error{ErrorKind::WrongUsage, Message::say("The samples per axis of a pixel must be 1 to 4.")};
     if (options.threads < 0)
-        return Error{ErrorKind::WrongUsage, "The number of threads must not be negative; 0 means all."};
+        return Error{ErrorKind::WrongUsage, Message::say("The number of threads must not be negative; 0 means all.")};
     return {};
 }
 

@@ -26,8 +26,9 @@ template <class Work> auto onThreads(int threads, Work&& work) -> decltype(work(
         tbb::task_arena arena(threads > 0 ? std::min(threads, all) : all);
         return arena.execute(work);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory for a picture of this size and scene. Make the "
-                                               "picture smaller or lower the accuracy of the mesh."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory for a picture of this size and scene. Make the picture smaller or "
+                                  "lower the accuracy of the mesh.")};
     }
 }
 

@@ -15,9 +15,9 @@ bool inUnitRange(float number)
     return number >= 0 && number <= 1;
 }
 
-Error wrongPoint(std::size_t index, const char* what)
+Error wrongPoint(std::size_t index, const Message& what)
 {
-    return {ErrorKind::BadInput, "Point " + std::to_string(index + 1) + " of the transfer function " + what};
+    return {ErrorKind::BadInput, Message::say("Point %1 of the transfer function %2", index + 1, what)};
 }
 
 TransferSample sampleAt(const TransferFunction& function, const TransferPoint& point)
@@ -31,28 +31,31 @@ TransferSample sampleAt(const TransferFunction& function, const TransferPoint& p
 Status checkMask(const TransferMask& mask)
 {
     if (!std::isfinite(mask.least) || !std::isfinite(mask.largest) || !(mask.least <= mask.largest))
-        return Error{ErrorKind::BadInput, "The mask of a transfer function must be a range of finite values."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("The mask of a transfer function must be a range of finite values.")};
     return {};
 }
 
 Status checkTransferFunction(const TransferFunction& function)
 {
     if (!(function.unitDistance > 0) || !std::isfinite(function.unitDistance))
-        return Error{ErrorKind::BadInput, "The unit distance of a transfer function must be a length above zero."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("The unit distance of a transfer function must be a length above zero.")};
     const auto& points = function.points;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!std::isfinite(points[i].value))
-            return wrongPoint(i, "has no finite value.");
+            return wrongPoint(i, Message::say("has no finite value."));
         if (!std::ranges::all_of(points[i].colour, inUnitRange))
-            return wrongPoint(i, "has a colour outside 0 to 1.");
+            return wrongPoint(i, Message::say("has a colour outside 0 to 1."));
         if (!inUnitRange(points[i].opacity))
-            return wrongPoint(i, "has an opacity outside 0 to 1.");
+            return wrongPoint(i, Message::say("has an opacity outside 0 to 1."));
         if (points[i].group && (*points[i].group < 0 || *points[i].group > largestTransferGroup))
-            return wrongPoint(i, "is of a group that is none of 0 to 9.");
+            return wrongPoint(i, Message::say("is of a group that is none of 0 to 9."));
         if (i >= 1 && points[i].value < points[i - 1].value)
-            return wrongPoint(i, "has a smaller value than the point before it. Put them in ascending order.");
+            return wrongPoint(
+                i, Message::say("has a smaller value than the point before it. Put them in ascending order."));
         if (i >= 2 && points[i].value == points[i - 2].value)
-            return wrongPoint(i, "is the third of its value. Two make a step; leave out those between.");
+            return wrongPoint(i, Message::say("is the third of its value. Two make a step; leave out those between."));
     }
     return function.mask ? checkMask(*function.mask) : Status{};
 }

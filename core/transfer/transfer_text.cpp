@@ -15,10 +15,10 @@ namespace {
 constexpr std::string_view formatName = "tan-transfer-function";
 constexpr int formatVersion = 1;
 
-Error wrongFunction(const JsonValue& value, std::string_view what)
+Error wrongFunction(const JsonValue& value, const Message& what)
 {
     return {ErrorKind::BadInput,
-            "The transfer function cannot be read: " + std::string(what) + " (" + describePlace(value.place) + ")."};
+            Message::say("The transfer function cannot be read: %1 (%2).", what, describePlace(value.place))};
 }
 
 template <class Number> Status readNumber(const JsonValue& value, std::string_view name, Number& number)
@@ -26,7 +26,7 @@ template <class Number> Status readNumber(const JsonValue& value, std::string_vi
     const JsonValue::Number* text = value.number();
     const auto parsed = text != nullptr ? parseNumber<Number>(text->text) : std::nullopt;
     if (!parsed)
-        return wrongFunction(value, std::string(name) + " must be a number that fits");
+        return wrongFunction(value, Message::say("%1 must be a number that fits", name));
     number = *parsed;
     return {};
 }
@@ -35,13 +35,13 @@ Status checkMembers(const JsonValue& object, std::initializer_list<std::string_v
                     std::initializer_list<std::string_view> optional, std::string_view what)
 {
     if (object.object() == nullptr)
-        return wrongFunction(object, std::string(what) + " must be an object, in braces");
+        return wrongFunction(object, Message::say("%1 must be an object, in braces", what));
     for (const std::string_view name : needed)
         if (object.find(name) == nullptr)
-            return wrongFunction(object, std::string(what) + " has no \"" + std::string(name) + "\"");
+            return wrongFunction(object, Message::say("%1 has no \"%2\"", what, name));
     for (const auto& [name, value] : *object.object())
         if (std::ranges::find(needed, name) == needed.end() && std::ranges::find(optional, name) == optional.end())
-            return wrongFunction(value, "\"" + printable(name) + "\" is not known here");
+            return wrongFunction(value, Message::say("\"%1\" is not known here", printable(name)));
     return {};
 }
 
@@ -49,7 +49,7 @@ Status readColour(const JsonValue& value, std::array<float, 3>& colour)
 {
     const JsonArray* channels = value.array();
     if (channels == nullptr || channels->size() != colour.size())
-        return wrongFunction(value, "a colour must be three numbers in brackets");
+        return wrongFunction(value, Message::say("a colour must be three numbers in brackets"));
     for (std::size_t channel = 0; channel < colour.size(); ++channel)
         if (Status status = readNumber((*channels)[channel], "a channel", colour[channel]); !status)
             return status;
@@ -79,7 +79,7 @@ Status readMask(const JsonValue& value, TransferMask& mask)
     if (Status status = readNumber(*value.find("largest"), "\"largest\"", mask.largest); !status)
         return status;
     if (Status status = checkMask(mask); !status)
-        return wrongFunction(value, status.error().text);
+        return wrongFunction(value, status.error().text());
     return {};
 }
 
@@ -87,13 +87,12 @@ Status readFormat(const JsonValue& root)
 {
     const std::string* format = root.find("format")->string();
     if (format == nullptr || *format != formatName)
-        return wrongFunction(*root.find("format"), "\"format\" is not \"" + std::string(formatName) + "\"");
+        return wrongFunction(*root.find("format"), Message::say("\"format\" is not \"%1\"", formatName));
     int version = 0;
     if (Status status = readNumber(*root.find("version"), "\"version\"", version); !status)
         return status;
     if (version != formatVersion)
-        return wrongFunction(*root.find("version"),
-                             "this program knows version " + std::to_string(formatVersion) + " only");
+        return wrongFunction(*root.find("version"), Message::say("this program knows version %1 only", formatVersion));
     return {};
 }
 
@@ -131,7 +130,8 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
 {
     const Result<JsonValue> parsed = parseJson(text);
     if (!parsed)
-        return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + parsed.error().text};
+        return Error{ErrorKind::BadInput,
+                     Message::say("The transfer function cannot be read. %1", parsed.error().text())};
     return transferFunctionFromJson(*parsed);
 }
 
@@ -152,12 +152,12 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
             return status.error();
     const JsonArray* points = root.find("points")->array();
     if (points == nullptr)
-        return wrongFunction(*root.find("points"), "\"points\" must be a list, in brackets");
+        return wrongFunction(*root.find("points"), Message::say("\"points\" must be a list, in brackets"));
     for (const JsonValue& value : *points)
         if (Status status = readPoint(value, function.points.emplace_back()); !status)
             return status.error();
     if (Status status = checkTransferFunction(function); !status)
-        return wrongFunction(*root.find("points"), status.error().text);
+        return wrongFunction(*root.find("points"), status.error().text());
     return function;
 }
 

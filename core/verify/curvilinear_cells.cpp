@@ -251,7 +251,7 @@ Result<std::vector<std::uint64_t>> countInverted(const Model& model, std::span<c
     if (!model.check(model.floatPositions()) || !model.check(model.doublePositions()))
         return model.checkIntact().error();
     if (!std::ranges::is_sorted(model.starOffsets()) || model.starOffsets().back() != model.tetrahedronCount())
-        return inconsistentModel(model, "its tetrahedra are not in the order of their sites");
+        return inconsistentModel(model, Message::say("its tetrahedra are not in the order of their sites"));
     return tbb::parallel_reduce(
         tbb::blocked_range<std::uint32_t>(0, model.siteCount()), none,
         [&](const auto& range, Counts counts) {

@@ -168,8 +168,10 @@ Result<VerificationReport> verify(const Model& model, const Dataset& original, c
     try {
         return verifyAll(model, original, levels, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to verify '" + model.path().string() +
-                                                   "'. Close other programs, or verify coarser levels only."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("Not enough memory to verify '%1'. Close other programs, or verify coarser levels only.",
+                         model.path().string())};
     }
 }
 

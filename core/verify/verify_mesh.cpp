@@ -152,13 +152,14 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
                                const ExtractedMesh& mesh, const Progress& progress)
 {
     if (!query.values.empty() || query.window)
-        return Error{ErrorKind::WrongUsage, "Only a mesh of the whole domain can be verified: ask for it without a "
-                                            "range of values and without a window."};
+        return Error{ErrorKind::WrongUsage, Message::say("Only a mesh of the whole domain can be verified: ask for it "
+                                                         "without a range of values and without a window.")};
     try {
         return verifyWhole(model, original, query, mesh, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     "Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one.")};
     }
 }
 

@@ -83,7 +83,7 @@ Status verifyBytes(const Model& model, std::vector<std::string>& failures, const
     const std::span<const std::byte> file = model.fileBytes();
     const Result<FileLayout> layout = readLayout(file, model.path());
     if (!layout) {
-        failures.push_back(layout.error().text);
+        failures.push_back(layout.error().text());
         return {};
     }
     StoredSums stored = storedSums(file, *layout);
@@ -335,7 +335,7 @@ Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vect
         return Weights{};
     const Result<Weighting> weighting = parseWeighting(given->second);
     if (!weighting) {
-        failures.push_back("The model's weights cannot be read. " + weighting.error().text);
+        failures.push_back("The model's weights cannot be read. " + weighting.error().text());
         return Weights{};
     }
     return pointWeights(*weighting, original, progress);

@@ -25,7 +25,7 @@ int main(int count, char** arguments)
     }
     const auto dataset = tetra::latticeDataset(lattice, tetra::ScalarField::of(std::move(potential)), "two wells");
     if (!dataset) {
-        std::cerr << dataset.error().text << '\n';
+        std::cerr << dataset.error().text() << '\n';
         return 1;
     }
     const tetra::Progress progress({}, [](double fraction, std::string_view activity) {
@@ -34,7 +34,7 @@ int main(int count, char** arguments)
     const auto report = tetra::buildModel(*dataset, arguments[1], tetra::suitableMethod(*dataset), progress);
     std::cerr << '\n';
     if (!report) {
-        std::cerr << report.error().text << '\n';
+        std::cerr << report.error().text() << '\n';
         return 1;
     }
     std::cout << report->sites << " sites, " << report->tetrahedra << " tetrahedra\n";

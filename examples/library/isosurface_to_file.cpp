@@ -11,7 +11,7 @@ namespace {
 
 int failed(const tetra::Error& error)
 {
-    std::cerr << error.text << '\n';
+    std::cerr << error.text() << '\n';
     return 1;
 }
 

@@ -14,7 +14,7 @@ int main(int count, char** arguments)
     }
     const auto model = tetra::Model::open(arguments[1]);
     if (!model) {
-        std::cerr << model.error().text << '\n';
+        std::cerr << model.error().text() << '\n';
         return 1;
     }
     tetra::MeshExtractor extractor(*model);
@@ -26,7 +26,7 @@ int main(int count, char** arguments)
             query.window = tetra::Window{{bounds.min(), bounds.center()}};
         const auto mesh = extractor.extract(query);
         if (!mesh) {
-            std::cerr << mesh.error().text << '\n';
+            std::cerr << mesh.error().text() << '\n';
             return 1;
         }
         std::cout << (*mesh)->mesh.positions.size() << " vertices, " << (*mesh)->mesh.tetrahedra.size() << " tetrahedra"

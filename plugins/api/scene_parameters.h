@@ -87,7 +87,7 @@ inline Parameter clipParameter()
     parameter.separator = ';';
     parameter.mistake = [](const std::string& text) {
         const auto planes = parseClipPlanes(text);
-        return planes ? std::string() : planes.error().text;
+        return planes ? std::string() : planes.error().text();
     };
     return parameter;
 }

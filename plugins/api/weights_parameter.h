@@ -23,7 +23,7 @@ inline Parameter weightsParameter()
     weights.separator = ';';
     weights.mistake = [](const std::string& text) {
         const auto weighting = parseWeighting(text);
-        return weighting ? std::string() : weighting.error().text;
+        return weighting ? std::string() : weighting.error().text();
     };
     return weights;
 }

@@ -57,9 +57,8 @@ Result<Colour> parseColour(std::string_view text)
         if (problem == std::errc() && end == digits.data() + digits.size())
             return fromPacked(packed);
     }
-    return Error{ErrorKind::WrongUsage, "'" + std::string(text) +
-                                            "' is no colour. Give #rrggbb in hexadecimal, or one of " + colourNames() +
-                                            "."};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("'%1' is no colour. Give #rrggbb in hexadecimal, or one of %2.", text, colourNames())};
 }
 
 std::string colourText(const Colour& colour)

@@ -12,15 +12,16 @@ namespace {
 Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
     if (const std::string program = unpackingProgram(bytes); !program.empty())
-        return {ErrorKind::BadInput,
-                "'" + path.string() + "' is packed. Unpack it first, by '" + program + "', and open what is in it."};
+        return {ErrorKind::BadInput, Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.",
+                                                  path.string(), program)};
     return {ErrorKind::BadInput,
-            "'" + path.string() + "' has an unknown format. " +
-                (host.readers().empty()
-                     ? "No reader is installed."
-                     : "The manual and 'tan info --help' list the files that are read; samples alone, without a "
-                       "header, are read as a raw file.") +
-                host.explainMissing(PluginKind::Reader)};
+            Message::say("'%1' has an unknown format. %2%3", path.string(),
+                         host.readers().empty()
+                             ? Message::say("No reader is installed.")
+                             : Message::say("The manual and 'tan info --help' list the files that are "
+                                            "read; samples alone, without a header, are read as a raw "
+                                            "file."),
+                         host.explainMissing(PluginKind::Reader))};
 }
 
 /// The reader with the highest score for a file of this name that begins so; none if no plugin is set.
@@ -55,16 +56,30 @@ Result<ReadableFile> readableFile(const Reader& reader, const std::filesystem::p
     return ReadableFile{unpacked->path(), *std::move(unpacked)};
 }
 
+/// The message with `to` wherever one of its arguments says `from`.
+Message renamed(const Message& message, const std::string& from, const std::string& to)
+{
+    if (message.sentence().empty()) {
+        std::string text = message.text();
+        for (auto place = text.find(from); place != std::string::npos; place = text.find(from, place + to.size()))
+            text.replace(place, from.size(), to);
+        return text;
+    }
+    std::vector<Message> arguments;
+    for (const Message& argument : message.arguments())
+        arguments.push_back(renamed(argument, from, to));
+    return Message::of(message.sentence(), std::move(arguments));
+}
+
 /// An error that names the file as the user does.
 Error inPackedFile(Error error, const ReadableFile& file, const std::filesystem::path& path)
 {
     if (!file.unpacked)
         return error;
-    const std::string folder = file.path.string();
-    for (auto place = error.text.find(folder); place != std::string::npos; place = error.text.find(folder))
-        error.text.replace(place, folder.size(), path.string());
+    error.message = renamed(error.message, file.path.string(), path.string());
     if (error.kind == ErrorKind::BadInput)
-        error.text += " (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)";
+        error.message = Message::say(
+            "%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)", error.message);
     return error;
 }
 
@@ -96,9 +111,10 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
     if (!bytes)
         return bytes.error();
     if (isModelFile(path))
-        return Error{ErrorKind::BadInput, "'" + path.string() +
-                                              "' is a TAn model, and a dataset is wanted here: the file that the model "
-                                              "was built from."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' is a TAn model, and a dataset is wanted here: the file that the model was built from.",
+                         path.string())};
     Provided<Reader> best = bestReader(host, path, *bytes);
     if (best.plugin == nullptr && isPackedByGzip(*bytes)) {
         const auto inside = firstUnpackedBytes(path);

@@ -22,9 +22,10 @@ Result<Provided<Writer>> chooseWriter(PluginHost& host, const std::filesystem::p
     }
     if (best.plugin == nullptr)
         return Error{ErrorKind::WrongUsage,
-                     "A dataset cannot be written as '" + path.string() + "'. " +
-                         (writable.empty() ? "No writer is installed." : "These can be written: " + writable + ".") +
-                         host.explainMissing(PluginKind::Writer)};
+                     Message::say("A dataset cannot be written as '%1'. %2%3", path.string(),
+                                  writable.empty() ? Message::say("No writer is installed.")
+                                                   : Message::say("These can be written: %1.", writable),
+                                  host.explainMissing(PluginKind::Writer))};
     return best;
 }
 

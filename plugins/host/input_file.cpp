@@ -12,22 +12,22 @@ namespace tetra {
 
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 {
-    const auto bad = [&](const std::string& what) {
-        return Error{ErrorKind::BadInput, "'" + path.string() + "' " + what};
+    const auto bad = [&](const Message& what) {
+        return Error{ErrorKind::BadInput, Message::say("'%1' %2", path.string(), what)};
     };
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (!std::filesystem::exists(status))
-        return bad("does not exist, or its folder may not be entered. Check the name.");
+        return bad(Message::say("does not exist, or its folder may not be entered. Check the name."));
     if (std::filesystem::is_directory(status))
-        return bad("is a folder. Choose a file inside it.");
+        return bad(Message::say("is a folder. Choose a file inside it."));
     if (!std::filesystem::is_regular_file(status))
-        return bad("is a device or a pipe. Give a file.");
+        return bad(Message::say("is a device or a pipe. Give a file."));
 
     std::ifstream file(path, std::ios::binary);
     if (!file.is_open() && isLackOfResources(errno))
-        return Error{ErrorKind::OutOfResource, "'" + path.string() + "' cannot be read: " + systemErrorText(errno) +
-                                                   ". " + std::string(resourceRemedy)};
+        return Error{ErrorKind::OutOfResource, Message::say("'%1' cannot be read: %2. %3", path.string(),
+                                                            systemErrorText(errno), resourceRemedy)};
     Buffer<std::byte> bytes(shownToReaders);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
     if (file.gcount() == 0)

@@ -22,8 +22,8 @@ Result<Provided<Builder>> named(PluginHost& host, const Dataset& dataset, const 
     if (!builder)
         return builder;
     if (const Acceptance acceptance = builder->plugin->accepts(dataset); !(acceptance.score > 0))
-        return Error{ErrorKind::BadInput,
-                     "The builder '" + id + "' does not accept '" + dataset.source.name + "': " + acceptance.reason};
+        return Error{ErrorKind::BadInput, Message::say("The builder '%1' does not accept '%2': %3", id,
+                                                       dataset.source.name, acceptance.reason)};
     return builder;
 }
 
@@ -110,8 +110,8 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
         }
     }
     if (best.plugin == nullptr)
-        return Error{ErrorKind::BadInput, "No builder accepts '" + dataset.source.name + "'." + reasons +
-                                              host.explainMissing(PluginKind::Builder)};
+        return Error{ErrorKind::BadInput, Message::say("No builder accepts '%1'.%2%3", dataset.source.name, reasons,
+                                                       host.explainMissing(PluginKind::Builder))};
     return best;
 }
 

@@ -8,8 +8,9 @@ Status checkOutput(const std::filesystem::path& output, std::span<const std::fil
     for (const std::filesystem::path& input : inputs) {
         std::error_code problem; // of files that do not exist: they are not the same
         if (std::filesystem::equivalent(output, input, problem))
-            return Error{ErrorKind::WrongUsage, "The output '" + output.string() + "' is the input '" + input.string() +
-                                                    "'. Give the output another name."};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("The output '%1' is the input '%2'. Give the output another name.",
+                                      output.string(), input.string())};
     }
     return {};
 }
@@ -23,10 +24,10 @@ Status checkMeshOutput(const std::filesystem::path& output, const Model& model)
         source.starts_with(name) && (source.size() == name.size() || source[name.size()] == ',');
     if (!isCalledLikeIt || !std::filesystem::exists(output, problem))
         return {};
-    return Error{ErrorKind::WrongUsage, "'" + output.string() +
-                                            "' exists and is called like the dataset that the model was built from, so "
-                                            "it is not overwritten. Give the output another name, or remove that file "
-                                            "first."};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("'%1' exists and is called like the dataset that the model was built from, so it is not "
+                              "overwritten. Give the output another name, or remove that file first.",
+                              output.string())};
 }
 
 } // namespace tetra

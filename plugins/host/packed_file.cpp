@@ -22,16 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error cannotUnpack(const fs::path& path, ErrorKind kind, const std::string& reason)
+Error cannotUnpack(const fs::path& path, ErrorKind kind, const Message& reason)
 {
-    return {kind, "Cannot read '" + path.string() + "': " + reason};
+    return {kind, Message::say("Cannot read '%1': %2", path.string(), reason)};
 }
 
 Error damagedGzip(const fs::path& path)
 {
     return cannotUnpack(
         path, ErrorKind::BadInput,
-        "it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.");
+        Message::say(
+            "it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again."));
 }
 
 /// zlib's own reader of such files, which joins several that stand behind one another, and compares their checksums.
@@ -51,7 +52,7 @@ public:
             ::close(descriptor);
         const std::string reason = systemErrorText(problem) + ".";
         if (isLackOfResources(problem))
-            return cannotUnpack(path, ErrorKind::OutOfResource, reason + " " + std::string(resourceRemedy));
+            return cannotUnpack(path, ErrorKind::OutOfResource, Message::say("%1 %2", reason, resourceRemedy));
         return cannotUnpack(path, ErrorKind::BadInput, reason);
     }
 
@@ -63,9 +64,9 @@ public:
         gzerror(file_.get(), &problem);
         // A file that ends too early is only told by the state.
         if (count < 0 || (static_cast<std::size_t>(count) < room.size() && problem != Z_OK && problem != Z_STREAM_END))
-            return problem == Z_MEM_ERROR
-                       ? cannotUnpack(path_, ErrorKind::OutOfResource, "there is not enough memory to unpack it.")
-                       : damagedGzip(path_);
+            return problem == Z_MEM_ERROR ? cannotUnpack(path_, ErrorKind::OutOfResource,
+                                                         Message::say("there is not enough memory to unpack it."))
+                                          : damagedGzip(path_);
         return static_cast<std::size_t>(count);
     }
 
@@ -95,11 +96,10 @@ int writeBytes(int descriptor, std::span<const std::byte> bytes)
 
 Error noRoom(const fs::path& path, const fs::path& folder, int systemError)
 {
-    return cannotUnpack(
-        path, isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
-        "it is compressed with gzip, and cannot be unpacked into '" + folder.string() +
-            "': " + systemErrorText(systemError) +
-            ". Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).");
+    return cannotUnpack(path, isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
+                        Message::say("it is compressed with gzip, and cannot be unpacked into '%1': %2. Free some "
+                                     "space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).",
+                                     folder.string(), systemErrorText(systemError)));
 }
 
 } // namespace
@@ -168,7 +168,7 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
     auto folder = WorkFolder::open(name, WorkFolder::Leftovers::Remove);
     if (!folder) {
         ::rmdir(name.c_str());
-        return cannotUnpack(path, folder.error().kind, folder.error().text);
+        return cannotUnpack(path, folder.error().kind, folder.error().text());
     }
     UnpackedFile unpacked;
     unpacked.path_ = folder->path() / unpackedName(path).filename();
@@ -192,13 +192,11 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
             return noRoom(path, temporary, failure);
         written += *count;
         if (written > room)
-            return cannotUnpack(path, ErrorKind::OutOfResource,
-                                "it is compressed with gzip, and unpacks to more than " + neededBytesText(room) +
-                                    ", half of the "
-                                    "room in '" +
-                                    temporary.string() +
-                                    "'. Free some space there, set TMPDIR to a folder with more, or unpack it yourself "
-                                    "(gunzip).");
+            return cannotUnpack(
+                path, ErrorKind::OutOfResource,
+                Message::say("it is compressed with gzip, and unpacks to more than %1, half of the room in '%2'. Free "
+                             "some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).",
+                             neededBytesText(room), temporary.string()));
         if (*count < bytes.size())
             return unpacked;
         progress.report(std::min(1., double(file->packedPlace()) / double(packedBytes)), "Unpacking");

@@ -36,8 +36,8 @@ bool isWithinBounds(const Parameter& parameter, double number)
 
 Error notIn(const Parameter& parameter, std::string_view text)
 {
-    return {ErrorKind::WrongUsage, "'" + std::string(text) + "' does not fit '" + parameter.id + "': it takes " +
-                                       parameterDomain(parameter) + "."};
+    return {ErrorKind::WrongUsage,
+            Message::say("'%1' does not fit '%2': it takes %3.", text, parameter.id, parameterDomain(parameter))};
 }
 
 template <class T> Result<ParameterValue> parseNumberOf(const Parameter& parameter, std::string_view text)
@@ -99,9 +99,10 @@ struct ToText {
 Result<Isovalue> parseIsovalue(std::string_view text)
 {
     const auto parts = split(text, ':');
-    const Error wrong{ErrorKind::WrongUsage, "'" + std::string(text) +
-                                                 "' is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, "
-                                                 "the opacity above 0 and at most 1: 128:#ff8000:0.5"};
+    const Error wrong{ErrorKind::WrongUsage,
+                      Message::say("'%1' is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity "
+                                   "above 0 and at most 1: 128:#ff8000:0.5",
+                                   text)};
     const auto value = parseNumber<double>(parts[0]);
     if (!value || !std::isfinite(*value) || parts.size() > 3)
         return wrong;

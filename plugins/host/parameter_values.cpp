@@ -30,11 +30,12 @@ Status checkParameterValues(const std::string& owner, const std::vector<Paramete
     for (const auto& [id, value] : values) {
         const auto known = std::ranges::find(parameters, id, &Parameter::id);
         if (known == parameters.end())
-            return Error{ErrorKind::WrongUsage, "The " + owner + " knows no parameter '" + id + "'. " +
-                                                    (ids.empty() ? "It has none." : "It has: " + ids + ".")};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("The %1 knows no parameter '%2'. %3", owner, id,
+                                      ids.empty() ? Message::say("It has none.") : Message::say("It has: %1.", ids))};
         if (known->defaultValue.index() != value.index())
             return Error{ErrorKind::WrongUsage,
-                         "The parameter '" + id + "' of the " + owner + " takes " + parameterDomain(*known) + "."};
+                         Message::say("The parameter '%1' of the %2 takes %3.", id, owner, parameterDomain(*known))};
     }
     return {};
 }
@@ -57,10 +58,11 @@ Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValue
             wanted += (wanted.empty() ? "" : " or ") + parameterText(value);
         const std::string name = "'" + prefix + parameter.id + "'";
         if (parameter.onlyWith.id == domainId)
-            return Error{ErrorKind::WrongUsage, name + " is of " + wanted + " data only, and '" + dataset.source.name +
-                                                    "' " + kindOf(dataset.domain) + ". Leave it out."};
-        return Error{ErrorKind::WrongUsage, name + " is of use only if '" + prefix + parameter.onlyWith.id + "' is " +
-                                                wanted + ". Leave it out, or choose that."};
+            return Error{ErrorKind::WrongUsage, Message::say("%1 is of %2 data only, and '%3' %4. Leave it out.", name,
+                                                             wanted, dataset.source.name, kindOf(dataset.domain))};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("%1 is of use only if '%2%3' is %4. Leave it out, or choose that.", name, prefix,
+                                  parameter.onlyWith.id, wanted)};
     }
     return {};
 }

@@ -13,8 +13,11 @@ namespace tetra {
 
 inline Error outOfMemoryInPlugin(const std::string& id)
 {
-    return {ErrorKind::OutOfResource, "The memory of this machine is not enough for '" + id +
-                                          "' here. Close other programs, or give it smaller data."};
+    return {
+        ErrorKind::OutOfResource,
+        Message::say(
+            "The memory of this machine is not enough for '%1' here. Close other programs, or give it smaller data.",
+            id)};
 }
 
 /// What a plugin threw that the C++ library's texts explain. A machine that can start no more threads is not the
@@ -23,8 +26,9 @@ inline Error thrownByPlugin(const std::string& id, const std::exception& problem
 {
     if (auto lack = lackOfResources(problem))
         return *std::move(lack);
-    return {ErrorKind::BadInput, "The plugin '" + id + "' failed: " + problem.what() +
-                                     ". This is a mistake in the plugin; tell its author."};
+    return {ErrorKind::BadInput,
+            Message::say("The plugin '%1' failed: %2. This is a mistake in the plugin; tell its author.", id,
+                         problem.what())};
 }
 
 /// Calls `work`, which gives a Result and belongs to the plugin `id`. Plugins should not throw; what one throws all the

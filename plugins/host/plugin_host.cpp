@@ -73,11 +73,11 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
                       " Install it again, or remove the file.");
     auto metadata = parsePluginMetadata(json);
     if (!metadata)
-        return refuse(metadata.error().text);
+        return refuse(metadata.error().text());
     status.metadata = *std::move(metadata);
     status.hasMetadata = true;
     if (const Status compatible = checkCompatible(status.metadata, build); !compatible)
-        return refuse(compatible.error().text);
+        return refuse(compatible.error().text());
     return status;
 }
 
@@ -163,7 +163,7 @@ void PluginHost::find()
             entries_.back()->status = std::move(status);
         }
         if (isLackOfResources(problem.value()))
-            lacking(systemErrorText(problem.value()) + ".");
+            lacking(Message::say("%1.", systemErrorText(problem.value())));
     }
 }
 
@@ -174,10 +174,10 @@ Status PluginHost::complete() const
 }
 
 /// Notes it for complete().
-Error PluginHost::lacking(const std::string& reason)
+Error PluginHost::lacking(const Message& reason)
 {
-    Error error{ErrorKind::OutOfResource, "Not all plugins can be loaded now: " + reason +
-                                              (reason.ends_with('.') ? " " : ". ") + std::string(resourceRemedy)};
+    Error error{ErrorKind::OutOfResource,
+                Message::say("Not all plugins can be loaded now: %1 %2", reason, resourceRemedy)};
     complete_ = error;
     return error;
 }
@@ -256,11 +256,12 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
             return Loaded{entry->status.metadata.name, entry->object};
         }
         if (const std::string reason = whyNotUsed(id); !reason.empty())
-            return Error{ErrorKind::WrongUsage, "The " + kindName + " \"" + id + "\" cannot be used. " + reason};
+            return Error{ErrorKind::WrongUsage, Message::say("The %1 \"%2\" cannot be used. %3", kindName, id, reason)};
     }
     const auto ids = usableIds(kind);
-    return Error{ErrorKind::WrongUsage, "There is no " + kindName + " \"" + id + "\". " +
-                                            (ids.empty() ? "None is installed." : "There is: " + joined(ids) + ".")};
+    return Error{ErrorKind::WrongUsage, Message::say("There is no %1 \"%2\". %3", kindName, id,
+                                                     ids.empty() ? Message::say("None is installed.")
+                                                                 : Message::say("There is: %1.", joined(ids)))};
 }
 
 Status PluginHost::loadRequired(const Entry& entry)
@@ -271,8 +272,8 @@ Status PluginHost::loadRequired(const Entry& entry)
         if (!loaded && loaded.error().kind == ErrorKind::OutOfResource)
             return loaded;
         if (!loaded)
-            return Error{ErrorKind::BadInput,
-                         "It needs the plugin \"" + id + "\", which cannot be used: " + loaded.error().text};
+            return Error{ErrorKind::BadInput, Message::say("It needs the plugin \"%1\", which cannot be used: %2", id,
+                                                           loaded.error().text())};
     }
     return {};
 }
@@ -288,11 +289,11 @@ Status PluginHost::load(Entry& entry)
         loaded = open(entry);
     if (loaded || loaded.error().kind == ErrorKind::OutOfResource)
         return loaded;
-    entry.refuse(loaded.error().text);
+    entry.refuse(loaded.error().text());
     if (tellRefused_)
         tellRefused_(entry.status);
     return Error{ErrorKind::BadInput,
-                 "The plugin \"" + entry.status.metadata.id + "\" cannot be used. " + entry.status.error};
+                 Message::say("The plugin \"%1\" cannot be used. %2", entry.status.metadata.id, entry.status.error)};
 }
 
 Status PluginHost::open(Entry& entry)
@@ -312,7 +313,7 @@ Status PluginHost::open(Entry& entry)
     if (object == nullptr) {
         const std::string reason = entry.loader->errorString().toStdString();
         if (namesLackOfResources(reason))
-            return lacking(reason);
+            return lacking(reason.ends_with('.') ? reason : reason + ".");
         return bad(explainLoadError(reason, entry.status.metadata.remedy));
     }
     const std::string interface(pluginInterface(entry.status.metadata.kind));

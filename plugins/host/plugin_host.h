@@ -110,7 +110,7 @@ private:
     Result<Loaded> instance(PluginKind kind, const std::string& id);
     Status load(Entry& entry);
     Status open(Entry& entry);
-    Error lacking(const std::string& reason);
+    Error lacking(const Message& reason);
     Status loadRequired(const Entry& entry);
 
     template <class Interface> Result<Provided<Interface>> one(PluginKind kind, const std::string& id)

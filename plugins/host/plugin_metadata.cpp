@@ -27,19 +27,19 @@ constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, "builder", TA
                                              {PluginKind::Writer, "writer", TAN_WRITER_INTERFACE},
                                              {PluginKind::Editor, "editor", TAN_EDITOR_INTERFACE}}};
 
-Error malformed(const std::string& what)
+Error malformed(const Message& what)
 {
     return {ErrorKind::BadInput,
-            "Its metadata are malformed: " + what + ". Ask the plugin's author for a fixed version."};
+            Message::say("Its metadata are malformed: %1. Ask the plugin's author for a fixed version.", what)};
 }
 
 Result<std::string> requiredText(const QJsonObject& json, const char* key)
 {
     const QJsonValue value = json.value(QLatin1String(key));
     if (value.isUndefined())
-        return malformed(std::string("the key \"") + key + "\" is missing");
+        return malformed(Message::say("the key \"%1\" is missing", key));
     if (!value.isString() || value.toString().isEmpty())
-        return malformed(std::string("\"") + key + "\" is not a text");
+        return malformed(Message::say("\"%1\" is not a text", key));
     return value.toString().toStdString();
 }
 
@@ -50,7 +50,7 @@ Result<Version> requiredVersion(const QJsonObject& json, const char* key)
         return text.error();
     const auto version = parseVersion(*text);
     if (!version)
-        return malformed(std::string("\"") + key + "\" is \"" + *text + "\", which is no version like \"1.2.3\"");
+        return malformed(Message::say("\"%1\" is \"%2\", which is no version like \"1.2.3\"", key, *text));
     return *version;
 }
 
@@ -58,7 +58,8 @@ Result<PluginKind> parseKind(const std::string& text)
 {
     const auto entry = std::ranges::find(kinds, text, &KindEntry::name);
     if (entry == kinds.end())
-        return malformed("\"kind\" is \"" + text + "\", which is none of builder, renderer, reader, writer, editor");
+        return malformed(
+            Message::say("\"kind\" is \"%1\", which is none of builder, renderer, reader, writer, editor", text));
     return entry->kind;
 }
 
@@ -76,10 +77,10 @@ Result<std::vector<std::string>> parseRequiredIds(const QJsonValue& value)
     if (value.isUndefined())
         return ids;
     if (!value.isArray())
-        return malformed("\"requires\" is not a list");
+        return malformed(Message::say("\"requires\" is not a list"));
     for (const QJsonValue entry : value.toArray()) {
         if (!entry.isString() || !isId(entry.toString().toStdString()))
-            return malformed("\"requires\" lists something that is no plugin's id");
+            return malformed(Message::say("\"requires\" lists something that is no plugin's id"));
         ids.push_back(entry.toString().toStdString());
     }
     return ids;
@@ -111,8 +112,8 @@ Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json)
     if (!id)
         return id.error();
     if (!isId(*id))
-        return malformed("\"id\" is \"" + *id +
-                         "\"; only lower-case letters, digits, '.', '-' and '_' may stand in it");
+        return malformed(
+            Message::say("\"id\" is \"%1\"; only lower-case letters, digits, '.', '-' and '_' may stand in it", *id));
     metadata.id = *id;
 
     const auto kindName = requiredText(own, "kind");

@@ -545,7 +545,7 @@ Error unknownKind(std::string_view name)
     std::string text = "There is no sample called '" + std::string(name) + "'. There are:";
     for (const SampleKind& kind : kinds)
         text += " " + std::string(kind.name);
-    return {ErrorKind::WrongUsage, text + "."};
+    return {ErrorKind::WrongUsage, Message::say("%1.", text)};
 }
 
 template <class T> void quantise(std::span<const double> values, T* samples)
@@ -678,9 +678,9 @@ Status checkSize(const SampleKind& kind, std::uint32_t size)
     const std::uint32_t largest = onGrid(kind) ? largestSampleSize : largestScatteredSize;
     if (size >= smallestSampleSize && size <= largest)
         return {};
-    return Error{ErrorKind::WrongUsage, "The sample '" + std::string(kind.name) + "' has from " +
-                                            std::to_string(smallestSampleSize) + " to " + std::to_string(largest) +
-                                            " points along each axis, not " + std::to_string(size) + "."};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("The sample '%1' has from %2 to %3 points along each axis, not %4.", kind.name,
+                              smallestSampleSize, largest, size)};
 }
 
 } // namespace
@@ -726,7 +726,8 @@ try {
     dataset.values = ScalarField(type, count, *std::move(samples));
     return described(std::move(dataset), *kind, request.size);
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to make the sample. Ask for a smaller size."};
+    return Error{ErrorKind::OutOfResource,
+                 Message::say("Not enough memory to make the sample. Ask for a smaller size.")};
 }
 
 } // namespace tetra

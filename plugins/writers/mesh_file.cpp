@@ -34,10 +34,10 @@ Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, std
 {
     for (const NamedArray& array : arrays)
         if (array.name.empty() || valueCount(array) != count)
-            return Error{ErrorKind::WrongUsage, "The array '" + array.name + "' has " +
-                                                    std::to_string(valueCount(array)) + " values for " +
-                                                    std::to_string(count) + " " + std::string(of) +
-                                                    ": an array needs a name, and one value for each."};
+            return Error{
+                ErrorKind::WrongUsage,
+                Message::say("The array '%1' has %2 values for %3 %4: an array needs a name, and one value for each.",
+                             array.name, valueCount(array), count, of)};
     return {};
 }
 
@@ -63,9 +63,9 @@ Status checkMeshFileName(const std::filesystem::path& path)
     if (meshFormatOf(path) != nullptr)
         return {};
     return Error{ErrorKind::WrongUsage,
-                 "'" + path.string() +
-                     "' ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of "
-                     ".vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings."};
+                 Message::say("'%1' ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor "
+                              "of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.",
+                              path.string())};
 }
 
 Status writeMeshFile(const std::filesystem::path& path, const MeshContent& content, const Progress& progress)
@@ -79,7 +79,7 @@ Status writeMeshFile(const std::filesystem::path& path, const MeshContent& conte
     try {
         return meshFormatOf(path)->write(path, content, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + path.string() + "'."};
+        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", path.string())};
     }
 }
 

@@ -101,7 +101,8 @@ Status writePlyMesh(const std::filesystem::path& path, const MeshContent& conten
 {
     if (content.positions.size() > mostPlyVertices)
         return Error{ErrorKind::OutOfResource,
-                     "'" + path.string() + "' would hold more vertices than a PLY file can number. Write a .vtu file."};
+                     Message::say("'%1' would hold more vertices than a PLY file can number. Write a .vtu file.",
+                                  path.string())};
     auto out = MeshOutput::create(path, bytesOf(content, 17), writingMesh, progress);
     if (!out)
         return out.error();

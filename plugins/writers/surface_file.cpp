@@ -35,10 +35,10 @@ const SurfaceFormat* surfaceFormatOf(const std::filesystem::path& path)
     return found == surfaceFormats.end() ? nullptr : &*found;
 }
 
-Status misfit(const SurfacePart& part, std::string_view what)
+Status misfit(const SurfacePart& part, const Message& what)
 {
     return Error{ErrorKind::WrongUsage,
-                 "The surface '" + part.name + "' has " + std::string(what) + ", so it cannot be written."};
+                 Message::say("The surface '%1' has %2, so it cannot be written.", part.name, what)};
 }
 
 Status checkPart(const SurfacePart& part, bool normals)
@@ -46,12 +46,12 @@ Status checkPart(const SurfacePart& part, bool normals)
     const std::size_t count = part.positions.size();
     const auto* each = std::get_if<std::span<const float>>(&part.values);
     if (part.normals.size() != (normals ? count : 0))
-        return misfit(part, "not one normal for each vertex");
+        return misfit(part, Message::say("not one normal for each vertex"));
     if (each != nullptr && each->size() != count)
-        return misfit(part, "not one value for each vertex");
+        return misfit(part, Message::say("not one value for each vertex"));
     const auto outside = [count](const auto& triangle) { return *std::ranges::max_element(triangle) >= count; };
     if (std::ranges::any_of(part.triangles, outside))
-        return misfit(part, "triangles of vertices that it does not have");
+        return misfit(part, Message::say("triangles of vertices that it does not have"));
     return {};
 }
 
@@ -74,8 +74,9 @@ bool hasNormals(const SurfaceContent& content)
 
 Error tooLarge(const std::filesystem::path& path, std::string_view limit)
 {
-    return {ErrorKind::OutOfResource, "'" + path.string() + "' would hold more than " + std::string(limit) +
-                                          ". Write a .vtp file, or a surface of a larger error."};
+    return {ErrorKind::OutOfResource,
+            Message::say("'%1' would hold more than %2. Write a .vtp file, or a surface of a larger error.",
+                         path.string(), limit)};
 }
 
 Status checkSurfaceFileName(const std::filesystem::path& path)
@@ -83,9 +84,9 @@ Status checkSurfaceFileName(const std::filesystem::path& path)
     if (surfaceFormatOf(path) != nullptr)
         return {};
     return Error{ErrorKind::WrongUsage,
-                 "'" + path.string() +
-                     "' ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are "
-                     "written. Choose one of these endings."};
+                 Message::say("'%1' ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which "
+                              "surfaces are written. Choose one of these endings.",
+                              path.string())};
 }
 
 bool isSurfaceFileOnly(const std::filesystem::path& path)
@@ -105,7 +106,7 @@ Status writeSurfaceFile(const std::filesystem::path& path, const SurfaceContent&
     try {
         return surfaceFormatOf(path)->write(path, content, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to write '" + path.string() + "'."};
+        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", path.string())};
     }
 }
 
@@ -126,9 +127,10 @@ Status writeBoundary(const std::filesystem::path& path, const MeshContent& conte
 {
     constexpr double found = 0.4;
     if (content.tetrahedra.size() > largestAdjacentCellCount)
-        return Error{ErrorKind::OutOfResource, "'" + path.string() +
-                                                   "' would be the boundary of more than 1073741824 tetrahedra, which "
-                                                   "is too many to find it. Write a .vtu file."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("'%1' would be the boundary of more than 1073741824 tetrahedra, which is too many to "
+                                  "find it. Write a .vtu file.",
+                                  path.string())};
     progress.report(0, writingMesh);
     const BoundaryFaces boundary = boundaryFaces(content.positions.size(), content.tetrahedra);
     if (progress.cancelled())

@@ -153,8 +153,9 @@ Status writeArrays(MeshOutput& out, std::string_view keyword, std::uint64_t coun
 Status writeVtk(const std::filesystem::path& path, const MeshContent& content, const Progress& progress)
 {
     if (content.positions.size() > mostVtkLegacyNumbers || 5 * content.tetrahedra.size() > mostVtkLegacyNumbers)
-        return Error{ErrorKind::OutOfResource,
-                     "'" + path.string() + "' would hold more than a legacy VTK file can number. Write a .vtu file."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("'%1' would hold more than a legacy VTK file can number. Write a .vtu file.", path.string())};
     auto out = MeshOutput::create(path, bytesOf(content, 24), writingMesh, progress);
     if (!out)
         return out.error();

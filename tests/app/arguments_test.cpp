@@ -29,7 +29,7 @@ Syntax example()
 std::string errorOf(const Words& words)
 {
     const auto parsed = parseArguments(example(), words);
-    return parsed ? "" : parsed.error().text;
+    return parsed ? "" : parsed.error().text();
 }
 
 Parameter number(const std::string& id, double byDefault, double least, double most)
@@ -53,7 +53,7 @@ private slots:
     {
         const auto parsed = parseArguments(
             example(), Words{"--error=2", "in.nrrd", "-o", "out", "--value", "-5", "--quick", "--value", "1e3"});
-        QVERIFY2(parsed, parsed ? "" : parsed.error().text.c_str());
+        QVERIFY2(parsed, parsed ? "" : parsed.error().text().c_str());
         QCOMPARE(parsed->positionals, Words{"in.nrrd"});
         QCOMPARE(parsed->value("error").value(), std::string("2"));
         QCOMPARE(parsed->value("output").value(), std::string("out"));
@@ -161,7 +161,7 @@ private slots:
         QVERIFY(checkPluginOptions(arguments, all, all, "builder"));
         const Status refused = checkPluginOptions(arguments, all, {}, "builder 'other'");
         QVERIFY(!refused);
-        QVERIFY(refused.error().text.find("builder 'other'") != std::string::npos);
+        QVERIFY(refused.error().text().find("builder 'other'") != std::string::npos);
     }
 
     void helpNamesEverything()

@@ -49,7 +49,7 @@ private:
         for (const QString& word : example.mid(1))
             words.push_back(word.toStdString());
         const auto parsed = parseArguments(syntax, words);
-        return parsed ? QString() : QString::fromStdString(parsed.error().text);
+        return parsed ? QString() : QString::fromStdString(parsed.error().text());
     }
 
     std::unique_ptr<PluginHost> host_;
@@ -108,7 +108,7 @@ private slots:
         for (const QString& text : {shown, contentOf("docs/pictures/bluntfin-transfer.json"),
                                     contentOf("docs/pictures/buckyball-transfer.json")}) {
             const auto function = transferFunctionFromText(text.toStdString());
-            QVERIFY2(function.ok(), function.ok() ? "" : function.error().text.c_str());
+            QVERIFY2(function.ok(), function.ok() ? "" : function.error().text().c_str());
             QVERIFY(function->points.size() >= 3);
         }
     }

@@ -174,7 +174,7 @@ std::vector<BenchCase> compareWithVtk(const QString& name, const QString& file)
     RecordedHistory history;
     const auto whole = decimate(input, options, history);
     if (!whole) {
-        std::fprintf(stderr, "%s skipped: %s\n", qPrintable(name), whole.error().text.c_str());
+        std::fprintf(stderr, "%s skipped: %s\n", qPrintable(name), whole.error().text().c_str());
         return cases;
     }
     for (const VtkDecimation::Level& level : vtk->levels) {

@@ -162,7 +162,7 @@ BenchCase measure(const std::shared_ptr<const Model>& model, const QString& name
     Result<std::vector<Level>> levels = std::vector<Level>{};
     const double preparing = secondsOf([&] { levels = makeLevels(model, error); });
     if (!levels)
-        qFatal("%s", levels.error().text.c_str());
+        qFatal("%s", levels.error().text().c_str());
     FramePacer pacer;
     pacer.setFrameRate(wantedRate);
     std::vector<FrameLevel> sizes;
@@ -256,7 +256,7 @@ int main(int argc, char** argv)
     std::vector<BenchCase> cases;
     for (const auto& [name, model] : modelsOf(host, parser, folder)) {
         if (!model) {
-            std::fprintf(stderr, "%s\n", model.error().text.c_str());
+            std::fprintf(stderr, "%s\n", model.error().text().c_str());
             return 4;
         }
         const double error = parser.isSet("error") ? parser.value("error").toDouble() : startingError(**model);

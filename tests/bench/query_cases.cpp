@@ -18,7 +18,7 @@ std::shared_ptr<const ExtractedMesh> extracted(MeshExtractor& extractor, const M
 {
     auto mesh = extractor.extract(query);
     if (!mesh) {
-        std::fprintf(stderr, "%s\n", mesh.error().text.c_str());
+        std::fprintf(stderr, "%s\n", mesh.error().text().c_str());
         std::exit(4);
     }
     return *std::move(mesh);

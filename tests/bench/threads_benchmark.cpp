@@ -65,7 +65,7 @@ int main(int argc, char** argv)
     const Dataset dataset = makeSample({"c60", size.toUInt(), SampleType::UInt16}).value();
     const auto built = buildInTurn(host, dataset, block, std::max(1, parser.value("repeats").toInt()));
     if (!built) {
-        std::fprintf(stderr, "%s\n", built.error().text.c_str());
+        std::fprintf(stderr, "%s\n", built.error().text().c_str());
         return 4;
     }
     BenchCase one;

@@ -44,8 +44,8 @@ inline void require(bool isSo, const char* what)
 /// A refusal is a sentence that can be shown.
 inline void requireText(const Error& error)
 {
-    require(error.text.size() > 10, "an error has a text");
-    require(std::ranges::none_of(error.text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }),
+    require(error.text().size() > 10, "an error has a text");
+    require(std::ranges::none_of(error.text(), [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }),
             "an error's text can be printed");
 }
 

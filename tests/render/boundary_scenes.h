@@ -29,7 +29,7 @@ inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
     wanted.backFacesOnly = look == "far side" || look == "faint values";
     const auto surface = look == "translucent" ? maker.plain(wanted) : maker.coloured(boundaryFunction(), wanted);
     if (!surface)
-        qFatal("%s", surface.error().text.c_str());
+        qFatal("%s", surface.error().text().c_str());
     Scene scene;
     scene.bounds = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2)};
     scene.surfaces.push_back(*surface);
@@ -37,7 +37,7 @@ inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
         return scene;
     auto volume = VolumeCache(mesh).update(boundaryFunction(), false);
     if (!volume)
-        qFatal("%s", volume.error().text.c_str());
+        qFatal("%s", volume.error().text().c_str());
     scene.volume = *std::move(volume);
     return scene;
 }

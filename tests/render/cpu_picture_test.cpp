@@ -29,7 +29,7 @@ Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions&
 {
     auto picture = makeCpuBackend()->render(scene, camera, options);
     if (!picture)
-        qFatal("%s", picture.error().text.c_str());
+        qFatal("%s", picture.error().text().c_str());
     return std::move(picture).value();
 }
 
@@ -305,7 +305,7 @@ private slots:
         const auto backend = makeCpuBackend();
         const auto errorOf = [&](const Scene& scene, const PictureOptions& options) {
             const auto picture = backend->render(scene, fromFront, options);
-            return picture ? std::string() : picture.error().text;
+            return picture ? std::string() : picture.error().text();
         };
         for (const auto& [width, height] : {std::pair{0, 10}, {10, -1}, {1 << 20, 10}})
             QVERIFY(errorOf({}, {.width = width, .height = height}).find("pixels") != std::string::npos);

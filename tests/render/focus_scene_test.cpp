@@ -156,7 +156,7 @@ Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions&
 {
     auto picture = makeCpuBackend()->render(scene, camera, options);
     if (!picture)
-        qFatal("%s", picture.error().text.c_str());
+        qFatal("%s", picture.error().text().c_str());
     return std::move(picture).value();
 }
 

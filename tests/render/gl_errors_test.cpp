@@ -13,7 +13,7 @@ namespace {
 
 bool mentions(const Error& error, const char* text)
 {
-    return error.text.find(text) != std::string::npos;
+    return error.text().find(text) != std::string::npos;
 }
 
 /// An OpenGL of version 3.2: every function exists, and only glGetIntegerv does anything.

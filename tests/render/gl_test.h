@@ -21,10 +21,10 @@ protected:
     void makeGl()
     {
         if (const auto context = EglContext::make(); !context)
-            QSKIP(("skipped: " + context.error().text).c_str());
+            QSKIP(("skipped: " + context.error().text()).c_str());
         auto backend = makeGlBackend();
         if (!backend)
-            qFatal("%s", backend.error().text.c_str());
+            qFatal("%s", backend.error().text().c_str());
         gl_ = std::move(*backend);
     }
 

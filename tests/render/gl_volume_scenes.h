@@ -31,12 +31,12 @@ inline Volume volumeOf(const TetrahedralMesh& tetrahedra, const std::string& fun
 {
     auto mesh = makeVolumeMesh(std::make_shared<const TetrahedralMesh>(tetrahedra));
     if (!mesh)
-        qFatal("%s", mesh.error().text.c_str());
+        qFatal("%s", mesh.error().text().c_str());
     const auto functions = functionsFor(*mesh);
     const auto function = std::ranges::find(functions, functionName, &NamedFunction::name);
     auto transfer = makeVolumeTransfer(tetrahedra, function->function);
     if (!transfer)
-        qFatal("%s", transfer.error().text.c_str());
+        qFatal("%s", transfer.error().text().c_str());
     return {std::make_shared<VolumeMesh>(std::move(*mesh)), std::make_shared<VolumeTransfer>(std::move(*transfer))};
 }
 
@@ -89,7 +89,7 @@ inline void addSurfaces(Scene& scene, const QString& which)
         for (const float share : {0.3f, 0.6f}) {
             auto surface = extractIsosurface(mesh, gradients, std::lerp(low, high, share));
             if (!surface)
-                qFatal("%s", surface.error().text.c_str());
+                qFatal("%s", surface.error().text().c_str());
             scene.surfaces.push_back(
                 {std::make_shared<TriangleMesh>(std::move(*surface)), {0.9f, share, 0.1f}, 0.8f - share});
         }

@@ -15,7 +15,7 @@ inline Picture rendered(RenderBackend& backend, const Scene& scene, const Camera
 {
     auto picture = backend.render(scene, camera, options);
     if (!picture)
-        qFatal("%s", picture.error().text.c_str());
+        qFatal("%s", picture.error().text().c_str());
     return std::move(picture).value();
 }
 

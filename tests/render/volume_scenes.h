@@ -43,7 +43,7 @@ inline IsoLayer addLayer(Scene& scene, double isovalue, const Colour& colour, fl
     const TetrahedralMesh& mesh = *scene.volume->mesh->mesh;
     auto surface = extractIsosurface(mesh, vertexGradients(mesh), isovalue);
     if (!surface)
-        qFatal("%s", surface.error().text.c_str());
+        qFatal("%s", surface.error().text().c_str());
     std::ranges::fill(surface->normals, Eigen::Vector3f::Zero());
     scene.surfaces.push_back({std::make_shared<const TriangleMesh>(std::move(surface).value()), colour, opacity});
     const Colour lit = shaded(colour, 1, 1);

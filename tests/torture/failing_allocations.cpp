@@ -255,7 +255,7 @@ bool worked(const Case& asked)
     try {
         const Status done = asked.run(asked.dataset);
         if (!done && done.error().kind != ErrorKind::OutOfResource) {
-            std::fprintf(stderr, "said something else: %s\n", done.error().text.c_str());
+            std::fprintf(stderr, "said something else: %s\n", done.error().text().c_str());
             std::exit(1);
         }
         return done.ok();

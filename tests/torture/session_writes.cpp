@@ -40,10 +40,10 @@ QString whatIsWrong(const QString& folder)
     if (QFile::exists(folder + "/work.tansession")) {
         const auto text = readTextFile(sessionIn(folder));
         if (!text)
-            return QString::fromStdString(text.error().text);
+            return QString::fromStdString(text.error().text());
         const auto read = sessionFromText(*text, folder.toStdString());
         if (!read)
-            return QString::fromStdString(read.error().text);
+            return QString::fromStdString(read.error().text());
         if (read->isovalues.size() != entries)
             return "A session without its isovalues.";
     }
@@ -55,7 +55,7 @@ QString whatIsWrong(const QString& folder)
                 return "Settings of two rounds in one file.";
     }
     if (const Status again = writeOnce(folder, 0); !again)
-        return QString::fromStdString(again.error().text);
+        return QString::fromStdString(again.error().text());
     const QStringList left = QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     return left.size() == 2 ? QString() : "Left behind: " + left.join(", ");
 }

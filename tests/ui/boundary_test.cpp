@@ -89,7 +89,7 @@ void BoundaryTest::initTestCase()
     const auto part = makeSample(request);
     QVERIFY(part.ok());
     const auto built = buildModel(*host, *part, std::nullopt, {}, part_);
-    QVERIFY2(built.ok(), built ? "" : built.error().text.c_str());
+    QVERIFY2(built.ok(), built ? "" : built.error().text().c_str());
     lattice_ = buildSampleModel(*host, sampleDataset(10), folder_.path().toStdString());
 }
 

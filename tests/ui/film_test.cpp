@@ -246,7 +246,7 @@ void FilmTest::aFilmBlendsItsKeys()
     FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({120, 90}));
     order.target = window_->folder.filePath("keys.png").toStdString();
     const Status written = writeFilm(order, {});
-    QVERIFY2(written, written ? "" : written.error().text.c_str());
+    QVERIFY2(written, written ? "" : written.error().text().c_str());
     QVERIFY(QImage(window_->folder.filePath("keys_0001.png")) != QImage(window_->folder.filePath("keys_0003.png")));
     animation.keys.pop_back();
     order.animation = animation;
@@ -266,7 +266,7 @@ void FilmTest::aVideoIsMadeWhereThereIsFfmpeg()
         order.target = window_->folder.filePath(name).toStdString();
         order.encoder = encoder;
         const Status written = writeFilm(order, {});
-        QVERIFY2(written, written ? "" : written.error().text.c_str());
+        QVERIFY2(written, written ? "" : written.error().text().c_str());
         QVERIFY(QFileInfo(window_->folder.filePath(name)).size() > 500);
     }
     QCOMPARE(QDir(window_->folder.path()).entryList({"film*"}).size(), 2);
@@ -281,9 +281,9 @@ void FilmTest::whatTheEncoderSaysIsTold()
     script.close();
     QVERIFY(script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
     const Status refused = encodeVideo(encoder, {}, window_->folderPath(), {});
-    QVERIFY(!refused && refused.error().text.find("no such codec") != std::string::npos);
+    QVERIFY(!refused && refused.error().text().find("no such codec") != std::string::npos);
     const Status missing = encodeVideo("/no/such/program", {}, window_->folderPath(), {});
-    QVERIFY(!missing && missing.error().text.find("/no/such/program") != std::string::npos);
+    QVERIFY(!missing && missing.error().text().find("/no/such/program") != std::string::npos);
     QCOMPARE(encoderArguments("%06d.png", 25, "film.mp4").last(), QString("film.mp4"));
     QVERIFY(encoderArguments("%06d.png", 25, "film.mp4").contains("yuv420p"));
 }

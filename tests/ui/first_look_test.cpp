@@ -53,7 +53,7 @@ Dataset ballWithSpeck(std::uint32_t size)
     dataset.source.name = "ball";
     const auto samples = allocateSamples(SampleType::Float32, dataset.lattice.pointCount());
     if (!samples)
-        qFatal("%s", samples.error().text.c_str());
+        qFatal("%s", samples.error().text().c_str());
     auto* values = reinterpret_cast<float*>(samples->get());
     const double middle = (size - 1) / 2.0;
     for (std::uint64_t point = 0; point < dataset.lattice.pointCount(); ++point) {

@@ -49,7 +49,7 @@ protected:
         if (painter)
             painter_ = std::move(*painter);
         else
-            error_ = QString::fromStdString(painter.error().text);
+            error_ = QString::fromStdString(painter.error().text());
     }
     void paintGL() override
     {
@@ -57,7 +57,7 @@ protected:
             return;
         const Status status = painter_->draw(scene_, camera_, options(), defaultFramebufferObject());
         if (!status)
-            error_ = QString::fromStdString(status.error().text);
+            error_ = QString::fromStdString(status.error().text());
         else if (const unsigned code = context()->functions()->glGetError(); code != 0)
             error_ = QString("OpenGL error %1").arg(code, 0, 16);
         ++painted_;

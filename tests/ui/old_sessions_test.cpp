@@ -130,7 +130,7 @@ void OldSessionsTest::sessionsAreReadToTheLetter()
     const auto text = readTextFile(oldSessionsFolder / name.toStdString());
     QVERIFY(text.ok());
     const auto read = sessionFromText(*text, "/data");
-    QVERIFY2(read.ok(), read.ok() ? "" : read.error().text.c_str());
+    QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
     compareDocuments(*read, expected.at(name));
     // And when it is saved by this program.
     const auto again = sessionFromText(sessionToText(*read, "/data"), "/data");

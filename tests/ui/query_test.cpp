@@ -47,7 +47,7 @@ void QueryTest::initTestCase()
     QLocale::setDefault(QLocale::c());
     host_ = hostOfThisBuild();
     const auto model = Model::open(buildSampleModel(*host_, sampleDataset(24), folder_.path().toStdString()));
-    QVERIFY2(model.ok(), model ? "" : model.error().text.c_str());
+    QVERIFY2(model.ok(), model ? "" : model.error().text().c_str());
     model_ = *model;
 }
 

@@ -15,7 +15,7 @@ namespace {
 template <class Value> Value require(Result<Value> result)
 {
     if (!result)
-        qFatal("%s", result.error().text.c_str());
+        qFatal("%s", result.error().text().c_str());
     return *std::move(result);
 }
 

@@ -99,7 +99,7 @@ void SceneBuilderTest::aFailureIsTold()
     builder.request(request(1, {wrong}));
     QTRY_COMPARE(failed.count(), 1);
     QVERIFY(!builder.busy());
-    QVERIFY(!failed.last()[0].value<Error>().text.empty());
+    QVERIFY(!failed.last()[0].value<Error>().text().empty());
 }
 
 QTEST_GUILESS_MAIN(SceneBuilderTest)

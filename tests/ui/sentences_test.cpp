@@ -28,6 +28,7 @@ private slots:
     void everyKnownSentenceIsOfTheSources();
     void whatIsMadeOfIt_data();
     void whatIsMadeOfIt();
+    void messagesAreTranslatedByTheirPlaces();
     void ordinaryMistakes_data();
     void ordinaryMistakes();
     void whatReadersRemark_data() { addLanguageRows(); }
@@ -68,9 +69,9 @@ bool isMadeOf(const QString& literals, const QString& part)
     return false;
 }
 
-template <class Value> std::string errorOf(const Result<Value>& result)
+template <class Value> Message errorOf(const Result<Value>& result)
 {
-    return result ? std::string() : result.error().text;
+    return result ? Message() : result.error().message;
 }
 
 /// A word that only English has, outside of quotes.
@@ -137,6 +138,26 @@ void SentencesTest::whatIsMadeOfIt()
     QCOMPARE(translatedSentence(english.toStdString()), german);
 }
 
+void SentencesTest::messagesAreTranslatedByTheirPlaces()
+{
+    // Whatever names say, and whatever order a language puts things in; what stands in a place may be a sentence
+    // itself.
+    const Message named = Message::say("'%1' is a folder. Choose a file inside it.", "Permission denied");
+    const Message nested =
+        Message::say("Cannot read '%1': %2", "a: b", Message::say("it is a folder. Name a file in it."));
+    const Message system = Message::say("'%1' cannot be read: %2.", "/a", systemErrorText(EACCES));
+    const Message unknown = Message::say("Nobody knows %1.", 3);
+    for (const Message& message : {named, nested, system, unknown})
+        QCOMPARE(translatedMessage(message), QString::fromStdString(message.text()));
+    const Speaking speaking("de");
+    QCOMPARE(translatedMessage(named), QString("„Permission denied“ ist ein Ordner. Wählen Sie eine Datei darin."));
+    QVERIFY(translatedMessage(nested).startsWith("„a: b“ kann nicht gelesen werden: "));
+    QVERIFY(translatedMessage(system).contains("„/a“"));
+    for (const Message& message : {nested, system})
+        QVERIFY2(englishWord(translatedMessage(message)).isEmpty(), qPrintable(translatedMessage(message)));
+    QCOMPARE(translatedMessage(unknown), QString("Nobody knows 3."));
+}
+
 void SentencesTest::ordinaryMistakes_data()
 {
     const QTemporaryDir folder;
@@ -155,10 +176,8 @@ void SentencesTest::ordinaryMistakes_data()
     std::string broken = bytes;
     broken[20] = static_cast<char>(broken[20] + 1);
 
-    QTest::addColumn<QString>("text");
-    const auto row = [](const char* name, const std::string& text) {
-        QTest::newRow(name) << QString::fromStdString(text);
-    };
+    QTest::addColumn<Message>("message");
+    const auto row = [](const char* name, const Message& message) { QTest::newRow(name) << message; };
     row("no such dataset", errorOf(openDataset(*host, path / "missing.nrrd")));
     row("a folder", errorOf(openDataset(*host, path)));
     row("an empty file", errorOf(openDataset(*host, made("empty.nrrd", ""))));
@@ -180,12 +199,12 @@ void SentencesTest::ordinaryMistakes_data()
 
 void SentencesTest::ordinaryMistakes()
 {
-    QFETCH(QString, text);
-    QVERIFY(!text.isEmpty());
-    QVERIFY(!englishWord(text).isEmpty());
+    QFETCH(Message, message);
+    QVERIFY(!message.text().empty());
+    QVERIFY(!englishWord(QString::fromStdString(message.text())).isEmpty());
     for (const char* language : {"de", "it"}) {
         const Speaking speaking(language);
-        const QString told = translatedSentence(text.toStdString());
+        const QString told = translatedMessage(message);
         QVERIFY2(englishWord(told).isEmpty(), qPrintable(told));
     }
 }

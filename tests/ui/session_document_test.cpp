@@ -105,7 +105,7 @@ void SessionDocumentTest::aSessionComesBackTheSame()
     for (int round = 0; round < 200; ++round) {
         const SessionDocument before = randomDocument(random);
         const auto after = sessionFromText(sessionToText(before, "/elsewhere"), "/elsewhere");
-        QVERIFY2(after, after ? "" : after.error().text.c_str());
+        QVERIFY2(after, after ? "" : after.error().text().c_str());
         QCOMPARE(after->model, before.model);
         QCOMPARE(after->identity, before.identity);
         QVERIFY(after->query == before.query);
@@ -186,7 +186,7 @@ void SessionDocumentTest::badSessionsAreRefused()
     const QString text = QString(R"({"format": "tan-session", "version": 1, %1})").arg(members);
     const auto read = sessionFromText(text.toStdString(), "/");
     QVERIFY(!read);
-    QVERIFY2(QString::fromStdString(read.error().text).contains(told), read.error().text.c_str());
+    QVERIFY2(QString::fromStdString(read.error().text()).contains(told), read.error().text().c_str());
     for (const char* other :
          {"", "{", "[]", R"({"format": "tan-transfer-function"})", R"({"format": "tan-session", "version": 2})"})
         QVERIFY(!sessionFromText(other, "/"));

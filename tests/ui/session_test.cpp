@@ -38,7 +38,7 @@ void SessionTest::initTestCase()
     host_ = hostOfThisBuild();
     const auto path = buildSampleModel(*host_, sampleDataset(24), folder_.path().toStdString());
     const auto model = Model::open(path);
-    QVERIFY2(model.ok(), model ? "" : model.error().text.c_str());
+    QVERIFY2(model.ok(), model ? "" : model.error().text().c_str());
     model_ = *model;
 }
 

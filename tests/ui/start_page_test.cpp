@@ -79,7 +79,7 @@ void StartPageTest::everySampleIsMade()
     QFETCH(QString, name);
     const std::filesystem::path folder = window_->folderPath();
     const auto model = sampleModel(*window_->host, name.toStdString(), folder);
-    QVERIFY2(model, model ? "" : model.error().text.c_str());
+    QVERIFY2(model, model ? "" : model.error().text().c_str());
     QVERIFY(Model::open(*model));
     const auto written = std::filesystem::last_write_time(*model);
     QVERIFY(sampleModel(*window_->host, name.toStdString(), folder));

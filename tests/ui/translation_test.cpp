@@ -41,20 +41,20 @@ QString tsFile(const QString& language)
     return QString(TAN_SOURCE_DIR "/translations/tan_%1.ts").arg(language);
 }
 
-struct Message {
+struct TranslatedText {
     QString context;
     QString source;
     QString translation;
     bool unfinished = false;
 };
 
-std::vector<Message> messagesOf(const QString& path)
+std::vector<TranslatedText> messagesOf(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         qFatal("cannot read %s", qPrintable(path));
     QXmlStreamReader xml(&file);
-    std::vector<Message> messages;
+    std::vector<TranslatedText> messages;
     QString context;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement)
@@ -130,9 +130,9 @@ void TranslationTest::everyTextOfTheSourcesIsInTheFile()
                                 TAN_SOURCE_DIR "/plugins/editors", TAN_SOURCE_DIR "/plugins/widgets", "-ts", fresh}),
              0);
     std::set<std::pair<QString, QString>> known;
-    for (const Message& message : messagesOf(tsFile(language)))
+    for (const TranslatedText& message : messagesOf(tsFile(language)))
         known.insert({message.context, message.source});
-    for (const Message& message : messagesOf(fresh))
+    for (const TranslatedText& message : messagesOf(fresh))
         QVERIFY2(known.contains({message.context, message.source}),
                  qPrintable("not in " + tsFile(language) + ": " + message.context + ": " + message.source));
 }
@@ -140,7 +140,7 @@ void TranslationTest::everyTextOfTheSourcesIsInTheFile()
 void TranslationTest::everyTextIsTranslated()
 {
     QFETCH(QString, language);
-    for (const Message& message : messagesOf(tsFile(language))) {
+    for (const TranslatedText& message : messagesOf(tsFile(language))) {
         QVERIFY2(!message.unfinished && !message.translation.isEmpty(), qPrintable(message.source));
         QVERIFY2(placeholders(message.source) == placeholders(message.translation), qPrintable(message.source));
     }
@@ -156,7 +156,7 @@ void TranslationTest::everyTextOfAPluginIsKnown()
 /// Where words are left out; without one it would say that letters are.
 void TranslationTest::germanHasASpaceBeforeAnEllipsis()
 {
-    for (const Message& message : messagesOf(tsFile("de"))) {
+    for (const TranslatedText& message : messagesOf(tsFile("de"))) {
         const qsizetype place = message.translation.indexOf(QChar(0x2026));
         QVERIFY2(place <= 0 || message.translation[place - 1].isSpace(), qPrintable(message.translation));
     }

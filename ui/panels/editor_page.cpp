@@ -34,7 +34,7 @@ QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string
 {
     const auto editor = workbench.host().editor(id);
     if (!editor)
-        return makeReasonPage(editor.error().text);
+        return makeReasonPage(editor.error().text());
     return editor->plugin->makeWidget(*new SessionEditorHost(workbench, pick, &workbench));
 }
 

@@ -121,7 +121,7 @@ void KeptViews::written(const std::filesystem::path& what, quint64 number, const
             pending_.erase(found);
     }
     if (!status && !told_)
-        emit failed(translatedSentence(status.error().text));
+        emit failed(translatedMessage(status.error().message));
     told_ = !status;
 }
 

@@ -101,7 +101,35 @@ QString translatedLine(const QString& line)
     return pluginTexts(line);
 }
 
+/// Whether a place of a sentence stands in quotes: what is there is a name, and nobody's language.
+bool isNamed(const QString& sentence, int number)
+{
+    const qsizetype place = sentence.indexOf('%' + QString::number(number));
+    return place > 0 && QString("'\"").contains(sentence[place - 1]);
+}
+
 } // namespace
+
+QString translatedMessage(const Message& message)
+{
+    const QString sentence = QString::fromStdString(message.sentence());
+    const QString translation = QCoreApplication::translate(context, message.sentence().c_str());
+    if (sentence.isEmpty() || translation == sentence)
+        return translatedSentence(message.text());
+    QString result;
+    qsizetype end = 0;
+    for (auto matches = placeholder().globalMatch(translation); matches.hasNext();) {
+        const auto match = matches.next();
+        const int number = match.captured(1).toInt();
+        if (static_cast<std::size_t>(number) > message.arguments().size())
+            continue;
+        const Message& argument = message.arguments()[static_cast<std::size_t>(number - 1)];
+        result += translation.mid(end, match.capturedStart() - end);
+        result += isNamed(sentence, number) ? QString::fromStdString(argument.text()) : translatedMessage(argument);
+        end = match.capturedEnd();
+    }
+    return result + translation.mid(end);
+}
 
 QString translatedSentence(const std::string& text)
 {

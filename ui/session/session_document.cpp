@@ -159,7 +159,7 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     if (path.empty() && !error)
         error = Error{ErrorKind::BadInput, "it names no model in \"model.path\"."};
     if (error)
-        return wrong(error->text);
+        return wrong(error->text());
     return document;
 }
 

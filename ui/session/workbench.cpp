@@ -151,7 +151,7 @@ std::function<void()> Workbench::whenLookedAt(const std::filesystem::path& path,
         const auto lastReader = chooseReader(host_, path, question.options.reader);
         question.reader = lastReader ? *lastReader : *reader;
         question.contents = contents ? *contents : FileContents();
-        question.reason = isIncomplete ? translatedSentence(contents.error().text) : QString();
+        question.reason = isIncomplete ? translatedMessage(contents.error().message) : QString();
         return [this, question] { emit choicesNeeded(question); };
     }
     return [this, path, read = readDataset(path, {}, progress.part(0.1, 1))] { datasetRead(path, read); };
@@ -178,7 +178,7 @@ void Workbench::importDataset(const std::filesystem::path& path, const ImportOpt
                     false, [this, path, read] { takeDataset(path, read); }, [this] { emit importFailed({}); });
             }
             const Error& error = read.dataset.error();
-            emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : translatedSentence(error.text));
+            emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : translatedMessage(error.message));
         };
     });
 }
@@ -422,13 +422,13 @@ void Workbench::lookForDamage()
 void Workbench::tell(const Error& error)
 {
     if (error.kind != ErrorKind::Cancelled)
-        emit failed(translatedSentence(error.text));
+        emit failed(translatedMessage(error.message));
 }
 
 bool Workbench::tellSave(const Status& saved)
 {
     if (!saved && saved.error().kind != ErrorKind::Cancelled)
-        emit saveFailed(translatedSentence(saved.error().text));
+        emit saveFailed(translatedMessage(saved.error().message));
     return saved.ok();
 }
 

@@ -29,10 +29,10 @@ Result<Workbench::OpenedModel> Workbench::openedBySession(const std::filesystem:
         return text.error();
     const auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
     if (!document)
-        return Error{document.error().kind, path.string() + ": " + document.error().text};
+        return Error{document.error().kind, path.string() + ": " + document.error().text()};
     const auto model = Model::open(document->model);
     if (!model)
-        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text};
+        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text()};
     return OpenedModel{*model, extentOf(**model), *document, path, source};
 }
 

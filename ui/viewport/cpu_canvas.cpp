@@ -137,7 +137,7 @@ CpuCanvas::Drawn CpuCanvas::draw(RenderBackend& backend, const Order& order, con
         drawn.statistics = backend.statistics();
     } else {
         drawn.cancelled = picture.error().kind == ErrorKind::Cancelled;
-        drawn.error = translatedSentence(picture.error().text);
+        drawn.error = translatedMessage(picture.error().message);
     }
     drawn.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return drawn;

@@ -101,7 +101,7 @@ void GlCanvas::initializeGL()
     if (painter)
         painter_ = *std::move(painter);
     else
-        giveUp(translatedSentence(painter.error().text));
+        giveUp(translatedMessage(painter.error().message));
 }
 
 void GlCanvas::resizeGL(int width, int height)
@@ -134,7 +134,7 @@ void GlCanvas::paintGL()
         drawn = draw(level, options);
     }
     if (!drawn)
-        return giveUp(translatedSentence(drawn.error().text));
+        return giveUp(translatedMessage(drawn.error().message));
     context()->functions()->glFinish(); // so that the time is that of drawing, not of asking for it
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const int samples = options.samplesPerAxis * options.samplesPerAxis;

@@ -282,7 +282,7 @@ void ImportDialog::showContents(const Result<FileContents>& contents)
         return valuesEdited();
     }
     if (!contents && !withLayout_ && !isReading()) // of a layout the check of its size says it better
-        showReason(false, translatedSentence(contents.error().text));
+        showReason(false, translatedMessage(contents.error().message));
     if (!contents)
         return;
     contents_ = *contents;

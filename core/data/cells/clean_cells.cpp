@@ -118,8 +118,9 @@ Status checkArrays(const CellComplex& complex, const ComplexValues& values)
     if (cells == 0 || complex.positions.empty())
         return badCells("The mesh has no cells or no points.");
     if (complex.positions.size() >= std::numeric_limits<std::uint32_t>::max())
-        return Error{ErrorKind::OutOfResource, "The mesh has " + std::to_string(complex.positions.size()) +
-                                                   " points; at most 4294967294 can be numbered. Take a part of it."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The mesh has %1 points; at most 4294967294 can be numbered. Take a part of it.",
+                                  complex.positions.size())};
     if (complex.offsets.size() != cells + 1 || complex.offsets.front() != 0 ||
         complex.offsets.back() != complex.corners.size() || !std::ranges::is_sorted(complex.offsets))
         return badCells("The cells' lists of corners do not fit together: their offsets do not rise from 0 to the "

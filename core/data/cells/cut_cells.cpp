@@ -206,9 +206,9 @@ public:
                 progress.report(static_cast<double>(cell) / static_cast<double>(cells_.count()), cuttingCells);
             }
             if (result_.tetrahedra.size() > largestAdjacentCellCount - mostPieces)
-                return Error{ErrorKind::OutOfResource, "The cells make more than " +
-                                                           std::to_string(largestAdjacentCellCount - mostPieces) +
-                                                           " tetrahedra. Take a part of the mesh."};
+                return Error{ErrorKind::OutOfResource,
+                             Message::say("The cells make more than %1 tetrahedra. Take a part of the mesh.",
+                                          largestAdjacentCellCount - mostPieces)};
             cut(cell);
         }
         return {};

@@ -172,11 +172,9 @@ std::string placeText(const Eigen::Vector3d& place)
     return "(" + formatNumber(place[0]) + ", " + formatNumber(place[1]) + ", " + formatNumber(place[2]) + ")";
 }
 
-Error fault(std::uint64_t count, std::string_view one, std::string_view several, const Eigen::Vector3d& place)
+Error fault(const Message& what)
 {
-    return {ErrorKind::BadInput, "The mesh has " + std::to_string(count) + " " +
-                                     std::string(count == 1 ? one : several) + ", one at " + placeText(place) +
-                                     ". Repair the mesh in the program that made it."};
+    return {ErrorKind::BadInput, Message::say("The mesh has %1. Repair the mesh in the program that made it.", what)};
 }
 
 Eigen::Vector3d centreOf(Positions positions, const std::array<std::uint32_t, 4>& tetrahedron)
@@ -195,30 +193,45 @@ Status checkSigns(Positions positions, TetrahedronSpan tetrahedra)
             first = t;
     if (count == 0)
         return {};
-    return fault(count, "tetrahedron that is flat or inverted", "tetrahedra that are flat or inverted",
-                 centreOf(positions, tetrahedra[first]));
+    const std::string place = placeText(centreOf(positions, tetrahedra[first]));
+    return fault(count == 1 ? Message::say("1 tetrahedron that is flat or inverted, one at %1", place)
+                            : Message::say("%1 tetrahedra that are flat or inverted, one at %2", count, place));
 }
 
 Status checkFaces(Positions positions, TetrahedronSpan tetrahedra, const MeshFaces& faces)
 {
-    if (!faces.crowded.empty())
-        return fault(faces.crowded.size(), "tetrahedron at a face that three or more share",
-                     "tetrahedra at faces that three or more share", centreOf(positions, tetrahedra[faces.crowded[0]]));
-    if (!faces.folded.empty())
-        return fault(faces.folded.size(), "tetrahedron that overlaps its neighbour",
-                     "tetrahedra that overlap a neighbour on the same side of a face",
-                     centreOf(positions, tetrahedra[faces.folded[0]]));
+    if (!faces.crowded.empty()) {
+        const std::uint64_t count = faces.crowded.size();
+        const std::string place = placeText(centreOf(positions, tetrahedra[faces.crowded[0]]));
+        return fault(count == 1
+                         ? Message::say("1 tetrahedron at a face that three or more share, one at %1", place)
+                         : Message::say("%1 tetrahedra at faces that three or more share, one at %2", count, place));
+    }
+    if (!faces.folded.empty()) {
+        const std::uint64_t count = faces.folded.size();
+        const std::string place = placeText(centreOf(positions, tetrahedra[faces.folded[0]]));
+        return fault(count == 1
+                         ? Message::say("1 tetrahedron that overlaps its neighbour, one at %1", place)
+                         : Message::say("%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2",
+                                        count, place));
+    }
     return {};
 }
 
 Status checkManifold(Positions positions, const ManifoldBreaches& breaches)
 {
-    if (!breaches.edges.empty())
-        return fault(breaches.edges.size(), "edge in which parts of it only touch",
-                     "edges in which parts of it only touch", positions[breaches.edges[0][0]]);
-    if (!breaches.vertices.empty())
-        return fault(breaches.vertices.size(), "point in which parts of it only touch",
-                     "points in which parts of it only touch", positions[breaches.vertices[0]]);
+    if (!breaches.edges.empty()) {
+        const std::uint64_t count = breaches.edges.size();
+        const std::string place = placeText(positions[breaches.edges[0][0]]);
+        return fault(count == 1 ? Message::say("1 edge in which parts of it only touch, one at %1", place)
+                                : Message::say("%1 edges in which parts of it only touch, one at %2", count, place));
+    }
+    if (!breaches.vertices.empty()) {
+        const std::uint64_t count = breaches.vertices.size();
+        const std::string place = placeText(positions[breaches.vertices[0]]);
+        return fault(count == 1 ? Message::say("1 point in which parts of it only touch, one at %1", place)
+                                : Message::say("%1 points in which parts of it only touch, one at %2", count, place));
+    }
     return {};
 }
 
@@ -260,15 +273,22 @@ Status checkTetrahedra(Positions positions, TetrahedronSpan tetrahedra, const Me
     const BoundaryFaults faults = findBoundaryFaults(positions, boundary, progress);
     if (progress.cancelled())
         return cancelledError(checkingMesh);
-    if (faults.meetings > 0)
-        return fault(faults.meetings,
-                     "pair of boundary faces that cut or touch each other: cells overlap or do not fit "
-                     "together there",
-                     "pairs of boundary faces that cut or touch each other: cells overlap or do not fit together there",
-                     positions[boundary[faults.meeting[0]][0]]);
-    if (faults.buried > 0)
-        return fault(faults.buried, "part inside another part", "parts inside other parts",
-                     positions[boundary[faults.buriedTriangle][0]]);
+    if (faults.meetings > 0) {
+        const std::uint64_t count = faults.meetings;
+        const std::string place = placeText(positions[boundary[faults.meeting[0]][0]]);
+        return fault(count == 1 ? Message::say("1 pair of boundary faces that cut or touch each other: cells overlap "
+                                               "or do not fit together there, one at %1",
+                                               place)
+                                : Message::say("%1 pairs of boundary faces that cut or touch each other: cells overlap "
+                                               "or do not fit together there, one at %2",
+                                               count, place));
+    }
+    if (faults.buried > 0) {
+        const std::uint64_t count = faults.buried;
+        const std::string place = placeText(positions[boundary[faults.buriedTriangle][0]]);
+        return fault(count == 1 ? Message::say("1 part inside another part, one at %1", place)
+                                : Message::say("%1 parts inside other parts, one at %2", count, place));
+    }
     return {};
 }
 
@@ -278,8 +298,8 @@ Status checkIrregular(const Dataset& dataset, const Progress& progress)
         return points;
     const TetrahedronSpan tetrahedra = *dataset.tetrahedra;
     if (tetrahedra.size() > largestAdjacentCellCount)
-        return Error{ErrorKind::OutOfResource, "The mesh has more than " + std::to_string(largestAdjacentCellCount) +
-                                                   " tetrahedra. Take a part of it."};
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh has more than %1 tetrahedra. Take a part of it.",
+                                                            largestAdjacentCellCount)};
     if (const Status positive = checkSigns(*dataset.positions, tetrahedra); !positive)
         return positive;
     return checkTetrahedra(*dataset.positions, tetrahedra, findMeshFaces(tetrahedra), progress);

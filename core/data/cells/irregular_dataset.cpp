@@ -125,10 +125,10 @@ Status checkWarped(const CellComplex& complex, const CleanCells& cells, const Cu
     const std::uint64_t origin = cells.origins[cutChecked.warped.front()];
     const Eigen::Vector3d& place = complex.positions[complex.corners[complex.offsets[origin]]];
     return Error{ErrorKind::BadInput,
-                 std::to_string(cutChecked.warped.size()) +
-                     " cells are folded or so warped that no tetrahedra fill them; the first is cell " +
-                     std::to_string(origin) + " at (" + formatNumber(place[0]) + ", " + formatNumber(place[1]) + ", " +
-                     formatNumber(place[2]) + "). Repair the mesh in the program that made it."};
+                 Message::say("%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at "
+                              "(%3, %4, %5). Repair the mesh in the program that made it.",
+                              cutChecked.warped.size(), origin, formatNumber(place[0]), formatNumber(place[1]),
+                              formatNumber(place[2]))};
 }
 
 Result<CutCells> cutChecked(const CellComplex& complex, CleanCells& cells, Repairs& repairs, const Progress& progress)
@@ -209,7 +209,7 @@ try {
     if (const Status sound = checkWarped(complex, *cells, *cutting, repairs); !sound)
         return sound.error();
     if (cutting->tetrahedra.empty())
-        return Error{ErrorKind::BadInput, "No cell of the mesh has a volume: nothing is left."};
+        return Error{ErrorKind::BadInput, Message::say("No cell of the mesh has a volume: nothing is left.")};
     const std::vector<double> all = pointValues(complex, values, *cells, *cutting, repairs);
     if (const Status sound = repairMesh(complex.positions, *cutting, repairs, progress.part(0.5, 0.95)); !sound)
         return sound.error();
@@ -239,7 +239,7 @@ try {
     dataset.remarks = repairRemarks(repairs);
     return dataset;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory for the mesh. Take a part of it."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory for the mesh. Take a part of it.")};
 }
 
 } // namespace tetra

@@ -192,9 +192,9 @@ Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected)
     if (tetrahedra <= most && expected <= farTooMany)
         return {};
     return Error{ErrorKind::OutOfResource,
-                 "The finest mesh would have about " + std::to_string(std::max(tetrahedra, expected)) +
-                     " tetrahedra, and a model holds meshes of at most " + std::to_string(most) +
-                     ". Ask for a larger error, or take a part of the dataset."};
+                 Message::say("The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. "
+                              "Ask for a larger error, or take a part of the dataset.",
+                              std::max(tetrahedra, expected), most)};
 }
 
 RunFiles::RunFiles(std::filesystem::path folder, std::uint64_t fingerprint, std::uint32_t blockCount)
@@ -300,20 +300,20 @@ Status RunFiles::read(std::uint32_t block, std::uint64_t offset, std::span<std::
 
 Error RunFiles::unreadable(std::uint32_t block, int systemError) const
 {
-    return unreadable(block,
-                      systemErrorText(systemError) + ". " +
-                          (isLackOfResources(systemError) ? std::string(resourceRemedy) : "Start the build again."));
+    const std::string reason = systemErrorText(systemError);
+    return unreadable(block, isLackOfResources(systemError) ? Message::say("%1. %2", reason, resourceRemedy)
+                                                            : Message::say("%1. Start the build again.", reason));
 }
 
 Error RunFiles::damaged(std::uint32_t block) const
 {
-    return unreadable(block, "it is not what was written. Start the build again.");
+    return unreadable(block, Message::say("it is not what was written. Start the build again."));
 }
 
-Error RunFiles::unreadable(std::uint32_t block, const std::string& why) const
+Error RunFiles::unreadable(std::uint32_t block, const Message& why) const
 {
     return {ErrorKind::OutOfResource,
-            "Cannot read '" + path(block).string() + "', which this build had written: " + why};
+            Message::say("Cannot read '%1', which this build had written: %2", path(block).string(), why)};
 }
 
 } // namespace tetra

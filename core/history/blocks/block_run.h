@@ -126,7 +126,7 @@ private:
     Result<BlockRunHeader> readHeader(const OpenFile& file, std::uint32_t block) const;
     Status read(std::uint32_t block, std::uint64_t offset, std::span<std::byte> to) const;
     Error unreadable(std::uint32_t block, int systemError) const;
-    Error unreadable(std::uint32_t block, const std::string& why) const;
+    Error unreadable(std::uint32_t block, const Message& why) const;
     Error damaged(std::uint32_t block) const;
 
     std::filesystem::path folder_;

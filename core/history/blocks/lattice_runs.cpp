@@ -163,8 +163,9 @@ Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& 
     try {
         return RunMaker(options, samples, runs, progress).run();
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to refine blocks of this size. Close other programs, "
-                                               "use fewer threads or choose smaller blocks."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to refine blocks of this size. Close other programs, use fewer "
+                                  "threads or choose smaller blocks.")};
     }
 }
 

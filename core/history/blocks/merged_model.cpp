@@ -58,7 +58,8 @@ constexpr std::uint64_t sitesBetweenReports = 1 << 16;
 
 Error unfitNumbers()
 {
-    return {ErrorKind::OutOfResource, "The runs of the blocks do not fit together. Start the build again."};
+    return {ErrorKind::OutOfResource,
+            Message::say("The runs of the blocks do not fit together. Start the build again.")};
 }
 
 Result<MergedNumbers> MergedNumbers::make(const RunFiles& runs, const std::filesystem::path& workFolder,
@@ -91,8 +92,8 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
             break;
         const MergedBatch& batch = merge.batch();
         if (batch.points.size() >= Model::never - siteCount_)
-            return Error{ErrorKind::OutOfResource, "The model would have more than 4294967294 sites. Ask for a larger "
-                                                   "error, or take a part of the dataset."};
+            return Error{ErrorKind::OutOfResource, Message::say("The model would have more than 4294967294 sites. Ask "
+                                                                "for a larger error, or take a part of the dataset.")};
         for (const MergedBatch::Part& part : batch.parts) {
             const std::uint64_t first = firsts_[part.block] + part.firstSite;
             if (first + part.siteCount > firsts_[part.block + 1])
@@ -170,7 +171,8 @@ struct Translated {
 
 Error unfitStars()
 {
-    return {ErrorKind::OutOfResource, "The runs of the blocks do not fit together. Start the build again."};
+    return {ErrorKind::OutOfResource,
+            Message::say("The runs of the blocks do not fit together. Start the build again.")};
 }
 
 /// Translates a part's tetrahedra and appends them; false if a number makes no sense.
@@ -490,9 +492,9 @@ Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workF
     try {
         return merge(runs, workFolder, open, progress, sliceTetrahedra);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     "Not enough memory to merge the blocks. Close other programs, or ask for "
-                     "a larger error."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("Not enough memory to merge the blocks. Close other programs, or ask for a larger error.")};
     }
 }
 

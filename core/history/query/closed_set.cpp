@@ -31,7 +31,7 @@ template <class Link> Status visitLinks(const Model& model, std::uint32_t sites,
             lastParents[destroyer] = creator;
             link(destroyer, creator);
         });
-        return right ? Status() : inconsistentModel(model, "a tetrahedron dies before it is made");
+        return right ? Status() : inconsistentModel(model, Message::say("a tetrahedron dies before it is made"));
     };
     return walkHistory(model, 0, sites, progress, "Looking at the history", visit);
 }
@@ -63,7 +63,7 @@ Status HistoryLinks::cover(const Model& model, std::uint32_t sites, const Progre
     if (const Status filled = visitLinks(model, sites, lastParents, progress.part(0.5, 1), fill); !filled)
         return filled;
     if (!same || !std::ranges::is_sorted(offsets_) || offsets_[sites] != count)
-        return inconsistentModel(model, "its destroyers changed while they were read");
+        return inconsistentModel(model, Message::say("its destroyers changed while they were read"));
     offsets_.pop_back();
     siteCount_ = sites;
     return {};
@@ -185,10 +185,11 @@ Result<ClosedSet> Growth::runWithin(const Progress& progress)
     if (const Status begun = close(std::numeric_limits<double>::infinity(), progress); !begun)
         return begun.error();
     if (set_.tetrahedra > budget_)
-        return Error{ErrorKind::WrongUsage, "The coarsest mesh of '" + model_.path().string() + "' has " +
-                                                std::to_string(set_.tetrahedra) +
-                                                " tetrahedra, more than the budget of " + std::to_string(budget_) +
-                                                ". Allow at least as many."};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "The coarsest mesh of '%1' has %2 tetrahedra, more than the budget of %3. Allow at least as many.",
+                model_.path().string(), set_.tetrahedra, budget_)};
     while (!queue_.empty()) {
         const double level = queue_.front().scale;
         const double before = set_.scale;
@@ -228,7 +229,8 @@ Status Growth::close(double level, const Progress& progress)
             addGroup(destroyer);
         } else {
             return linksReach_ ? Status()
-                               : inconsistentModel(model_, "its running errors do not bound the tetrahedra's own ones");
+                               : inconsistentModel(
+                                     model_, Message::say("its running errors do not bound the tetrahedra's own ones"));
         }
     }
 }
@@ -368,7 +370,7 @@ Status SetScan::run(const Progress& progress)
         scanStar(out_.sites[vertex]);
     }
     if (!right_ || found_ != tetrahedra.size())
-        return inconsistentModel(model_, "its tetrahedra do not fit its mesh sizes");
+        return inconsistentModel(model_, Message::say("its tetrahedra do not fit its mesh sizes"));
     return {};
 }
 
@@ -402,7 +404,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
                   ExtractedMesh& out)
 {
     if (set.tetrahedra > model.tetrahedronCount())
-        return inconsistentModel(model, "its mesh sizes make no sense");
+        return inconsistentModel(model, Message::say("its mesh sizes make no sense"));
     SetScan scan(model, set, out);
     scan.numberVertices();
     if (const Status scanned = scan.run(progress); !scanned)
@@ -411,7 +413,7 @@ Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& pl
         return std::ranges::find(t, ExtractedMesh::noSite) != t.end();
     };
     if (std::ranges::any_of(out.mesh.tetrahedra, noVertex))
-        return inconsistentModel(model, "a tetrahedron has a site that its creator does not need");
+        return inconsistentModel(model, Message::say("a tetrahedron has a site that its creator does not need"));
     if (model.description().leftHanded)
         for (std::array<std::uint32_t, 4>& tetrahedron : out.mesh.tetrahedra)
             std::swap(tetrahedron[2], tetrahedron[3]);

@@ -19,10 +19,10 @@ Error notLoaded(const Model& model, MeshLoading loading)
     if (loading == MeshLoading::Cancelled)
         return cancelledError("Extracting the mesh");
     if (loading == MeshLoading::NoMesh)
-        return inconsistentModel(model, "its coarse tetrahedra do not fit together");
-    return {ErrorKind::WrongUsage, "'" + model.path().string() +
-                                       "' was not made by inserting points into Delaunay meshes, so none can be "
-                                       "inserted now. Use a closed set, or the automatic choice."};
+        return inconsistentModel(model, Message::say("its coarse tetrahedra do not fit together"));
+    return {ErrorKind::WrongUsage, Message::say("'%1' was not made by inserting points into Delaunay meshes, so none "
+                                                "can be inserted now. Use a closed set, or the automatic choice.",
+                                                model.path().string())};
 }
 
 } // namespace
@@ -75,7 +75,7 @@ void writeRefined(const Model& model, const TetrahedralMesh& coarse, const Local
 Error focusTooLarge()
 {
     return {ErrorKind::OutOfResource,
-            "The mesh of the focus became too large. Choose a larger error or a smaller focus."};
+            Message::say("The mesh of the focus became too large. Choose a larger error or a smaller focus.")};
 }
 
 } // namespace tetra

@@ -141,12 +141,12 @@ Status CurvilinearFocus::Work::prepare()
     if (prepared_)
         return {};
     if (!std::ranges::all_of(positions_, [](const Eigen::Vector3d& position) { return position.allFinite(); }))
-        return inconsistentModel(model_, "a sample lies nowhere");
+        return inconsistentModel(model_, Message::say("a sample lies nowhere"));
     siteOfPoint_.assign(positions_.size(), ExtractedMesh::noSite);
     for (std::uint32_t site = 0; site < model_.siteCount(); ++site) {
         const std::uint32_t point = model_.points()[site];
         if (point >= positions_.size())
-            return inconsistentModel(model_, "a site is no point of its grid");
+            return inconsistentModel(model_, Message::say("a site is no point of its grid"));
         siteOfPoint_[point] = site;
     }
     if (const Status prepared = mesh_.prepare(blocks_, {1, 1, 1}); !prepared)
@@ -311,8 +311,9 @@ try {
     return mesh;
 } catch (const std::bad_alloc&) {
     work_->forget();
-    return Error{ErrorKind::OutOfResource,
-                 "Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus."};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.")};
 }
 
 } // namespace tetra

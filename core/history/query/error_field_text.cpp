@@ -399,9 +399,9 @@ private:
             return;
         skipBlanks();
         const std::string found = place_ == text_.size() ? "the text ends" : "there is '" + printable(rest()) + "'";
-        error_ =
-            Error{ErrorKind::WrongUsage, "The error field cannot be read at character " + std::to_string(place_ + 1) +
-                                             ": expected " + std::string(expected) + ", but " + found + "."};
+        error_ = Error{ErrorKind::WrongUsage,
+                       Message::say("The error field cannot be read at character %1: expected %2, but %3.", place_ + 1,
+                                    expected, found)};
     }
 
     /// A glance at what comes next, never half a character.

@@ -90,9 +90,9 @@ Status HistoryScan::run(const Progress& progress)
         return walked;
     if (inCoarse_ != part_.coarse.tetrahedra || inFine_ != part_.fine.tetrahedra)
         return inconsistentModel(
-            model_, "the meshes of " + std::to_string(part_.coarse.sites) + " and " + std::to_string(part_.fine.sites) +
-                        " sites do not have the " + std::to_string(part_.coarse.tetrahedra) + " and " +
-                        std::to_string(part_.fine.tetrahedra) + " tetrahedra that they should have");
+            model_,
+            Message::say("the meshes of %1 and %2 sites do not have the %3 and %4 tetrahedra that they should have",
+                         part_.coarse.sites, part_.fine.sites, part_.coarse.tetrahedra, part_.fine.tetrahedra));
     return {};
 }
 
@@ -115,11 +115,12 @@ Status HistoryScan::keep(std::uint32_t creator, std::uint64_t tetrahedron, std::
 {
     const auto [a, b, c] = model_.otherSites()[tetrahedron];
     if (a >= creator || b >= creator || c >= creator)
-        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
-                                             " has a site that comes after its creator");
+        return inconsistentModel(
+            model_, Message::say("a tetrahedron of site %1 has a site that comes after its creator", creator));
     if (destroyer <= creator || (destroyer >= model_.siteCount() && destroyer != Model::never))
-        return inconsistentModel(model_, "a tetrahedron of site " + std::to_string(creator) +
-                                             " is destroyed by a site that does not come after it");
+        return inconsistentModel(
+            model_,
+            Message::say("a tetrahedron of site %1 is destroyed by a site that does not come after it", creator));
     const Tetrahedron found = {creator, a, b, c};
     if (!choice_.includes(found))
         return {};
@@ -133,7 +134,7 @@ Status extractInto(const Model& model, std::span<const ValueRange> values, const
                    const Progress& progress, HistoryPart& part)
 {
     if (part.coarse.sites == 0)
-        return inconsistentModel(model, "its first sites have an error");
+        return inconsistentModel(model, Message::say("its first sites have an error"));
     if (const Status placed = placeSites(model, part.fine.sites, part.mesh.positions); !placed)
         return placed;
     if (const Status copied = copyValues(model, part.fine.sites, part.mesh.values); !copied)
@@ -153,9 +154,8 @@ Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, cons
 {
     if (window && window->border == WindowBorder::Clipped)
         return Error{ErrorKind::WrongUsage,
-                     "Meshes of several accuracies cannot be cut at a window: what is cut has no "
-                     "life of its own. Ask for the tetrahedra that intersect the window, or that "
-                     "it contains."};
+                     Message::say("Meshes of several accuracies cannot be cut at a window: what is cut has no life of "
+                                  "its own. Ask for the tetrahedra that intersect the window, or that it contains.")};
     HistoryPart part;
     part.coarse = meshSizeAt(model, one);
     part.fine = meshSizeAt(model, other);
@@ -165,9 +165,10 @@ Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, cons
         if (const Status extracted = extractInto(model, values, window, progress, part); !extracted)
             return extracted.error();
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory for all meshes of up to " +
-                                                   std::to_string(part.fine.sites) +
-                                                   " sites. Choose a larger error, or a window."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.",
+                         part.fine.sites)};
     }
     return part;
 }

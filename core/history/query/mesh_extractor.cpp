@@ -58,9 +58,11 @@ Result<double> scaleWithin(std::uint64_t budget, double first, double largest, c
         size = static_cast<double>(*found);
         if (size > allowed) {
             if (scale >= largest)
-                return Error{ErrorKind::WrongUsage, "The coarsest mesh has " + std::to_string(*found) +
-                                                        " tetrahedra, more than the budget of " +
-                                                        std::to_string(budget) + ". Allow at least as many."};
+                return Error{
+                    ErrorKind::WrongUsage,
+                    Message::say(
+                        "The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.",
+                        *found, budget)};
             tooFine = scale;
         } else {
             fits = scale;
@@ -99,10 +101,9 @@ Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& asked, std::
         const bool endsBatch = sites == errors.size() || errors[sites] < errors[sites - 1];
         if (endsBatch && sizes[sites - 1] > budget) {
             if (within == 0)
-                return Error{ErrorKind::WrongUsage, "The coarsest mesh of '" + model.path().string() + "' has " +
-                                                        std::to_string(sizes[sites - 1]) +
-                                                        " tetrahedra, more than the budget of " +
-                                                        std::to_string(budget) + ". Allow at least as many."};
+                return Error{ErrorKind::WrongUsage, Message::say("The coarsest mesh of '%1' has %2 tetrahedra, more "
+                                                                 "than the budget of %3. Allow at least as many.",
+                                                                 model.path().string(), sizes[sites - 1], budget)};
             break;
         }
         if (endsBatch)
@@ -223,7 +224,7 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
     const char* const obstacle = obstacleToInsertion(query);
     if (query.method == VariableMethod::Insertion && obstacle != nullptr)
         return Error{ErrorKind::WrongUsage,
-                     std::string("Insertion ") + obstacle + ". Use a closed set, or the automatic choice."};
+                     Message::say("Insertion %1. Use a closed set, or the automatic choice.", obstacle)};
     if (query.method == VariableMethod::Insertion)
         return extractByInsertion(query, progress);
     if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && obstacle == nullptr &&
@@ -410,8 +411,9 @@ try {
     return work_->extract(query, progress);
 } catch (const std::bad_alloc&) {
     work_ = std::make_unique<Work>(work_->model());
-    return Error{ErrorKind::OutOfResource,
-                 "There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget."};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.")};
 }
 
 } // namespace tetra

@@ -557,7 +557,7 @@ Status RegionRefiner::Work::makeIndex()
         return model_.checkIntact();
     sites_ = SiteGrid::make(lattice_, model_.points());
     if (!sites_)
-        return inconsistentModel(model_, "a site is no point of its lattice");
+        return inconsistentModel(model_, Message::say("a site is no point of its lattice"));
     return model_.checkIntact();
 }
 
@@ -711,7 +711,8 @@ Result<ExtractedMesh> RegionRefiner::Work::extract(const SpaceRamp& error, bool 
 {
     FocusLimits limits(error, model_.description().lattice, model_.description().range.extent());
     if (!(limits.least <= limits.most))
-        return Error{ErrorKind::WrongUsage, "The error in the focus is larger than that outside. Swap them."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The error in the focus is larger than that outside. Swap them.")};
     if (const Status indexed = makeIndex(); !indexed)
         return indexed.error();
     const Range range = rangeOf(limits);
@@ -772,9 +773,9 @@ Result<ExtractedMesh> RegionRefiner::extract(const SpaceRamp& error, bool fresh,
         return mesh;
     } catch (const std::bad_alloc&) {
         work_->forget();
-        return Error{ErrorKind::OutOfResource,
-                     "Not enough memory for the mesh of the focus. Choose a larger error or a "
-                     "smaller focus."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.")};
     }
 }
 

@@ -312,8 +312,9 @@ Status cutAt(const Plane& plane, TetrahedralMesh& mesh, Pieces& pieces, const Pr
         if (progress.cancelled())
             return cancelledError(cuttingAtWindow);
         if (mesh.positions.size() + 4 * (end - first) > mostVertices)
-            return Error{ErrorKind::OutOfResource, "The mesh that is cut at the window has more vertices than fit: "
-                                                   "choose a larger error or a smaller window."};
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("The mesh that is cut at the window has more vertices than fit: choose a larger "
+                                      "error or a smaller window.")};
         progress.report(static_cast<double>(first) / static_cast<double>(tetrahedra.size()), cuttingAtWindow);
         for (std::size_t t = first; t < end; ++t) {
             cutter.cut(tetrahedra[t], kept.tetrahedra);
@@ -424,9 +425,9 @@ Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, co
     try {
         return keepWindowUnguarded(mesh, window, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     "Not enough memory to cut a mesh of " + std::to_string(mesh.tetrahedra.size()) +
-                         " tetrahedra at a window. Choose a larger error or a smaller window."};
+        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to cut a mesh of %1 tetrahedra at a "
+                                                            "window. Choose a larger error or a smaller window.",
+                                                            mesh.tetrahedra.size())};
     }
 }
 

@@ -12,7 +12,8 @@
 /// tetra::Result<int> halfOf(int number)
 /// {
 ///     if (number % 2 != 0)
-///         return tetra::Error{tetra::ErrorKind::WrongUsage, std::to_string(number) + " is odd. Give an even number."};
+///         return tetra::Error{tetra::ErrorKind::WrongUsage,
+///                             tetra::Message::say("%1 is odd. Give an even number.", number)};
 ///     return number / 2;
 /// }
 ///
@@ -33,6 +34,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -60,10 +62,70 @@ enum class ErrorKind {
     Cancelled,     ///< the user stopped it (exit 130)
 };
 
-/// An error is a value. `text` is written for the user: what happened, where, and what to do about it.
+/// What is said to a user: an English sentence with places %1 to %9, and what stands in them. Programs that speak other
+/// languages translate the sentence, and put the same into its places; which is why it is not put together from pieces.
+class Message {
+public:
+    Message() = default;
+    /// What is the same in every language: a name, a number, what another program said.
+    Message(std::string text) : text_(std::move(text)) {}
+    Message(std::string_view text) : text_(text) {}
+    Message(const char* text) : text_(text) {}
+    template <std::integral Number> Message(Number number) : text_(std::to_string(number)) {}
+
+    /// A sentence of this program, with its arguments: messages, or what is one. Translators' tools find it by this
+    /// name, so it is a literal.
+    template <class... Arguments> static Message say(const char* sentence, Arguments&&... arguments)
+    {
+        static_assert(sizeof...(arguments) <= 9);
+        return of(sentence, {Message(std::forward<Arguments>(arguments))...});
+    }
+    /// What say() makes, of a message that was taken apart.
+    static Message of(std::string sentence, std::vector<Message> arguments)
+    {
+        Message message;
+        message.sentence_ = std::move(sentence);
+        message.arguments_ = std::move(arguments);
+        message.text_ = message.filled();
+        return message;
+    }
+
+    /// In English.
+    const std::string& text() const noexcept { return text_; }
+    /// With its places; empty if it is what every language has in common.
+    const std::string& sentence() const noexcept { return sentence_; }
+    const std::vector<Message>& arguments() const noexcept { return arguments_; }
+
+private:
+    std::string filled() const
+    {
+        std::string text;
+        for (std::size_t i = 0; i < sentence_.size(); ++i) {
+            const std::size_t place = sentence_[i] == '%' && i + 1 < sentence_.size()
+                                          ? static_cast<std::size_t>(sentence_[i + 1] - '1')
+                                          : arguments_.size();
+            if (place < arguments_.size()) {
+                text += arguments_[place].text_;
+                ++i;
+            } else {
+                text += sentence_[i];
+            }
+        }
+        return text;
+    }
+
+    std::string text_;
+    std::string sentence_;
+    std::vector<Message> arguments_;
+};
+
+/// An error is a value: what happened, where, and what to do about it.
 struct Error {
     ErrorKind kind = ErrorKind::BadInput;
-    std::string text;
+    Message message;
+
+    /// In English.
+    const std::string& text() const noexcept { return message.text(); }
 };
 
 /// Either a value or an Error. Never throws; `value()` on an error is a programming mistake: asserted, and undefined
@@ -119,9 +181,9 @@ private:
 using Status = Result<void>;
 
 /// The error that cancelled work returns.
-inline Error cancelledError(std::string_view activity)
+inline Error cancelledError(const Message& activity)
 {
-    return {ErrorKind::Cancelled, std::string(activity) + " was cancelled."};
+    return {ErrorKind::Cancelled, Message::say("%1 was cancelled.", activity)};
 }
 
 /// Reports the progress of long-running work and carries requests to cancel it. Cheap to copy: pass by const reference,

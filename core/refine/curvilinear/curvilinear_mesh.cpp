@@ -418,7 +418,7 @@ Status CurvilinearMesh::insert(const Candidate& candidate, float keyBefore, Hist
     for (const std::uint32_t block : pointBlocks_) {
         const std::uint32_t slot = block == home ? candidate.slot : walkTo(delaunay_, point, hints_[block]);
         if (!insertIntoBlock(point, slot, block))
-            return Error{ErrorKind::OutOfResource, "The mesh grew beyond what was reserved for it."};
+            return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
     }
     return sink.add({index(point), keyBefore, starHistory_, destroyedHistory_});
 }

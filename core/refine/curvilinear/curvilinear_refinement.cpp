@@ -51,8 +51,8 @@ private:
 Status checkSize(const std::array<std::uint32_t, 3>& size, const BlockDivision& blocks)
 {
     if (!PackedLattice::fits(size))
-        return Error{ErrorKind::OutOfResource, "The grid has too many points to be refined: coordinates take more than "
-                                               "32 bits. Crop or subsample it."};
+        return Error{ErrorKind::OutOfResource, Message::say("The grid has too many points to be refined: coordinates "
+                                                            "take more than 32 bits. Crop or subsample it.")};
     if (const auto metric = latticeMetric(blocks.box(0).size, {1, 1, 1}); !metric)
         return metric.error();
     std::uint64_t points = 0;
@@ -98,8 +98,9 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
     try {
         return refine(CurvilinearGrid(size, positions, samples), blocks, options, sink, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to refine this grid. Close other programs, use a "
-                                               "machine with more memory, or crop or subsample the data."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to refine this grid. Close other programs, use a machine with "
+                                  "more memory, or crop or subsample the data.")};
     }
 }
 

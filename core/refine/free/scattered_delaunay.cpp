@@ -27,9 +27,10 @@ using CellBase = CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel
                                                            CGAL::Delaunay_triangulation_cell_base_3<Kernel>>; // slot
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
-Error notEnough(const std::string& what)
+Error notEnough(const Message& what)
 {
-    return {ErrorKind::BadInput, what + " A tetrahedral mesh needs four points that do not lie in one plane."};
+    return {ErrorKind::BadInput,
+            Message::say("%1 A tetrahedral mesh needs four points that do not lie in one plane.", what)};
 }
 
 /// The points of a property map's keys, as CGAL wants them.
@@ -58,18 +59,18 @@ struct ScatteredDelaunay::Mesh {
     Status checkExtent() const
     {
         if (points.size() < 4)
-            return notEnough("There are only " + std::to_string(points.size()) + " points.");
+            return notEnough(Message::say("There are only %1 points.", points.size()));
         const auto different = [&](const Point& p) { return p != points[0]; };
         const auto second = std::ranges::find_if(points, different);
         if (second == points.end())
-            return notEnough("All points lie on one place.");
+            return notEnough(Message::say("All points lie on one place."));
         const auto offLine = [&](const Point& p) { return !CGAL::collinear(points[0], *second, p); };
         const auto third = std::find_if(second, points.end(), offLine);
         if (third == points.end())
-            return notEnough("All points lie on one line.");
+            return notEnough(Message::say("All points lie on one line."));
         const auto offPlane = [&](const Point& p) { return !CGAL::coplanar(points[0], *second, *third, p); };
         if (std::none_of(second, points.end(), offPlane))
-            return notEnough("All points lie in one plane.");
+            return notEnough(Message::say("All points lie in one plane."));
         return {};
     }
 

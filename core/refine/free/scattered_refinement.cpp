@@ -181,9 +181,9 @@ Status checkDistinct(std::span<const Eigen::Vector3d> positions)
     const auto same = std::ranges::adjacent_find(order, {}, key);
     if (same == order.end())
         return {};
-    return Error{ErrorKind::BadInput, "Points " + std::to_string(std::min(same[0], same[1])) + " and " +
-                                          std::to_string(std::max(same[0], same[1])) +
-                                          " (counted from 0) lie on the same place. Merge such points first."};
+    return Error{ErrorKind::BadInput,
+                 Message::say("Points %1 and %2 (counted from 0) lie on the same place. Merge such points first.",
+                              std::min(same[0], same[1]), std::max(same[0], same[1]))};
 }
 
 void ScatteredSpace::addInside(std::uint32_t slot, std::uint32_t point)
@@ -250,9 +250,10 @@ Status ScatteredSpace::distribute(const Progress& progress)
             continue;
         const std::uint32_t found = delaunay_.locate(point, slot);
         if (found == noCell)
-            return Error{ErrorKind::BadInput, "Point " + std::to_string(point) +
-                                                  " lies outside the convex hull that was computed. Coordinates of so "
-                                                  "different magnitudes cannot be used; scale them."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("Point %1 lies outside the convex hull that was computed. Coordinates of so "
+                                      "different magnitudes cannot be used; scale them.",
+                                      point)};
         slot = found;
         addInside(slot, point);
     }
@@ -303,7 +304,7 @@ Status ScatteredSpace::insert(const Next& next)
 {
     if (tetrahedronCount_ > std::numeric_limits<std::uint32_t>::max() - (1u << 20))
         return Error{ErrorKind::OutOfResource,
-                     "The history has more than 4 billion tetrahedra. Ask for a larger error."};
+                     Message::say("The history has more than 4 billion tetrahedra. Ask for a larger error.")};
     const Candidate candidate = next.candidate;
     queue_.pop();
     delaunay_.insert(candidate.point, candidate.slot);
@@ -346,7 +347,8 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
                                                   const Progress& progress)
 {
     if (points.positions.size() >= noCell)
-        return Error{ErrorKind::OutOfResource, "At most 4294967294 scattered points can be refined. Take a part."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("At most 4294967294 scattered points can be refined. Take a part.")};
     try {
         ScatteredSpace space(points, stopError, sink);
         if (Status started = space.start(progress); !started)
@@ -356,8 +358,9 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
             return key.error();
         return ScatteredRefinementResult{space.siteCount(), space.tetrahedronCount(), *key};
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to refine these points. Close other programs, use a "
-                                               "machine with more memory, or take a part of the points."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to refine these points. Close other programs, use a machine with "
+                                  "more memory, or take a part of the points.")};
     }
 }
 

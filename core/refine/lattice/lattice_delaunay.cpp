@@ -36,7 +36,7 @@ Status LatticeDelaunay::prepare(const std::array<std::uint32_t, 3>& size, const 
 {
     if (!PackedLattice::fits(size))
         return Error{ErrorKind::OutOfResource,
-                     "The lattice has too many points to be refined as a whole. Crop or subsample it."};
+                     Message::say("The lattice has too many points to be refined as a whole. Crop or subsample it.")};
     lattice_ = PackedLattice(size);
     for (std::size_t axis = 0; axis < 3; ++axis)
         weights_[axis] = metric[axis];

@@ -21,11 +21,11 @@ Status checkBox(const LatticeBoxOptions& options)
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (options.box.size[axis] < 2 || options.box.size[axis] > options.latticeSize[axis] ||
             options.box.origin[axis] > options.latticeSize[axis] - options.box.size[axis])
-            return Error{ErrorKind::WrongUsage, "A block of the lattice needs two points along each axis and must not "
-                                                "stick out. Choose another block size."};
+            return Error{ErrorKind::WrongUsage, Message::say("A block of the lattice needs two points along each axis "
+                                                             "and must not stick out. Choose another block size.")};
     if (!exactWithMetric(options.box.size, options.metric))
-        return Error{ErrorKind::OutOfResource, "A block of the lattice is too large to be refined with exact "
-                                               "arithmetic. Choose a smaller block size."};
+        return Error{ErrorKind::OutOfResource, Message::say("A block of the lattice is too large to be refined with "
+                                                            "exact arithmetic. Choose a smaller block size.")};
     return {};
 }
 
@@ -115,8 +115,9 @@ Result<LatticeRefinementResult> LatticeRefiner::refine(const LatticeBoxOptions& 
                            whole ? samples : samples.copyBox(options.latticeSize, options.box, state_->boxSamples),
                            sink, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory to refine this lattice. Close other programs, use a "
-                                               "machine with more memory, or crop or subsample the data."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to refine this lattice. Close other programs, use a machine with "
+                                  "more memory, or crop or subsample the data.")};
     }
 }
 
@@ -346,7 +347,7 @@ Status LatticeRefiner::State::insert(const Next& next)
 {
     const PackedPoint point = next.bucket.worst;
     if (!delaunay_.insert(point, next.bucket.tetrahedron))
-        return Error{ErrorKind::OutOfResource, "The mesh grew beyond what was reserved for it."};
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
     for (const std::uint32_t slot : delaunay_.destroyed())
         __builtin_prefetch(&slots_[slot]);
     fetchAhead();

@@ -56,12 +56,10 @@ bool exactWithMetric(const std::array<std::uint32_t, 3>& size, const LatticeMetr
 Result<LatticeMetric> latticeMetric(const std::array<std::uint32_t, 3>& size, const Eigen::Vector3d& spacing)
 {
     if (!exactWithMetric(size, {1, 1, 1}))
-        return Error{
-            ErrorKind::OutOfResource,
-            "A lattice of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-                std::to_string(size[2]) +
-                " points is too large to be refined as a whole with exact arithmetic (512 x 512 x 512 is about "
-                "the limit). Crop or subsample it."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("A lattice of %1 x %2 x %3 points is too large to be refined as a whole with exact "
+                                  "arithmetic (512 x 512 x 512 is about the limit). Crop or subsample it.",
+                                  size[0], size[1], size[2])};
     const Eigen::Vector3d squares = spacing.cwiseProduct(spacing) / spacing.cwiseProduct(spacing).minCoeff();
     LatticeMetric best{1, 1, 1};
     double bestDeviation = std::numeric_limits<double>::infinity();

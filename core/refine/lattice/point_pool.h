@@ -29,8 +29,9 @@ public:
     {
         if (points <= mostPoints)
             return {};
-        return Error{ErrorKind::OutOfResource, "More than " + std::to_string(mostPoints) +
-                                                   " points cannot be refined at once. Crop or subsample the data."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("More than %1 points cannot be refined at once. Crop or subsample the data.", mostPoints)};
     }
 
     /// Empties the pool and makes room for lists of `points` points in all, at any time.

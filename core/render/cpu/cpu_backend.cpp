@@ -297,9 +297,11 @@ public:
         if (Status status = checkOptions(options); !status)
             return status.error();
         if (hasVolume(scene) && !belongTogether(*scene.volume->mesh, *scene.volume->transfer, {}))
-            return Error{ErrorKind::WrongUsage, "The scene's volume and its transfer function do not belong together."};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("The scene's volume and its transfer function do not belong together.")};
         if (hasFocus(scene) && !belongTogether(*scene.focus->fine.mesh, *scene.focus->fine.transfer, {}))
-            return Error{ErrorKind::WrongUsage, "The focus' volume and its transfer function do not belong together."};
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("The focus' volume and its transfer function do not belong together.")};
         return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
     }
 

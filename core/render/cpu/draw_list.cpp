@@ -296,7 +296,7 @@ Status Builder::addSurface(const Surface& surface)
     if (Status status = checkMesh(mesh); !status)
         return status;
     if (mesh.positions.size() + list_.vertices.size() >= DrawnPiece::own)
-        return Error{ErrorKind::OutOfResource, "The scene has more than two thousand million vertices."};
+        return Error{ErrorKind::OutOfResource, Message::say("The scene has more than two thousand million vertices.")};
     const bool coloured = !mesh.colours.empty();
     const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true, coloured});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());

@@ -96,20 +96,21 @@ Result<std::unique_ptr<EglContext>> EglContext::make(const char* library)
     void* handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr)
         return Error{ErrorKind::OutOfResource,
-                     std::string("OpenGL without a window needs EGL, and ") + library +
-                         " cannot be loaded. Install it (Debian: libegl1), or use the CPU back end."};
+                     Message::say("OpenGL without a window needs EGL, and %1 cannot be loaded. Install it (Debian: "
+                                  "libegl1), or use the CPU back end.",
+                                  library)};
     std::unique_ptr<EglContext> context(new EglContext);
     context->egl_ = std::make_unique<Functions>(handle);
     if (const std::string& missing = context->egl_->find.missing(); !missing.empty())
         return Error{ErrorKind::OutOfResource,
-                     std::string(library) + " has no " + missing + ". Install EGL 1.4, or use the CPU back end."};
+                     Message::say("%1 has no %2. Install EGL 1.4, or use the CPU back end.", library, missing)};
     // A card first; then Mesa without a display, which finds a card, too, or draws in software; then whatever is left.
     const bool found = context->tryDevices(false) || context->tryPlatform(EGL_PLATFORM_SURFACELESS_MESA, nullptr) ||
                        context->tryDevices(true) || context->tryDisplay(context->egl_->getDisplay(EGL_DEFAULT_DISPLAY));
     if (!found)
         return Error{ErrorKind::OutOfResource,
-                     "EGL gives no OpenGL 3.3 without a window on this machine. Install the card's driver or Mesa "
-                     "(Debian: libgl1-mesa-dri), or use the CPU back end."};
+                     Message::say("EGL gives no OpenGL 3.3 without a window on this machine. Install the card's driver "
+                                  "or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.")};
     return context;
 }
 

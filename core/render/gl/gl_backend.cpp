@@ -15,8 +15,10 @@ namespace {
 
 Error notCurrentError()
 {
-    return {ErrorKind::OutOfResource,
-            "The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end."};
+    return {
+        ErrorKind::OutOfResource,
+        Message::say(
+            "The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.")};
 }
 
 /// A framebuffer of 8-bit pixels to draw into and read back.
@@ -92,7 +94,7 @@ public:
             picture.depth = painter_->takeDepth();
             return picture;
         } catch (const std::bad_alloc&) {
-            return Error{ErrorKind::OutOfResource, "Not enough memory for a picture of this size."};
+            return Error{ErrorKind::OutOfResource, Message::say("Not enough memory for a picture of this size.")};
         }
     }
 

@@ -77,7 +77,8 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
         return status.error();
     const Buffer<std::uint32_t> corners = drawableCorners(mesh);
     if (corners.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        return Error{ErrorKind::OutOfResource, "A surface has too many triangles for OpenGL. Use the CPU back end."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("A surface has too many triangles for OpenGL. Use the CPU back end.")};
     MeshBuffers buffers;
     buffers.indexCount = static_cast<int>(corners.size());
     buffers.origin = originOf(mesh);
@@ -101,8 +102,8 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
     gl_.bindVertexArray(0);
     if (gl_.getError() == gl::outOfMemory)
         return Error{ErrorKind::OutOfResource,
-                     "The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use "
-                     "the CPU back end."};
+                     Message::say("The graphics card has not enough memory for this surface. Lower the accuracy of the "
+                                  "mesh, or use the CPU back end.")};
     return buffers;
 }
 
@@ -135,8 +136,8 @@ static_assert(sizeof(CellClass) == 4, "two numbers of 16 bits, a texel");
 
 Error outOfMemory()
 {
-    return {ErrorKind::OutOfResource, "The graphics card has not enough memory for this volume. Lower the accuracy of "
-                                      "the mesh, or use the CPU back end."};
+    return {ErrorKind::OutOfResource, Message::say("The graphics card has not enough memory for this volume. Lower the "
+                                                   "accuracy of the mesh, or use the CPU back end.")};
 }
 
 template <class Element> std::span<const std::byte> byteCount(const Element& elements)
@@ -173,9 +174,9 @@ Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBu
     int limit = 0;
     gl.getIntegerv(gl::maximumTextureBufferSize, &limit);
     if (mesh.positions.size() > static_cast<std::size_t>(limit))
-        return Error{ErrorKind::OutOfResource, "This OpenGL driver draws volumes of at most " + std::to_string(limit) +
-                                                   " vertices. Lower the accuracy of the mesh, or use the CPU back "
-                                                   "end."};
+        return Error{ErrorKind::OutOfResource, Message::say("This OpenGL driver draws volumes of at most %1 vertices. "
+                                                            "Lower the accuracy of the mesh, or use the CPU back end.",
+                                                            limit)};
     Buffer<std::array<float, 4>> vertices(mesh.positions.size());
     tbb::parallel_for(std::size_t(0), vertices.size(), [&](std::size_t i) {
         const Eigen::Vector3f& place = mesh.positions[i];

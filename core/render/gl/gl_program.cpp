@@ -27,9 +27,9 @@ std::string logOf(unsigned name, GlFunctions::Function<GlFunctions::GetInteger> 
 
 Error driverError(const std::string& log)
 {
-    return {ErrorKind::OutOfResource,
-            "This machine's OpenGL driver refuses a shader of TAn. Use the CPU back end, or another driver. It says: " +
-                log};
+    return {ErrorKind::OutOfResource, Message::say("This machine's OpenGL driver refuses a shader of TAn. Use the CPU "
+                                                   "back end, or another driver. It says: %1",
+                                                   log)};
 }
 
 Status attach(const GlFunctions& gl, unsigned program, unsigned kind, const char* source)
@@ -131,9 +131,9 @@ void leaveDrawingState(const GlFunctions& gl)
 Status checkClipPlanes(std::span<const ClipPlane> planes)
 {
     if (planes.size() > largestClipPlaneCount)
-        return Error{ErrorKind::OutOfResource, "OpenGL cuts scenes by at most " +
-                                                   std::to_string(largestClipPlaneCount) +
-                                                   " planes. Take fewer, or use the CPU back end."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.",
+                                  largestClipPlaneCount)};
     return {};
 }
 

@@ -63,12 +63,12 @@ Status checkFramebuffer(const GlFunctions& gl)
 {
     const bool complete = gl.checkFramebufferStatus(gl::framebuffer) == gl::framebufferComplete;
     if (gl.getError() == gl::outOfMemory)
-        return Error{ErrorKind::OutOfResource,
-                     "The graphics card has not enough memory for a picture of this size. Make it smaller, or use the "
-                     "CPU back end."};
+        return Error{ErrorKind::OutOfResource, Message::say("The graphics card has not enough memory for a picture of "
+                                                            "this size. Make it smaller, or use the CPU back end.")};
     if (!complete)
-        return Error{ErrorKind::OutOfResource, "The OpenGL driver cannot draw into floating-point textures, which "
-                                               "OpenGL 3.3 demands. Use the CPU back end."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 "
+                                  "demands. Use the CPU back end.")};
     return {};
 }
 
@@ -79,9 +79,10 @@ Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTar
     int limit = 0;
     gl.getIntegerv(gl::maximumTextureSize, &limit);
     if (std::max(width, height) > limit)
-        return Error{ErrorKind::OutOfResource, "This OpenGL driver draws at most " + std::to_string(limit) +
-                                                   " samples a side. Make the picture smaller, take fewer samples, or "
-                                                   "use the CPU back end."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take "
+                                  "fewer samples, or use the CPU back end.",
+                                  limit)};
     targets.width = width;
     targets.height = height;
     targets.opaqueColour = makeTexture(gl, targets.width, targets.height, colourFormat);

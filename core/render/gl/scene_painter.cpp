@@ -70,17 +70,18 @@ private:
 Status ScenePainter::Implementation::initialise()
 {
     if (!gl_.find.missing().empty())
-        return Error{ErrorKind::OutOfResource, "The OpenGL driver has no function " + gl_.find.missing() +
-                                                   ", so it is older than OpenGL 3.3. Use the CPU back end, or another "
-                                                   "driver."};
+        return Error{ErrorKind::OutOfResource, Message::say("The OpenGL driver has no function %1, so it is older than "
+                                                            "OpenGL 3.3. Use the CPU back end, or another driver.",
+                                                            gl_.find.missing())};
     int major = 0;
     int minor = 0;
     gl_.getIntegerv(gl::majorVersion, &major);
     gl_.getIntegerv(gl::minorVersion, &minor);
     if (major * 10 + minor < 33)
-        return Error{ErrorKind::OutOfResource, "The OpenGL driver has version " + std::to_string(major) + "." +
-                                                   std::to_string(minor) +
-                                                   "; TAn needs 3.3. Use the CPU back end, or another driver."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("The OpenGL driver has version %1.%2; TAn needs 3.3. Use the CPU back end, or another driver.",
+                         major, minor)};
     if (const unsigned char* name = gl_.getString(gl::renderer))
         rendererName_ = reinterpret_cast<const char*>(name);
     Result<PainterPrograms> programs = makePainterPrograms(gl_);
@@ -297,8 +298,10 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     leaveDrawingState(gl_); // also if something went wrong
     gl_.bindFramebuffer(gl::framebuffer, framebuffer);
     if (status && gl_.getError() == gl::outOfMemory)
-        status = Error{ErrorKind::OutOfResource, "The graphics card has not enough memory for this picture. Make it "
-                                                 "smaller, or use the CPU back end."};
+        status = Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.")};
     statistics_.fillSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.report(1, drawingScene);
     return status;
@@ -324,8 +327,9 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
     try {
         return implementation_->draw(scene, camera, options, framebuffer, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, "Not enough memory for a picture of this size and scene. Make the "
-                                               "picture smaller or lower the accuracy of the mesh."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory for a picture of this size and scene. Make the picture smaller or "
+                                  "lower the accuracy of the mesh.")};
     }
 }
 

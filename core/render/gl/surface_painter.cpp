@@ -56,7 +56,8 @@ Status SurfacePainter::collectSurfaces()
         triangles += surface.mesh->triangles.size();
     }
     if (triangles >= std::numeric_limits<std::uint32_t>::max())
-        return Error{ErrorKind::OutOfResource, "The scene has more than four thousand million triangles."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The scene has more than four thousand million triangles.")};
     return {};
 }
 

@@ -174,7 +174,8 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
                                     const Progress& progress, DrawnVolume& drawn)
 {
     if (!belongTogether(*volume.mesh, *volume.transfer, {}))
-        return Error{ErrorKind::WrongUsage, "A volume of the scene and its transfer function do not belong together."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A volume of the scene and its transfer function do not belong together.")};
     drawn.shaded = volume.shaded;
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;

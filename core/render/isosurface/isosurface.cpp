@@ -85,13 +85,13 @@ Status checkArguments(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
                       std::span<const Eigen::Vector3f> gradients, double isovalue)
 {
     if (std::isnan(isovalue))
-        return Error{ErrorKind::WrongUsage, "The isovalue is not a number."};
+        return Error{ErrorKind::WrongUsage, Message::say("The isovalue is not a number.")};
     const std::size_t vertices = mesh.positions.size();
     const std::size_t chunks = (mesh.tetrahedra.size() + rangedChunkSize - 1) / rangedChunkSize;
     if (mesh.values.size() != vertices || gradients.size() != vertices ||
         (index != nullptr && (index->inOneRun.size() != vertices || index->ranges.size() != chunks)))
         return Error{ErrorKind::WrongUsage,
-                     "The mesh, its values, its gradients and its index do not belong together."};
+                     Message::say("The mesh, its values, its gradients and its index do not belong together.")};
     return {};
 }
 
@@ -106,8 +106,10 @@ Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex*
     for (const SurfaceChunk& run : runs)
         edges += run.edges.size();
     if (edges > largestRunEdgeCount)
-        return Error{ErrorKind::OutOfResource, "The isosurface has more than four thousand million vertices. Lower the "
-                                               "accuracy of the mesh."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.")};
 
     progress.report(0.6, extractingIsosurface);
     const SurfaceVertices vertices = numberVertices(runs, index, mesh.positions.size());
@@ -137,8 +139,10 @@ Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const Isosurfac
     try {
         return extract(mesh, index, gradients, isovalue, progress);
     } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.")};
     }
 }
 

@@ -99,7 +99,8 @@ Status IsosurfaceCache::extractMissing(std::span<const Isovalue> isovalues, cons
 Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> isovalues, const Progress& progress)
 try {
     if (!std::ranges::all_of(isovalues, isUsable))
-        return Error{ErrorKind::WrongUsage, "An isovalue must be a finite number, and its opacity between 0 and 1."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("An isovalue must be a finite number, and its opacity between 0 and 1.")};
     std::erase_if(surfaces_, [&](const auto& kept) { return !contains(isovalues, kept.first); });
     progress.report(0, extractingIsosurfaces);
     if (const Status extracted = extractMissing(isovalues, progress); !extracted)
@@ -112,8 +113,9 @@ try {
                 {surfaces_.at(isovalue.value), {isovalue.red, isovalue.green, isovalue.blue}, isovalue.opacity});
     return surfaces;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 "Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh."};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.")};
 }
 
 } // namespace tetra

@@ -149,21 +149,21 @@ namespace {
 
 Error notEnoughMemory()
 {
-    return {ErrorKind::OutOfResource,
-            "Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh."};
+    return {ErrorKind::OutOfResource, Message::say("Not enough memory to draw this mesh as a volume. Close other "
+                                                   "programs or lower the accuracy of the mesh.")};
 }
 
 Status checkCells(const TetrahedralMesh& mesh)
 {
     if (mesh.values.size() != mesh.positions.size())
-        return Error{ErrorKind::WrongUsage, "The mesh and its values do not belong together."};
+        return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
     if (mesh.tetrahedra.size() >= largestAdjacentCellCount)
-        return Error{ErrorKind::OutOfResource, "The mesh has more than a thousand million tetrahedra, too many to be "
-                                               "drawn at once. Lower its accuracy."};
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh has more than a thousand million tetrahedra, too "
+                                                            "many to be drawn at once. Lower its accuracy.")};
     const std::size_t vertices = mesh.positions.size();
     const auto exists = [&](std::uint32_t vertex) { return vertex < vertices; };
     if (!std::ranges::all_of(mesh.tetrahedra, [&](const auto& cell) { return std::ranges::all_of(cell, exists); }))
-        return Error{ErrorKind::WrongUsage, "A tetrahedron has a corner that does not exist."};
+        return Error{ErrorKind::WrongUsage, Message::say("A tetrahedron has a corner that does not exist.")};
     return {};
 }
 
@@ -201,7 +201,8 @@ Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const Tra
     VolumeTransfer result;
     result.segments = transferSegments(function);
     if (result.segments.size() > largestSegmentCount)
-        return Error{ErrorKind::OutOfResource, "The transfer function has more than 65,000 points. Leave some out."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The transfer function has more than 65,000 points. Leave some out.")};
     try {
         result.classes = classifyCells(mesh, result.segments);
         return result;

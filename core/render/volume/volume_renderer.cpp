@@ -31,8 +31,9 @@ Status checkSize(const VolumeOptions& options)
 {
     if (options.width < 1 || options.height < 1 || options.width > largestPictureSide ||
         options.height > largestPictureSide)
-        return Error{ErrorKind::WrongUsage, "A picture must have 1 to " + std::to_string(largestPictureSide) +
-                                                " samples a side. Draw a larger one in parts."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A picture must have 1 to %1 samples a side. Draw a larger one in parts.",
+                                  largestPictureSide)};
     return {};
 }
 
@@ -126,7 +127,8 @@ Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& t
     if (Status status = checkSize(options); !status)
         return status.error();
     if (!belongTogether(mesh, transfer, order))
-        return Error{ErrorKind::WrongUsage, "The mesh, its transfer function and its order do not belong together."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The mesh, its transfer function and its order do not belong together.")};
     return onThreads(options.threads, [&]() -> Result<VolumePicture> {
         const VolumeView view = makeVolumeView(camera, options.width, options.height, mesh.bounds);
         return draw(mesh, transfer, order, view, options, progress);

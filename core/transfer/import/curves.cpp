@@ -304,9 +304,9 @@ CurvePreset curvesOf(const TransferFunction& masked, const std::string& name)
 
 namespace {
 
-Error wrongCurve(const CurvePreset& preset, const std::string& what)
+Error wrongCurve(const CurvePreset& preset, const Message& what)
 {
-    return {ErrorKind::BadInput, "The preset '" + preset.name + "' cannot be used: " + what + "."};
+    return {ErrorKind::BadInput, Message::say("The preset '%1' cannot be used: %2.", preset.name, what)};
 }
 
 bool isShare(double number)
@@ -318,10 +318,11 @@ template <class Node> Status checkValues(const CurvePreset& preset, std::span<co
 {
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         if (!std::isfinite(nodes[node].value))
-            return wrongCurve(preset, "a value is not a finite number");
+            return wrongCurve(preset, Message::say("a value is not a finite number"));
         if (node > 0 && nodes[node].value < nodes[node - 1].value)
-            return wrongCurve(preset, "its values do not ascend: " + formatNumber(nodes[node].value) + " comes after " +
-                                          formatNumber(nodes[node - 1].value));
+            return wrongCurve(preset,
+                              Message::say("its values do not ascend: %1 comes after %2",
+                                           formatNumber(nodes[node].value), formatNumber(nodes[node - 1].value)));
     }
     return {};
 }
@@ -335,15 +336,15 @@ Status checkCurves(const CurvePreset& preset)
     if (Status ascending = checkValues(preset, std::span(preset.opacities)); !ascending)
         return ascending;
     if (preset.colours.nodes.empty() && preset.opacities.empty())
-        return wrongCurve(preset, "it has neither colours nor opacities");
+        return wrongCurve(preset, Message::say("it has neither colours nor opacities"));
     if (preset.colours.logarithmic && !preset.colours.nodes.empty() && !(preset.colours.nodes.front().value > 0))
-        return wrongCurve(preset, "its colours go by the logarithm, and its values are not all positive");
+        return wrongCurve(preset, Message::say("its colours go by the logarithm, and its values are not all positive"));
     for (const ColourNode& node : preset.colours.nodes)
         if (!std::ranges::all_of(node.colour, isShare))
-            return wrongCurve(preset, "a channel of a colour lies outside 0 to 1");
+            return wrongCurve(preset, Message::say("a channel of a colour lies outside 0 to 1"));
     for (const OpacityNode& node : preset.opacities)
         if (!isShare(node.opacity) || !isShare(node.midpoint) || !isShare(node.sharpness))
-            return wrongCurve(preset, "an opacity, a midpoint or a sharpness lies outside 0 to 1");
+            return wrongCurve(preset, Message::say("an opacity, a midpoint or a sharpness lies outside 0 to 1"));
     return {};
 }
 

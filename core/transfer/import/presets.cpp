@@ -16,10 +16,10 @@ namespace tetra {
 
 namespace {
 
-Error wrongJson(const JsonValue& value, const std::string& what)
+Error wrongJson(const JsonValue& value, const Message& what)
 {
     return {ErrorKind::BadInput,
-            "The ParaView preset cannot be read: " + what + " (" + describePlace(value.place) + ")."};
+            Message::say("The ParaView preset cannot be read: %1 (%2).", what, describePlace(value.place))};
 }
 
 /// The numbers of a list whose length is a multiple of `stride`; nothing for null, as ParaView writes for none.
@@ -30,12 +30,11 @@ Result<std::vector<double>> numbersOf(const JsonValue* value, std::string_view n
         return numbers;
     const JsonArray* array = value->array();
     if (array == nullptr || array->size() % stride != 0)
-        return wrongJson(*value, "\"" + std::string(name) + "\" must be a list of numbers, " + std::to_string(stride) +
-                                     " for each point");
+        return wrongJson(*value, Message::say("\"%1\" must be a list of numbers, %2 for each point", name, stride));
     for (const JsonValue& element : *array) {
         const auto number = element.number() != nullptr ? parseNumber<double>(element.number()->text) : std::nullopt;
         if (!number)
-            return wrongJson(element, "\"" + std::string(name) + "\" holds something that is no number");
+            return wrongJson(element, Message::say("\"%1\" holds something that is no number", name));
         numbers.push_back(*number);
     }
     return numbers;
@@ -63,8 +62,10 @@ Status readColours(const JsonValue& object, ColourCurve& curve)
     const std::string name = space != nullptr && space->string() != nullptr ? *space->string() : "RGB";
     const auto known = colourSpaceNamed(name, isSet(object.find("HSVWrap")));
     if (!known)
-        return wrongJson(*space, "the colour space '" + name +
-                                     "' is not known here; choose another one in ParaView's colour map editor");
+        return wrongJson(
+            *space,
+            Message::say("the colour space '%1' is not known here; choose another one in ParaView's colour map editor",
+                         name));
     curve.space = *known;
     curve.logarithmic = isSet(object.find("UseLogScale"));
     return {};
@@ -83,7 +84,7 @@ Status readOpacities(const JsonValue& object, std::vector<OpacityNode>& nodes)
 Result<CurvePreset> presetOf(const JsonValue& object)
 {
     if (object.object() == nullptr)
-        return wrongJson(object, "a preset must be an object, in braces");
+        return wrongJson(object, Message::say("a preset must be an object, in braces"));
     CurvePreset preset;
     if (const JsonValue* name = object.find("Name"); name != nullptr && name->string() != nullptr)
         preset.name = *name->string();
@@ -92,7 +93,8 @@ Result<CurvePreset> presetOf(const JsonValue& object)
     if (Status opacities = readOpacities(object, preset.opacities); !opacities)
         return opacities.error();
     if (preset.colours.nodes.empty() && preset.opacities.empty() && object.find("IndexedColors") != nullptr)
-        return wrongJson(object, "'" + preset.name + "' has colours for categories and none for values in between");
+        return wrongJson(object,
+                         Message::say("'%1' has colours for categories and none for values in between", preset.name));
     if (Status good = checkCurves(preset); !good)
         return good.error();
     return preset;
@@ -119,7 +121,7 @@ Result<std::vector<CurvePreset>> presetsFromJson(const JsonValue& root)
         if (Status added = add(object); !added)
             return added.error();
     if (presets.empty())
-        return wrongJson(root, "the list is empty");
+        return wrongJson(root, Message::say("the list is empty"));
     return presets;
 }
 
@@ -146,9 +148,9 @@ std::string presetToJson(const CurvePreset& preset)
 
 namespace {
 
-Error wrongXml(const std::string& what)
+Error wrongXml(const Message& what)
 {
-    return {ErrorKind::BadInput, "The ParaView preset cannot be read: " + what + "."};
+    return {ErrorKind::BadInput, Message::say("The ParaView preset cannot be read: %1.", what)};
 }
 
 /// The number of an attribute; `absent` if there is none.
@@ -159,7 +161,7 @@ Result<double> numberOf(const pugi::xml_node& point, const char* name, std::opti
         return *absent;
     const auto number = parseNumber<double>(attribute.value());
     if (!number)
-        return wrongXml("a point's attribute '" + std::string(name) + "' is '" + attribute.value() + "' and no number");
+        return wrongXml(Message::say("a point's attribute '%1' is '%2' and no number", name, attribute.value()));
     return *number;
 }
 
@@ -183,11 +185,11 @@ Result<CurvePreset> presetOf(const pugi::xml_node& element)
     CurvePreset preset;
     preset.name = element.attribute("name").value();
     if (utf8Bytes(preset.name) < preset.name.size())
-        return wrongXml("the name of a colour map is not UTF-8");
+        return wrongXml(Message::say("the name of a colour map is not UTF-8"));
     const std::string space = element.attribute("space").as_string("RGB");
     const auto known = colourSpaceNamed(space, false);
     if (!known)
-        return wrongXml("the colour space '" + space + "' of '" + preset.name + "' is not known here");
+        return wrongXml(Message::say("the colour space '%1' of '%2' is not known here", space, preset.name));
     preset.colours.space = *known;
     for (const pugi::xml_node& point : element.children("Point"))
         if (Status added = addPoint(point, preset); !added)
@@ -205,7 +207,7 @@ Result<std::vector<CurvePreset>> presetsFromXml(std::string_view text)
 {
     pugi::xml_document document;
     if (const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size()); !parsed)
-        return wrongXml("the XML is damaged at byte " + std::to_string(parsed.offset) + ": " + parsed.description());
+        return wrongXml(Message::say("the XML is damaged at byte %1: %2", parsed.offset, parsed.description()));
     std::vector<CurvePreset> presets;
     for (const pugi::xpath_node& found : document.select_nodes("//ColorMap")) {
         Result<CurvePreset> preset = presetOf(found.node());
@@ -214,7 +216,7 @@ Result<std::vector<CurvePreset>> presetsFromXml(std::string_view text)
         presets.push_back(std::move(*preset));
     }
     if (presets.empty())
-        return wrongXml("there is no ColorMap element in it");
+        return wrongXml(Message::say("there is no ColorMap element in it"));
     return presets;
 }
 

@@ -45,7 +45,8 @@ Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view t
     } else {
         const Result<JsonValue> root = parseJson(text);
         if (!root)
-            return Error{ErrorKind::BadInput, "The transfer function cannot be read. " + root.error().text};
+            return Error{ErrorKind::BadInput,
+                         Message::say("The transfer function cannot be read. %1", root.error().text())};
         if (root->find("format") != nullptr) {
             Result<TransferFunction> function = transferFunctionFromJson(*root);
             if (!function)

@@ -83,7 +83,7 @@ BuildEstimate estimateDecimation(const BuildSize& size, double finest)
 Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkDecimation(dataset); !possible)
-        return {0, possible.error().text};
+        return {0, possible.error().text()};
     return {dataset.domain == DomainClass::Irregular ? 1.0 : 0.5, reasonFor(dataset)};
 }
 

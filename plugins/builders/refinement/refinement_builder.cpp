@@ -60,9 +60,11 @@ Result<std::optional<std::uint32_t>> blockOf(const std::string& text)
         return std::optional(0u);
     const auto cells = parseNumber<std::uint32_t>(text);
     if (!cells || *cells == 0)
-        return Error{ErrorKind::WrongUsage, "The block size '" + text +
-                                                "' is neither \"automatic\" nor \"none\" nor a number of cells of at "
-                                                "least 1."};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say(
+                "The block size '%1' is neither \"automatic\" nor \"none\" nor a number of cells of at least 1.",
+                text)};
     return cells;
 }
 
@@ -137,7 +139,7 @@ BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlo
 Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkRefinement(dataset); !possible)
-        return {0, possible.error().text};
+        return {0, possible.error().text()};
     return {1, reasonFor(dataset.domain)};
 }
 

@@ -33,7 +33,7 @@ void pastePoints(EditorState& state, std::optional<double> at)
     else
         state.host().tell(PointClipboard::tr("The clipboard holds no points of a transfer function. Copy some here or "
                                              "in another window. %1")
-                              .arg(QString::fromStdString(edited.error().text)));
+                              .arg(QString::fromStdString(edited.error().text())));
 }
 
 void duplicatePoints(EditorState& state)

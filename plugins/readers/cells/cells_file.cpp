@@ -14,9 +14,10 @@ Result<int> componentOf(const CellsRequest& request, int components)
     const auto number = parseNumber<int>(request.component);
     if (number && *number >= 0 && *number < components)
         return *number;
-    return Error{ErrorKind::WrongUsage, "'" + request.component + "' is no component of an array that has " +
-                                            std::to_string(components) + ": say 'magnitude', or a number from 0 to " +
-                                            std::to_string(components - 1) + "."};
+    return Error{
+        ErrorKind::WrongUsage,
+        Message::say("'%1' is no component of an array that has %2: say 'magnitude', or a number from 0 to %3.",
+                     request.component, components, components - 1)};
 }
 
 Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays)
@@ -25,8 +26,8 @@ Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays
     for (const FileArray& array : arrays)
         names += (names.empty() ? "" : ", ") + printable(array.name);
     if (names.empty())
-        return {ErrorKind::BadInput, "it has no values, of points or of cells."};
-    return {ErrorKind::WrongUsage, "it has no array '" + printable(name) + "'. There are: " + names + "."};
+        return {ErrorKind::BadInput, Message::say("it has no values, of points or of cells.")};
+    return {ErrorKind::WrongUsage, Message::say("it has no array '%1'. There are: %2.", printable(name), names)};
 }
 
 } // namespace tetra

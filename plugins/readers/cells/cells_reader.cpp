@@ -35,7 +35,7 @@ Error inFile(const std::filesystem::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled)
         return error;
-    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
 }
 
 /// Opens the file and calls one of two for what it holds.
@@ -50,12 +50,13 @@ try {
     const bool xml = isVtu(bytes.substr(0, headBytes)) || nameEndsWith(path, ".vtu");
     Result<Value> result = xml ? vtu(bytes) : ucd(bytes);
     if ((*file)->damaged())
-        return inFile(path, {ErrorKind::BadInput, "it changed while it was read. Read it again."});
+        return inFile(path, {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
     if (!result)
         return inFile(path, result.error());
     return result;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to read '" + path.string() + "'. Close other programs."};
+    return Error{ErrorKind::OutOfResource,
+                 Message::say("Not enough memory to read '%1'. Close other programs.", path.string())};
 }
 
 } // namespace

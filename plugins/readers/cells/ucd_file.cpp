@@ -86,11 +86,11 @@ public:
     {
         std::string_view line;
         if (!lines_.next(line) || !parseCounts(line, counts_))
-            return wrong("the first line is not five numbers: of points, cells, values a point, a cell and the model");
+            return wrong(Message::say(
+                "the first line is not five numbers: of points, cells, values a point, a cell and the model"));
         // A line of a point has at least nine characters, one of a cell eight.
         if (counts_.points > lines_.bytesLeft() / 8 || counts_.cells > lines_.bytesLeft() / 7)
-            return wrong("it is too short for " + std::to_string(counts_.points) + " points and " +
-                         std::to_string(counts_.cells) + " cells");
+            return wrong(Message::say("it is too short for %1 points and %2 cells", counts_.points, counts_.cells));
         return {};
     }
     const UcdCounts& counts() const { return counts_; }
@@ -112,9 +112,9 @@ public:
                 coordinate = parsed.value_or(0);
             }
             if (!complete)
-                return wrong("a point is not its number and three coordinates");
+                return wrong(Message::say("a point is not its number and three coordinates"));
             if (!numbers_.emplace(*number, point).second)
-                return wrong("the number of a point is there twice");
+                return wrong(Message::say("the number of a point is there twice"));
             positions.push_back(position);
         }
         return {};
@@ -133,8 +133,8 @@ public:
                 name = nextWord(line);
             const auto shape = std::ranges::find(shapes, name, &UcdShape::name);
             if (!number || shape == shapes.end())
-                return wrong("a cell is not its number, its material and its shape: pt, line, tri, quad, tet, pyr, "
-                             "prism or hex");
+                return wrong(Message::say("a cell is not its number, its material and its shape: pt, line, tri, quad, "
+                                          "tet, pyr, prism or hex"));
             if (const Status status = corners(line, *shape, complex); !status)
                 return status;
             cellNumbers_.emplace(*number, cell);
@@ -149,25 +149,27 @@ public:
             return {};
         std::string_view line;
         if (!lines_.next(line))
-            return wrong("the list of values is missing");
+            return wrong(Message::say("the list of values is missing"));
         const auto count = parseNumber<std::uint64_t>(nextWord(line));
         if (!count || *count == 0 || *count > perItem || *count > line.size())
-            return wrong("the line before the values is not their number and how many components each has");
+            return wrong(
+                Message::say("the line before the values is not their number and how many components each has"));
         std::uint64_t sum = 0;
         std::vector<FileArray> arrays(*count);
         for (FileArray& array : arrays) {
             const auto components = parseNumber<std::uint32_t>(nextWord(line));
             if (!components || *components == 0 || *components > perItem)
-                return wrong("the line before the values is not their number and how many components each has");
+                return wrong(
+                    Message::say("the line before the values is not their number and how many components each has"));
             array.components = static_cast<int>(*components);
             array.perCell = perCell;
             sum += *components;
         }
         if (sum != perItem)
-            return wrong("the components of the values do not add up to what the first line says");
+            return wrong(Message::say("the components of the values do not add up to what the first line says"));
         for (FileArray& array : arrays) {
             if (!lines_.next(line))
-                return wrong("the name of a value is missing");
+                return wrong(Message::say("the name of a value is missing"));
             const std::string_view name = line.substr(0, line.find_first_of(",\r"));
             array.name = std::string(name.substr(0, name.find_last_not_of(" \t") + 1));
         }
@@ -188,14 +190,14 @@ public:
             const auto number = parseNumber<std::int64_t>(nextWord(line));
             const auto place = number ? numbers.find(*number) : numbers.end();
             if (place == numbers.end())
-                return wrong("a value belongs to a number that no point or cell has");
+                return wrong(Message::say("a value belongs to a number that no point or cell has"));
             for (std::uint64_t skipped = 0; skipped < first; ++skipped)
                 nextWord(line);
             double squares = 0;
             for (int i = 0; i < components; ++i) {
                 const auto value = parseNumber<double>(nextWord(line));
                 if (!value)
-                    return wrong("a value is missing or no number");
+                    return wrong(Message::say("a value is missing or no number"));
                 squares += *value * *value;
                 if (i == component)
                     values[place->second] = *value;
@@ -211,14 +213,14 @@ public:
         std::string_view line;
         for (std::uint64_t i = 0; i < count; ++i)
             if (!lines_.next(line))
-                return wrong("the file ends early");
+                return wrong(Message::say("the file ends early"));
         return {};
     }
 
 private:
-    Error wrong(const std::string& what) const
+    Error wrong(const Message& what) const
     {
-        return {ErrorKind::BadInput, "line " + std::to_string(lines_.number()) + ": " + what + "."};
+        return {ErrorKind::BadInput, Message::say("line %1: %2.", lines_.number(), what)};
     }
 
     Status step(std::string_view& line, std::string_view what, std::uint64_t done, std::uint64_t count)
@@ -231,8 +233,7 @@ private:
         }
         if (lines_.next(line))
             return {};
-        return wrong("the file ends after " + std::to_string(done) + " of " + std::to_string(count) + " " +
-                     std::string(what));
+        return wrong(Message::say("the file ends after %1 of %2 %3", done, count, what));
     }
 
     Status corners(std::string_view line, const UcdShape& shape, CellComplex& complex)
@@ -242,13 +243,13 @@ private:
             const auto corner = parseNumber<std::int64_t>(nextWord(line));
             const auto place = corner ? numbers_.find(*corner) : numbers_.end();
             if (place == numbers_.end())
-                return wrong("a corner of a cell is not the number of a point");
+                return wrong(Message::say("a corner of a cell is not the number of a point"));
             // The apex of a pyramid comes first.
             const bool pyramid = shape.shape == CellShape::Pyramid;
             corners[pyramid ? (i + shape.corners - 1) % shape.corners : i] = place->second;
         }
         if (!nextWord(line).empty())
-            return wrong("a cell has more corners than its shape");
+            return wrong(Message::say("a cell has more corners than its shape"));
         complex.shapes.push_back(shape.shape);
         complex.corners.insert(complex.corners.end(), corners.begin(), corners.begin() + shape.corners);
         complex.offsets.push_back(complex.corners.size());
@@ -269,8 +270,8 @@ bool isBinaryUcd(std::string_view bytes)
 
 Error binaryUcd()
 {
-    return {ErrorKind::BadInput, "it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for "
-                                 "instance with ParaView."};
+    return {ErrorKind::BadInput, Message::say("it is a binary UCD file, and only text is read. Write it as text, or as "
+                                              ".vtu, for instance with ParaView.")};
 }
 
 } // namespace

@@ -18,9 +18,9 @@ constexpr std::string_view blanks = " \t\r\n";
 /// No data packed by zlib unpack to more.
 constexpr std::uint64_t mostPacking = 1032;
 
-Error wrong(const VtuArray& array, const std::string& what)
+Error wrong(const VtuArray& array, const Message& what)
 {
-    return {ErrorKind::BadInput, "the array '" + printable(array.name) + "' " + what + "."};
+    return {ErrorKind::BadInput, Message::say("the array '%1' %2.", printable(array.name), what)};
 }
 
 struct NumberType {
@@ -58,14 +58,10 @@ public:
     }
 
 private:
-    Error tooShort() const
-    {
-        return wrong(array_, "is too short for " + std::to_string(count_) + " numbers, or cut short");
-    }
+    Error tooShort() const { return wrong(array_, Message::say("is too short for %1 numbers, or cut short", count_)); }
     Error otherSize(std::uint64_t bytes) const
     {
-        return wrong(array_, "has " + std::to_string(bytes) + " bytes, not the " + std::to_string(count_ * size_) +
-                                 " of " + std::to_string(count_) + " numbers");
+        return wrong(array_, Message::say("has %1 bytes, not the %2 of %3 numbers", bytes, count_ * size_, count_));
     }
 
     bool takeHeader(std::uint64_t& number)
@@ -129,7 +125,7 @@ private:
             if (uncompress(reinterpret_cast<Bytef*>(values.data() + at), &unpacked,
                            reinterpret_cast<const Bytef*>(packed.data()), packed.size()) != Z_OK ||
                 unpacked != room)
-                return wrong(array_, "is damaged: it cannot be unpacked");
+                return wrong(array_, Message::say("is damaged: it cannot be unpacked"));
             at += room;
         }
         return values;
@@ -157,7 +153,7 @@ template <class Number> Result<std::vector<Number>> readText(const VtuArray& arr
 {
     std::string_view text = array.content;
     if (count > text.size() / 2 + 1)
-        return wrong(array, "is too short for " + std::to_string(count) + " numbers");
+        return wrong(array, Message::say("is too short for %1 numbers", count));
     std::vector<Number> numbers;
     numbers.reserve(count);
     while (true) {
@@ -168,13 +164,13 @@ template <class Number> Result<std::vector<Number>> readText(const VtuArray& arr
         text.remove_prefix(word.size());
         const auto number = parseNumber<Number>(word);
         if (!number)
-            return wrong(array, "has '" + printable(word.substr(0, 20)) + "' among its numbers");
+            return wrong(array, Message::say("has '%1' among its numbers", printable(word.substr(0, 20))));
         if (numbers.size() == count)
-            return wrong(array, "has more than " + std::to_string(count) + " numbers");
+            return wrong(array, Message::say("has more than %1 numbers", count));
         numbers.push_back(*number);
     }
     if (numbers.size() < count)
-        return wrong(array, "has " + std::to_string(numbers.size()) + " numbers, not " + std::to_string(count));
+        return wrong(array, Message::say("has %1 numbers, not %2", numbers.size(), count));
     return numbers;
 }
 
@@ -182,11 +178,11 @@ template <class Number>
 Result<std::vector<Number>> readNumbers(const VtuHead& head, const VtuArray& array, std::uint64_t count)
 {
     if (bytesOf(array) == 0)
-        return wrong(array, "is of type '" + printable(array.type) + "', which is no number");
+        return wrong(array, Message::say("is of type '%1', which is no number", printable(array.type)));
     if (array.format == "ascii")
         return readText<Number>(array, count);
     if (array.format != "binary" && array.format != "appended")
-        return wrong(array, "has the unknown format '" + printable(array.format) + "'");
+        return wrong(array, Message::say("has the unknown format '%1'", printable(array.format)));
     const auto bytes = ArrayReading(head, array, count).run();
     if (!bytes)
         return bytes.error();
@@ -207,7 +203,7 @@ Result<std::vector<Number>> readNumbers(const VtuHead& head, const VtuArray& arr
     if (array.type == "UInt64")
         return converted<Number, std::uint64_t>(*bytes);
     if constexpr (std::is_integral_v<Number>)
-        return wrong(array, "is of type '" + printable(array.type) + "', not of whole numbers");
+        return wrong(array, Message::say("is of type '%1', not of whole numbers", printable(array.type)));
     else if (array.type == "Float32")
         return converted<Number, float>(*bytes);
     else

@@ -134,9 +134,9 @@ private:
             return {};
         const std::size_t firstPoint = file_.complex.positions.size();
         if (piece.points > std::numeric_limits<std::uint64_t>::max() / 3)
-            return Error{ErrorKind::BadInput, "a piece says that it has more points than there can be."};
+            return Error{ErrorKind::BadInput, Message::say("a piece says that it has more points than there can be.")};
         if (piece.positions.components != 3)
-            return Error{ErrorKind::BadInput, "its points do not have three coordinates each."};
+            return Error{ErrorKind::BadInput, Message::say("its points do not have three coordinates each.")};
         const auto positions = readDoubles(head_, piece.positions, 3 * piece.points);
         if (!positions)
             return positions.error();
@@ -152,11 +152,12 @@ private:
         const auto& among = chosen_.perCell ? piece.cellArrays : piece.pointArrays;
         const auto array = std::ranges::find(among, chosen_.name, &VtuArray::name);
         if (array == among.end() || array->components != chosen_.components)
-            return Error{ErrorKind::BadInput, "not every piece has the array '" + printable(chosen_.name) + "'."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("not every piece has the array '%1'.", printable(chosen_.name))};
         const std::uint64_t count = chosen_.perCell ? piece.cells : piece.points;
         const auto components = static_cast<std::uint64_t>(chosen_.components);
         if (count > std::numeric_limits<std::uint64_t>::max() / components)
-            return Error{ErrorKind::BadInput, "a piece says that it has more values than there can be."};
+            return Error{ErrorKind::BadInput, Message::say("a piece says that it has more values than there can be.")};
         const auto numbers = readDoubles(head_, *array, count * components);
         if (!numbers)
             return numbers.error();
@@ -179,7 +180,7 @@ private:
         if (!offsets)
             return offsets.error();
         if (!std::ranges::is_sorted(*offsets))
-            return Error{ErrorKind::BadInput, "the offsets of its cells do not rise."};
+            return Error{ErrorKind::BadInput, Message::say("the offsets of its cells do not rise.")};
         const auto corners = readIntegers(head_, piece.connectivity, offsets->back());
         if (!corners)
             return corners.error();
@@ -190,9 +191,8 @@ private:
         const std::uint64_t firstCorner = complex.corners.size();
         for (const std::uint64_t corner : *corners) {
             if (corner >= piece.points)
-                return Error{ErrorKind::BadInput, "a cell has the corner " +
-                                                      std::to_string(static_cast<std::int64_t>(corner)) + " of " +
-                                                      std::to_string(piece.points) + " points."};
+                return Error{ErrorKind::BadInput, Message::say("a cell has the corner %1 of %2 points.",
+                                                               static_cast<std::int64_t>(corner), piece.points)};
             complex.corners.push_back(firstPoint + corner);
         }
         for (std::uint64_t cell = 0; cell < piece.cells; ++cell) {

@@ -107,8 +107,9 @@ Status VtuWriter::write(const Dataset& dataset, const std::filesystem::path& pat
                         const Progress& progress) const
 try {
     if (!dataset.tetrahedra || !dataset.positions)
-        return Error{ErrorKind::WrongUsage, "A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write "
-                                            "lattices as .nrrd, curvilinear grids as .xyz, points as .csv."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write lattices "
+                                  "as .nrrd, curvilinear grids as .xyz, points as .csv.")};
     const bool floats = fitFloats(*dataset.positions);
     constexpr std::uint64_t bytesOfPoint = 28, bytesOfCell = 41;
     auto out = MeshOutput::create(path, bytesOfPoint * dataset.pointCount() + bytesOfCell * dataset.tetrahedra->size(),
@@ -125,7 +126,7 @@ try {
         return intact;
     return out->commit();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to write the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write the file. Close other programs.")};
 }
 
 } // namespace tetra

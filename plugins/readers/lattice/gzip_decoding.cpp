@@ -11,9 +11,9 @@ namespace tetra {
 
 namespace {
 
-Error damaged(const std::string& what)
+Error damaged(const Message& what)
 {
-    return {ErrorKind::BadInput, "its compressed data are damaged (" + what + "). Copy the file again."};
+    return {ErrorKind::BadInput, Message::say("its compressed data are damaged (%1). Copy the file again.", what)};
 }
 
 /// The unpacked bytes as a stream.
@@ -32,7 +32,8 @@ public:
     Result<std::size_t> read(std::span<std::byte> to)
     {
         if (!ready_)
-            return Error{ErrorKind::OutOfResource, "Not enough memory to unpack gzip data. Close other programs."};
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("Not enough memory to unpack gzip data. Close other programs.")};
         state_.next_out = reinterpret_cast<Bytef*>(to.data());
         state_.avail_out = static_cast<uInt>(to.size());
         while (state_.avail_out > 0 && !ended_)
@@ -54,11 +55,12 @@ private:
         if (code == Z_STREAM_END)
             return nextMember();
         if (code == Z_MEM_ERROR)
-            return Error{ErrorKind::OutOfResource, "Not enough memory to unpack gzip data. Close other programs."};
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("Not enough memory to unpack gzip data. Close other programs.")};
         if (code != Z_OK && code != Z_BUF_ERROR)
             return damaged(state_.msg != nullptr ? state_.msg : "error " + std::to_string(code));
         if (rest_.empty() && state_.avail_out == room)
-            return damaged("they are cut short");
+            return damaged(Message::say("they are cut short"));
         return {};
     }
 
@@ -67,7 +69,7 @@ private:
         if (std::ranges::all_of(rest_, [](std::byte byte) { return byte == std::byte(0); }))
             ended_ = true;
         else if (::inflateReset(&state_) != Z_OK)
-            return damaged("a new part cannot be started");
+            return damaged(Message::say("a new part cannot be started"));
         return {};
     }
 
@@ -79,11 +81,13 @@ private:
 
 Error wrongSize(std::uint64_t expected, std::uint64_t found, bool more)
 {
-    return {ErrorKind::BadInput, "its compressed data hold " + std::string(more ? "more than " : "only ") +
-                                     std::to_string(found) + " bytes where the description asks for " +
-                                     std::to_string(expected) +
-                                     ". The sizes or the type are wrong, or the data are of "
-                                     "another file."};
+    return {ErrorKind::BadInput,
+            more ? Message::say("its compressed data hold more than %1 bytes where the description asks for %2. The "
+                                "sizes or the type are wrong, or the data are of another file.",
+                                found, expected)
+                 : Message::say("its compressed data hold only %1 bytes where the description asks for %2. The sizes "
+                                "or the type are wrong, or the data are of another file.",
+                                found, expected)};
 }
 
 } // namespace

@@ -48,7 +48,8 @@ Status writeGzip(std::span<const std::byte> content, FileWriter& file, const Pro
 {
     Packer packer;
     if (!packer.ready)
-        return Error{ErrorKind::OutOfResource, "Not enough memory to compress the data. Close other programs."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to compress the data. Close other programs.")};
     std::vector<std::byte> room(pieceBytes);
     for (std::size_t done = 0; done < content.size();) {
         if (progress.cancelled())

@@ -41,14 +41,14 @@ Error inFile(const fs::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled || error.kind == ErrorKind::OutOfResource)
         return error;
-    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
 }
 
 /// An error in a data file, with the header whose description it does not fit.
 Error withHeader(const fs::path& header, Error error)
 {
     if (error.kind == ErrorKind::BadInput)
-        error.text += " The header '" + header.string() + "' names it as its data file.";
+        error.message = Message::say("%1 The header '%2' names it as its data file.", error.message, header.string());
     return error;
 }
 
@@ -63,7 +63,7 @@ Result<File> openFile(const fs::path& path)
 {
     Result<File> file = MappedFile::open(path);
     if (file && (*file)->bytes().empty())
-        return inFile(path, {ErrorKind::BadInput, "it is empty. Get or make the file again."});
+        return inFile(path, {ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")});
     return file;
 }
 
@@ -131,7 +131,8 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFile& volume, cons
     const Result<std::uint64_t> hash =
         values ? hashOf(*values, progress.part(0.7, 1)) : Result<std::uint64_t>(values.error());
     if (volume.file->damaged())
-        return inFile(volume.file->path(), {ErrorKind::BadInput, "it changed while it was read. Read it again."});
+        return inFile(volume.file->path(),
+                      {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
     if (!hash) {
         const Error error = inFile(volume.file->path(), hash.error());
         return volume.file->path() == path ? error : withHeader(path, error);
@@ -202,7 +203,7 @@ try {
         return volume.error();
     return readDataset(path, *volume, progress);
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterValues& values,

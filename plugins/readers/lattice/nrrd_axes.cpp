@@ -13,9 +13,9 @@ namespace {
 constexpr std::size_t largestDimension = 16; // of the format
 constexpr std::string_view blanks = " \t";
 
-Error wrongField(const std::string& field, std::string_view value, const std::string& why)
+Error wrongField(const std::string& field, std::string_view value, const Message& why)
 {
-    return {ErrorKind::BadInput, "'" + field + ": " + printable(value) + "' in its header " + why};
+    return {ErrorKind::BadInput, Message::say("'%1: %2' in its header %3", field, printable(value), why)};
 }
 
 /// The words of a field that has one for each axis; none if the field is not there.
@@ -24,7 +24,7 @@ Result<std::vector<std::string_view>> wordsOf(const NrrdFields& fields, const st
     std::vector<std::string_view> words = split(fields[field], blanks);
     if (fields.has(field) && words.size() != dimension)
         return wrongField(field, fields[field],
-                          "must have one entry for each of the " + std::to_string(dimension) + " axes.");
+                          Message::say("must have one entry for each of the %1 axes.", dimension));
     return words;
 }
 
@@ -32,23 +32,23 @@ Result<std::size_t> parseDimension(const NrrdFields& fields)
 {
     const auto dimension = parseNumber<std::size_t>(fields["dimension"]);
     if (!fields.has("dimension"))
-        return Error{ErrorKind::BadInput, "its header has no field 'dimension'."};
+        return Error{ErrorKind::BadInput, Message::say("its header has no field 'dimension'.")};
     if (!dimension || *dimension == 0 || *dimension > largestDimension)
-        return wrongField("dimension", fields["dimension"], "must be a number from 1 to 16.");
+        return wrongField("dimension", fields["dimension"], Message::say("must be a number from 1 to 16."));
     return *dimension;
 }
 
 Status parseSizes(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
 {
     if (!fields.has("sizes"))
-        return Error{ErrorKind::BadInput, "its header has no field 'sizes'."};
+        return Error{ErrorKind::BadInput, Message::say("its header has no field 'sizes'.")};
     const auto words = wordsOf(fields, "sizes", axes.size());
     if (!words)
         return words.error();
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
         const auto size = parseNumber<std::uint64_t>((*words)[axis]);
         if (!size || *size == 0)
-            return wrongField("sizes", fields["sizes"], "must be whole numbers from 1.");
+            return wrongField("sizes", fields["sizes"], Message::say("must be whole numbers from 1."));
         axes[axis].size = *size;
     }
     return {};
@@ -63,7 +63,7 @@ Status parseNumbers(const NrrdFields& fields, const std::string& field, std::vec
     for (std::size_t axis = 0; axis < words->size(); ++axis) {
         const auto number = parseNumber<double>((*words)[axis]);
         if (!number)
-            return wrongField(field, fields[field], "must be numbers.");
+            return wrongField(field, fields[field], Message::say("must be numbers."));
         if (std::isfinite(*number))
             axes[axis].*member = *number;
     }
@@ -107,13 +107,14 @@ Status parseDirections(const NrrdFields& fields, std::vector<NrrdAxis>& axes)
     const std::vector<std::string_view> words = splitVectors(fields[field]);
     if (words.size() != axes.size())
         return wrongField(field, fields[field],
-                          "must have one entry for each of the " + std::to_string(axes.size()) + " axes.");
+                          Message::say("must have one entry for each of the %1 axes.", axes.size()));
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
         if (lowerCase(words[axis]) == "none")
             continue;
         axes[axis].direction = parseNrrdVector(words[axis]);
         if (!axes[axis].direction)
-            return wrongField(field, fields[field], "must be 'none' or three numbers in parentheses for each axis.");
+            return wrongField(field, fields[field],
+                              Message::say("must be 'none' or three numbers in parentheses for each axis."));
     }
     return {};
 }

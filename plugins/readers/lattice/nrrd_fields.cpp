@@ -65,19 +65,21 @@ std::string presentDayName(std::string_view name)
     return found != synonyms.end() ? std::string((*found)[1]) : lower;
 }
 
-Error inLine(std::size_t line, const std::string& what)
+Error inLine(std::size_t line, const Message& what)
 {
-    return {ErrorKind::BadInput, "line " + std::to_string(line) + " of its header " + what};
+    return {ErrorKind::BadInput, Message::say("line %1 of its header %2", line, what)};
 }
 
 Status checkMagic(std::string_view line)
 {
     if (!looksLikeNrrd(line))
-        return Error{ErrorKind::BadInput, "it is no NRRD file: it does not begin with 'NRRD0001' to 'NRRD0005'."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it is no NRRD file: it does not begin with 'NRRD0001' to 'NRRD0005'.")};
     const std::string_view version = trimmed(line.substr(magic.size()));
     if (version.size() != 1 || version[0] < '1' || version[0] > '5')
-        return Error{ErrorKind::BadInput, "it is of a NRRD version that is not known, '" + printable(trimmed(line)) +
-                                              "'. Save it as NRRD0005 or earlier."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it is of a NRRD version that is not known, '%1'. Save it as NRRD0005 or earlier.",
+                                  printable(trimmed(line)))};
     return {};
 }
 
@@ -85,15 +87,16 @@ Status addField(NrrdFields& fields, std::string_view line, std::size_t number)
 {
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos)
-        return inLine(number, "is neither a field nor a comment: '" + printable(line) + "'.");
+        return inLine(number, Message::say("is neither a field nor a comment: '%1'.", printable(line)));
     if (line.substr(colon).starts_with(":="))
         return {}; // a key and a value of the user's own
     const std::string name = presentDayName(line.substr(0, colon));
     if (std::ranges::find(knownFields, name) == knownFields.end())
-        return inLine(number, "has the unknown field '" + printable(name) +
-                                  "'. Correct its name, or write ':=' for a note of your own.");
+        return inLine(
+            number, Message::say("has the unknown field '%1'. Correct its name, or write ':=' for a note of your own.",
+                                 printable(name)));
     if (!fields.values.emplace(name, trimmed(line.substr(colon + 1))).second)
-        return inLine(number, "gives '" + name + "' a second time. Remove one of them.");
+        return inLine(number, Message::say("gives '%1' a second time. Remove one of them.", name));
     return {};
 }
 
@@ -111,7 +114,8 @@ Result<NrrdFields> parseNrrdFields(std::string_view file)
     for (std::size_t number = 1; position < file.size(); ++number) {
         const std::size_t end = std::min(file.find('\n', position), file.size());
         if (end > longestHeader)
-            return Error{ErrorKind::BadInput, "its header does not end: there is no empty line in the first MiB."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("its header does not end: there is no empty line in the first MiB.")};
         const std::string_view line = file.substr(position, end - position);
         position = std::min(end + 1, file.size());
         fields.headerBytes = position;

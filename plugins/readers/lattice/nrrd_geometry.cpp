@@ -23,15 +23,16 @@ Result<ThreeAxes> volumeAxes(std::vector<NrrdAxis> axes)
     if (dimension > 3)
         std::erase_if(axes, [](const NrrdAxis& axis) { return axis.size == 1; });
     if (axes.size() != 3)
-        return Error{ErrorKind::BadInput, "it has " + std::to_string(dimension) + " dimensions, " +
-                                              std::to_string(axes.size()) +
-                                              " of them with more than one point. A volume has three: take out a part "
-                                              "that has, such as one component or one time step."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it has %1 dimensions, %2 of them with more than one point. A volume has three: take "
+                                  "out a part that has, such as one component or one time step.",
+                                  dimension, axes.size())};
     for (const NrrdAxis& axis : axes)
         if (!axis.kind.empty() && axis.kind != "domain" && axis.kind != "space" && axis.kind != "time")
-            return Error{ErrorKind::BadInput, "one of its axes, of size " + std::to_string(axis.size) + ", holds '" +
-                                                  printable(axis.kind) +
-                                                  "' instead of points. Take out one component first."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("one of its axes, of size %1, holds '%2' instead of points. Take out one component first.",
+                             axis.size, printable(axis.kind))};
     return ThreeAxes{std::move(axes[0]), std::move(axes[1]), std::move(axes[2])};
 }
 
@@ -49,7 +50,8 @@ Status placeAlongAxes(const ThreeAxes& axes, Lattice& lattice)
 {
     const auto known = std::ranges::count_if(axes, [](const NrrdAxis& axis) { return spacingOf(axis).has_value(); });
     if (known != 0 && known != 3)
-        return Error{ErrorKind::BadInput, "its header gives the spacing of some axes only. Give all three, or none."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its header gives the spacing of some axes only. Give all three, or none.")};
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
         lattice.spacing[axis] = spacingOf(axes[i]).value_or(1);
@@ -80,8 +82,10 @@ Status placeInSpace(const ThreeAxes& axes, const Eigen::Vector3d& spaceOrigin, L
     constexpr double rightAngle = 1e-4; // headers hold few digits
     const Eigen::Matrix3d cosines = directions.transpose() * directions;
     if (!((cosines - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= rightAngle))
-        return Error{ErrorKind::BadInput,
-                     "its space directions are not three vectors at right angles. Resample it on a rectangular grid."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "its space directions are not three vectors at right angles. Resample it on a rectangular grid.")};
     lattice.origin = directions.transpose() * spaceOrigin;
     return {};
 }
@@ -93,8 +97,8 @@ Result<std::optional<Eigen::Vector3d>> parseSpaceOrigin(const NrrdFields& fields
         return std::optional<Eigen::Vector3d>();
     const std::optional<Eigen::Vector3d> origin = parseNrrdVector(fields["space origin"]);
     if (!origin)
-        return Error{ErrorKind::BadInput, "its space origin '" + printable(fields["space origin"]) +
-                                              "' is not three numbers in parentheses."};
+        return Error{ErrorKind::BadInput, Message::say("its space origin '%1' is not three numbers in parentheses.",
+                                                       printable(fields["space origin"]))};
     return origin->allFinite() ? origin : std::nullopt;
 }
 
@@ -105,8 +109,9 @@ Status place(const ThreeAxes& axes, const std::optional<Eigen::Vector3d>& spaceO
     if (directions == 3)
         return placeInSpace(axes, spaceOrigin.value_or(Eigen::Vector3d(0, 0, 0)), lattice);
     if (directions != 0)
-        return Error{ErrorKind::BadInput,
-                     "its space directions are given for some axes only. Give them for all three, or for none."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its space directions are given for some axes only. Give them for all three, or for none.")};
     const Status placed = placeAlongAxes(axes, lattice);
     lattice.origin = spaceOrigin.value_or(lattice.origin);
     return placed;

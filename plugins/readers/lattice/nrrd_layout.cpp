@@ -15,7 +15,7 @@ Status missing(const NrrdFields& fields, const std::string& field)
 {
     if (!fields[field].empty())
         return {};
-    return Error{ErrorKind::BadInput, "its header has no field '" + field + "'. Add it."};
+    return Error{ErrorKind::BadInput, Message::say("its header has no field '%1'. Add it.", field)};
 }
 
 /// "LIST", or a pattern such as "slice%03d.raw 1 100 1".
@@ -54,14 +54,16 @@ Status parseSkips(const NrrdFields& fields, SampleLayout& layout)
     if (fields.has("line skip")) {
         const auto lines = parseNumber<std::uint64_t>(fields["line skip"]);
         if (!lines)
-            return Error{ErrorKind::BadInput, "its 'line skip' must be a whole number from 0."};
+            return Error{ErrorKind::BadInput, Message::say("its 'line skip' must be a whole number from 0.")};
         layout.skippedLines = *lines;
     }
     if (fields.has("byte skip")) {
         const auto bytes = parseNumber<std::int64_t>(fields["byte skip"]);
         if (!bytes || *bytes < -1 || (*bytes == -1 && layout.encoding != SampleEncoding::Raw))
-            return Error{ErrorKind::BadInput, "its 'byte skip' must be a whole number from 0, or -1 for raw data at "
-                                              "the end of the file."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "its 'byte skip' must be a whole number from 0, or -1 for raw data at the end of the file.")};
         layout.atEndOfFile = *bytes == -1;
         layout.skippedBytes = *bytes > 0 ? static_cast<std::uint64_t>(*bytes) : 0;
     }
@@ -77,14 +79,15 @@ Result<NrrdLayout> nrrdLayout(const NrrdFields& fields)
             return there.error();
     NrrdLayout layout;
     if (namesSeveralFiles(fields["data file"]))
-        return Error{ErrorKind::BadInput,
-                     "its samples are spread over several files ('data file: " + printable(fields["data file"]) +
-                         "'), which is not read. Join them into one file first."};
+        return Error{ErrorKind::BadInput, Message::say("its samples are spread over several files ('data file: %1'), "
+                                                       "which is not read. Join them into one file first.",
+                                                       printable(fields["data file"]))};
     layout.dataFile = fields["data file"];
     // One with a zero byte would open another file than messages name.
     if (std::ranges::any_of(layout.dataFile, [](char c) { return static_cast<unsigned char>(c) < ' '; }))
-        return Error{ErrorKind::BadInput, "its data file is called '" + printable(layout.dataFile) +
-                                              "', with characters that no name should have. Correct it."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its data file is called '%1', with characters that no name should have. Correct it.",
+                                  printable(layout.dataFile))};
     if (const Status parsed = parseEncoding(fields, layout.samples); !parsed)
         return parsed.error();
     if (const Status parsed = parseSkips(fields, layout.samples); !parsed)

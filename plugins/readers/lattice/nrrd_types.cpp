@@ -76,15 +76,20 @@ Result<SampleType> parseSampleType(std::string_view name)
     if (const auto found = std::ranges::find(typeNames, wanted, &NamedType::name); found != typeNames.end())
         return found->type;
     if (contains(wideIntegers, wanted))
-        return Error{ErrorKind::BadInput, "its type is '" + wanted +
-                                              "'. Integers of 64 bits are not read, since computing with them is not "
-                                              "exact: convert the samples to int32 or double first."};
-    if (wanted == "block")
         return Error{ErrorKind::BadInput,
-                     "its type is 'block', which says nothing about the samples. Convert them to a number type first."};
-    return Error{ErrorKind::BadInput, "its type '" + printable(name) +
-                                          "' is not known. There are uint8, int8, uint16, int16, uint32, int32, float "
-                                          "and double."};
+                     Message::say("its type is '%1'. Integers of 64 bits are not read, since computing with them is "
+                                  "not exact: convert the samples to int32 or double first.",
+                                  wanted)};
+    if (wanted == "block")
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "its type is 'block', which says nothing about the samples. Convert them to a number type first.")};
+    return Error{
+        ErrorKind::BadInput,
+        Message::say(
+            "its type '%1' is not known. There are uint8, int8, uint16, int16, uint32, int32, float and double.",
+            printable(name))};
 }
 
 Result<std::endian> parseByteOrder(std::string_view name)
@@ -95,7 +100,7 @@ Result<std::endian> parseByteOrder(std::string_view name)
     if (wanted == "big")
         return std::endian::big;
     return Error{ErrorKind::BadInput,
-                 "its byte order '" + printable(name) + "' is not known. There are little and big."};
+                 Message::say("its byte order '%1' is not known. There are little and big.", printable(name))};
 }
 
 Result<SampleEncoding> parseSampleEncoding(std::string_view name)
@@ -110,8 +115,9 @@ Result<SampleEncoding> parseSampleEncoding(std::string_view name)
         return SampleEncoding::Gzip;
     if (contains(text, wanted))
         return SampleEncoding::Text;
-    return Error{ErrorKind::BadInput,
-                 "its encoding '" + printable(name) + "' is not read. Save it with the encoding raw, gzip or ascii."};
+    return Error{
+        ErrorKind::BadInput,
+        Message::say("its encoding '%1' is not read. Save it with the encoding raw, gzip or ascii.", printable(name))};
 }
 
 } // namespace tetra

@@ -82,13 +82,14 @@ Status NrrdWriter::write(const Dataset& dataset, const std::filesystem::path& pa
 try {
     const auto encoding = parameterValue<std::string>(parameters(), values, "encoding");
     if (encoding != "raw" && encoding != "gzip")
-        return Error{ErrorKind::WrongUsage,
-                     "NRRD files are written with the encoding raw or gzip, not '" + printable(encoding) + "'."};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("NRRD files are written with the encoding raw or gzip, not '%1'.", printable(encoding))};
     if (dataset.domain != DomainClass::RegularLattice)
-        return Error{ErrorKind::WrongUsage, "NRRD files hold regular lattices, and '" + dataset.source.name + "' is " +
-                                                std::string(domainClassName(dataset.domain)) +
-                                                ". Give the file another ending: .xyz for curvilinear grids, .csv for "
-                                                "scattered points."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("NRRD files hold regular lattices, and '%1' is %2. Give the file another ending: "
+                                  ".xyz for curvilinear grids, .csv for scattered points.",
+                                  dataset.source.name, domainClassName(dataset.domain))};
     Result<FileWriter> file = FileWriter::create(path);
     if (!file)
         return file.error();
@@ -104,7 +105,7 @@ try {
         return intact;
     return file->commit();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to write the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write the file. Close other programs.")};
 }
 
 } // namespace tetra

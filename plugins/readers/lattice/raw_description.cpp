@@ -152,11 +152,11 @@ Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view f
         layout.lattice.size[axis] = static_cast<std::uint32_t>((*size)[axis]);
     const Result<SampleType> type = parseSampleType(text("type"));
     if (!type)
-        return wrongUsage(type.error().text);
+        return wrongUsage(type.error().text());
     layout.type = *type;
     const Result<std::endian> order = parseByteOrder(text("byte-order"));
     if (!order)
-        return wrongUsage(order.error().text);
+        return wrongUsage(order.error().text());
     layout.order = *order;
     if (const Status placed = parsePlacement(parameters, values, layout.lattice); !placed)
         return placed.error();

@@ -29,8 +29,9 @@ std::string described(const SampleLayout& layout)
 
 Error tooFew(const SampleLayout& layout, const std::string& found)
 {
-    return {ErrorKind::BadInput, "it should hold " + described(layout) + ", but there are only " + found +
-                                     ". It is cut short, or its description (sizes, type, bytes to skip) is wrong."};
+    return {ErrorKind::BadInput, Message::say("it should hold %1, but there are only %2. It is cut short, or its "
+                                              "description (sizes, type, bytes to skip) is wrong.",
+                                              described(layout), found)};
 }
 
 Result<std::span<const std::byte>> skipLines(std::span<const std::byte> data, std::uint64_t lines)
@@ -38,9 +39,9 @@ Result<std::span<const std::byte>> skipLines(std::span<const std::byte> data, st
     for (std::uint64_t line = 0; line < lines; ++line) {
         const std::size_t end = sampleText(data).find('\n');
         if (end == std::string_view::npos)
-            return Error{ErrorKind::BadInput, "it has only " + std::to_string(line) + " of the " +
-                                                  std::to_string(lines) +
-                                                  " lines that are to be skipped. Check 'line skip'."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("it has only %1 of the %2 lines that are to be skipped. Check 'line skip'.", line, lines)};
         data = data.subspan(end + 1);
     }
     return data;
@@ -57,10 +58,10 @@ Result<std::span<const std::byte>> rawBytes(std::span<const std::byte> data, con
     if (layout.atEndOfFile)
         return data.last(wanted);
     if (found > wanted)
-        return Error{ErrorKind::BadInput, "it should hold " + described(layout) + ", but there are " +
-                                              std::to_string(found) + ", " + std::to_string(found - wanted) +
-                                              " too many. Its description is wrong: check the sizes, the type and the "
-                                              "bytes to skip."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it should hold %1, but there are %2, %3 too many. Its description is wrong: check "
+                                  "the sizes, the type and the bytes to skip.",
+                                  described(layout), found, found - wanted)};
     return data.subspan(skipped);
 }
 

@@ -34,13 +34,15 @@ template <class T> Status readSamples(std::string_view text, std::span<T> sample
         const std::size_t end = std::min(text.find_first_of(separators, first), text.size());
         const std::string_view word = text.substr(first, end - first);
         if (done == samples.size())
-            return Error{ErrorKind::BadInput, "its text holds more than the " + std::to_string(done) +
-                                                  " numbers that the description asks for. Check the sizes."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("its text holds more than the %1 numbers that the description asks for. Check the sizes.",
+                             done)};
         const std::optional<T> sample = parseSample<T>(word);
         if (!sample)
-            return Error{ErrorKind::BadInput, "number " + std::to_string(done + 1) + " of its text, '" +
-                                                  printable(word) +
-                                                  "', is no number of the type. Correct it, or the type."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("number %1 of its text, '%2', is no number of the type. Correct it, or the type.",
+                                      done + 1, printable(word))};
         samples[done++] = *sample;
         if (done % 65536 == 0) {
             if (progress.cancelled())
@@ -50,11 +52,9 @@ template <class T> Status readSamples(std::string_view text, std::span<T> sample
         first = text.find_first_not_of(separators, end);
     }
     if (done < samples.size())
-        return Error{ErrorKind::BadInput, "its text holds only " + std::to_string(done) +
-                                              " numbers where the description "
-                                              "asks for " +
-                                              std::to_string(samples.size()) +
-                                              ". It is cut short, or the sizes are wrong."};
+        return Error{ErrorKind::BadInput, Message::say("its text holds only %1 numbers where the description asks for "
+                                                       "%2. It is cut short, or the sizes are wrong.",
+                                                       done, samples.size())};
     return {};
 }
 

@@ -105,13 +105,14 @@ Status checkUsable(const Plot3dArray& array, const Quantities& quantities, const
     if (!isFinite(array.values)) {
         const auto wrong = std::ranges::count_if(array.values, [](double value) { return !std::isfinite(value); });
         return inPlot3dFile(path,
-                            "the array '" + array.name + "' is not a finite number at " + std::to_string(wrong) +
-                                " of its points. " + usableNames(quantities),
+                            Message::say("the array '%1' is not a finite number at %2 of its points. %3", array.name,
+                                         wrong, usableNames(quantities)),
                             ErrorKind::WrongUsage);
     }
     if (!varies(array.values))
-        return inPlot3dFile(path, "the array '" + array.name + "' has one value everywhere. " + usableNames(quantities),
-                            ErrorKind::WrongUsage);
+        return inPlot3dFile(
+            path, Message::say("the array '%1' has one value everywhere. %2", array.name, usableNames(quantities)),
+            ErrorKind::WrongUsage);
     return {};
 }
 
@@ -137,7 +138,7 @@ Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid
     for (const std::string_view candidate : names)
         if (auto values = evaluate(candidate, *quantities); isFinite(values) && varies(values))
             return Plot3dArray{std::string(candidate), std::move(values)};
-    return inPlot3dFile(solution.file->path(), "none of its arrays varies, so there is nothing to see.");
+    return inPlot3dFile(solution.file->path(), Message::say("none of its arrays varies, so there is nothing to see."));
 }
 
 } // namespace tetra

@@ -51,9 +51,9 @@ bool endsInZeros(const Plot3dFile& file)
 
 } // namespace
 
-Error inPlot3dFile(const std::filesystem::path& path, const std::string& text, ErrorKind kind)
+Error inPlot3dFile(const std::filesystem::path& path, const Message& text, ErrorKind kind)
 {
-    return {kind, "Cannot read '" + path.string() + "': " + text};
+    return {kind, Message::say("Cannot read '%1': %2", path.string(), text)};
 }
 
 Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind)
@@ -63,17 +63,19 @@ Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind
         return mapped.error();
     const std::span<const std::byte> bytes = (*mapped)->bytes();
     if (bytes.empty())
-        return inPlot3dFile(path, "it is empty. Get or make the file again.");
+        return inPlot3dFile(path, Message::say("it is empty. Get or make the file again."));
     const auto layout = findPlot3dLayout(bytes, bytes.size(), kind);
     if (!layout)
-        return inPlot3dFile(path, layout.error().text);
+        return inPlot3dFile(path, layout.error().text());
     Plot3dFile file{*mapped, kind, *layout};
     if (file.layout.recordMarks && !allMarksFit(file))
         return inPlot3dFile(
-            path, "the lengths of its Fortran records do not fit the sizes of its grids. Copy the file again.");
+            path,
+            Message::say("the lengths of its Fortran records do not fit the sizes of its grids. Copy the file again."));
     if (!endsInZeros(file))
-        return inPlot3dFile(path, std::to_string(file.layout.padding) +
-                                      " bytes too many stand behind its data. Check that it is a PLOT3D file.");
+        return inPlot3dFile(path,
+                            Message::say("%1 bytes too many stand behind its data. Check that it is a PLOT3D file.",
+                                         file.layout.padding));
     return file;
 }
 
@@ -82,20 +84,21 @@ Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
     const std::size_t count = file.layout.sizes.size();
     const std::filesystem::path& path = file.file->path();
     if (wanted == 0 && count > 1)
-        return inPlot3dFile(path,
-                            "it holds " + std::to_string(count) +
-                                " grids, and a model is of one. Choose which: 'grid' from 1 to " +
-                                std::to_string(count) + ".",
-                            ErrorKind::WrongUsage);
+        return inPlot3dFile(
+            path,
+            Message::say("it holds %1 grids, and a model is of one. Choose which: 'grid' from 1 to %2.", count, count),
+            ErrorKind::WrongUsage);
     if (wanted > static_cast<std::int64_t>(count))
-        return Error{ErrorKind::WrongUsage, "'" + path.string() + "' has no grid " + std::to_string(wanted) +
-                                                ": it holds " + std::to_string(count) + "."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' has no grid %2: it holds %3.", path.string(), wanted, count)};
     const std::size_t grid = wanted == 0 ? 0 : static_cast<std::size_t>(wanted - 1);
     const auto& size = file.layout.sizes[grid];
     if (std::ranges::min(size) < 2)
-        return inPlot3dFile(path, "its grid has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-                                      std::to_string(size[2]) +
-                                      " points. TAn takes volumes: at least two points along each of three axes.");
+        return inPlot3dFile(
+            path,
+            Message::say(
+                "its grid has %1 x %2 x %3 points. TAn takes volumes: at least two points along each of three axes.",
+                size[0], size[1], size[2]));
     return grid;
 }
 
@@ -118,7 +121,7 @@ Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t gr
                                           : realAt<double, std::uint64_t>(place, file.layout.order);
     }
     if (file.file->damaged())
-        return inPlot3dFile(file.file->path(), "it changed while it was read. Read it again.");
+        return inPlot3dFile(file.file->path(), Message::say("it changed while it was read. Read it again."));
     return component;
 }
 

@@ -35,6 +35,6 @@ Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t gr
 std::uint64_t blankedPoints(const Plot3dFile& file, std::size_t grid);
 
 /// An error about the file at `path`, for the user. WrongUsage if other parameters can help.
-Error inPlot3dFile(const std::filesystem::path& path, const std::string& text, ErrorKind kind = ErrorKind::BadInput);
+Error inPlot3dFile(const std::filesystem::path& path, const Message& text, ErrorKind kind = ErrorKind::BadInput);
 
 } // namespace tetra

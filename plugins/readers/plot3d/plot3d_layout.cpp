@@ -163,21 +163,21 @@ Error explain(const std::vector<Candidate>& all, std::span<const std::byte> firs
 {
     for (const Candidate& flat : candidates(firstBytes, kind, 2))
         if (flat.bytes == fileBytes)
-            return {ErrorKind::BadInput, "it holds a two-dimensional grid. TAn takes volumes: grids with at least two "
-                                         "points along each of three axes."};
+            return {ErrorKind::BadInput, Message::say("it holds a two-dimensional grid. TAn takes volumes: grids with "
+                                                      "at least two points along each of three axes.")};
     const Candidate* nearest = nullptr;
     for (const Candidate& candidate : all)
         if (isSolid(candidate.layout) && (nearest == nullptr || candidate.bytes < nearest->bytes))
             nearest = &candidate;
     if (nearest == nullptr)
-        return {ErrorKind::BadInput,
-                "it is no binary PLOT3D file: it does not begin with the sizes of its grids. Text files are not read."};
+        return {ErrorKind::BadInput, Message::say("it is no binary PLOT3D file: it does not begin with the sizes of "
+                                                  "its grids. Text files are not read.")};
     const std::string wanted = "it begins like a grid of " + sizeText(nearest->layout.sizes[0]) +
                                " points, which takes " + std::to_string(nearest->bytes) + " bytes or more, and has " +
                                std::to_string(fileBytes);
     if (nearest->bytes > fileBytes)
-        return {ErrorKind::BadInput, wanted + ": it is cut short. Copy the file again."};
-    return {ErrorKind::BadInput, wanted + ", which fits no kind of PLOT3D file."};
+        return {ErrorKind::BadInput, Message::say("%1: it is cut short. Copy the file again.", wanted)};
+    return {ErrorKind::BadInput, Message::say("%1, which fits no kind of PLOT3D file.", wanted)};
 }
 
 } // namespace

@@ -55,16 +55,17 @@ Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven)
     if (isSolution(path)) {
         const fs::path grid = firstExisting(gridNames(path));
         if (grid.empty())
-            return inPlot3dFile(path, "it is a PLOT3D solution, and its grid is not beside it (" +
-                                          namesText(gridNames(path)) + "). Open the grid, and give it the solution.");
+            return inPlot3dFile(path, Message::say("it is a PLOT3D solution, and its grid is not beside it (%1). Open "
+                                                   "the grid, and give it the solution.",
+                                                   namesText(gridNames(path))));
         return Pair{grid, path};
     }
     const fs::path solution = firstExisting(solutionNames(path));
     if (solution.empty())
         return inPlot3dFile(path,
-                            "it is a grid without values, and no solution is beside it (" +
-                                namesText(solutionNames(path)) +
-                                "). Say where it is with 'solution', or give it one of these names.",
+                            Message::say("it is a grid without values, and no solution is beside it (%1). Say where it "
+                                         "is with 'solution', or give it one of these names.",
+                                         namesText(solutionNames(path))),
                             ErrorKind::WrongUsage);
     return Pair{path, solution};
 }
@@ -87,8 +88,9 @@ Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted)
     if (!solution)
         return solution.error();
     if (solution->layout.sizes != grid->layout.sizes)
-        return inPlot3dFile(pair.solution, "it is the solution of another grid: its sizes are not those of '" +
-                                               pair.grid.string() + "'. Choose another one with 'solution'.");
+        return inPlot3dFile(pair.solution, Message::say("it is the solution of another grid: its sizes are not those "
+                                                        "of '%1'. Choose another one with 'solution'.",
+                                                        pair.grid.string()));
     return OpenPair{*grid, *solution, *number};
 }
 
@@ -96,9 +98,9 @@ Result<PointPositions> readPositions(const OpenPair& pair, const Progress& progr
 {
     if (const std::uint64_t blanked = blankedPoints(pair.grid, pair.number); blanked > 0)
         return inPlot3dFile(pair.grid.file->path(),
-                            std::to_string(blanked) +
-                                " of its points are blanked out (iblank 0), so that its domain "
-                                "has holes, which cannot be refined. Take the part without them.");
+                            Message::say("%1 of its points are blanked out (iblank 0), so that its domain has holes, "
+                                         "which cannot be refined. Take the part without them.",
+                                         blanked));
     auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double begin = static_cast<double>(axis) / 3;
@@ -147,7 +149,7 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     dataset.source = {pair.grid.file->path().filename().string() + ", " + array->name, path,
                       contentHash(*values, *positions)};
     if (const Status usable = checkGrid(dataset); !usable)
-        return inPlot3dFile(pair.grid.file->path(), usable.error().text);
+        return inPlot3dFile(pair.grid.file->path(), usable.error().text());
     progress.report(1, "Reading");
     return dataset;
 }
@@ -239,7 +241,7 @@ try {
         return open.error();
     return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress);
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterValues& values,

@@ -119,9 +119,9 @@ Status Plot3dWriter::write(const Dataset& dataset, const std::filesystem::path& 
                            const Progress& progress) const
 try {
     if (dataset.domain != DomainClass::RegularLattice && dataset.domain != DomainClass::Curvilinear)
-        return Error{ErrorKind::WrongUsage,
-                     "PLOT3D files hold points on a grid, and '" + dataset.source.name +
-                         "' is not. Give the file another ending, such as .csv for scattered points."};
+        return Error{ErrorKind::WrongUsage, Message::say("PLOT3D files hold points on a grid, and '%1' is not. Give "
+                                                         "the file another ending, such as .csv for scattered points.",
+                                                         dataset.source.name)};
     std::filesystem::path solutionPath = path;
     solutionPath.replace_extension(".q");
     Result<FileWriter> solution = FileWriter::create(solutionPath);
@@ -138,7 +138,7 @@ try {
         return committed;
     return grid->commit();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to write the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write the file. Close other programs.")};
 }
 
 } // namespace tetra

@@ -50,7 +50,7 @@ try {
         return intact;
     return file->commit();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to write the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write the file. Close other programs.")};
 }
 
 } // namespace tetra

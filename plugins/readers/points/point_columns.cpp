@@ -55,9 +55,9 @@ Result<std::size_t> namedColumn(const std::vector<std::string>& names, std::stri
 {
     if (const auto found = findColumn(names, withoutBlanks(wanted)))
         return *found;
-    return Error{ErrorKind::WrongUsage, "there is no column '" + printable(withoutBlanks(wanted)) + "'; there are " +
-                                            listOf(names) + ", or give a number from 1 to " +
-                                            std::to_string(names.size()) + "."};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("there is no column '%1'; there are %2, or give a number from 1 to %3.",
+                              printable(withoutBlanks(wanted)), listOf(names), names.size())};
 }
 
 std::array<std::size_t, 3> likelyPositions(const std::vector<std::string>& names)
@@ -80,16 +80,17 @@ Result<std::array<std::size_t, 3>> positionColumns(const std::vector<std::string
     std::vector<std::string_view> parts;
     std::array<std::size_t, 3> columns{};
     if (!splitFields(wanted, ',', parts) || parts.size() != 3)
-        return Error{ErrorKind::WrongUsage, "'" + printable(wanted) +
-                                                "' does not name the three columns of the positions. Give three names "
-                                                "or numbers separated by commas, as in x,y,z or 1,2,3."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' does not name the three columns of the positions. Give three names or numbers "
+                                  "separated by commas, as in x,y,z or 1,2,3.",
+                                  printable(wanted))};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Result<std::size_t> column = namedColumn(names, parts[axis]);
         if (!column)
             return column.error();
         if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(axis), *column) !=
             columns.begin() + static_cast<std::ptrdiff_t>(axis))
-            return Error{ErrorKind::WrongUsage, "'" + printable(wanted) + "' names the same column twice."};
+            return Error{ErrorKind::WrongUsage, Message::say("'%1' names the same column twice.", printable(wanted))};
         columns[axis] = *column;
     }
     return columns;
@@ -101,8 +102,9 @@ Result<PointColumns> choosePointColumns(std::vector<std::string> names, std::str
                                         std::string_view wantedValue)
 {
     if (names.size() < 4)
-        return Error{ErrorKind::BadInput, "it has " + std::to_string(names.size()) +
-                                              " columns, and points need at least four: x, y, z and a value."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("it has %1 columns, and points need at least four: x, y, z and a value.", names.size())};
     const Result<std::array<std::size_t, 3>> position = positionColumns(names, wantedPositions);
     if (!position)
         return position.error();

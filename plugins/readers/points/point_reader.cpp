@@ -34,7 +34,7 @@ Error inFile(const std::filesystem::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled)
         return error;
-    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
 }
 
 Result<Dataset> datasetOf(PointTable table, const std::filesystem::path& path)
@@ -108,16 +108,17 @@ try {
     Result<PointTable> table =
         readPointTable(asText((*file)->bytes()), requestOf(parameters(), values), progress.part(0, 0.9));
     if ((*file)->damaged())
-        return inFile(path, {ErrorKind::BadInput, "it changed while it was read. Read it again."});
+        return inFile(path, {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
     if (!table)
         return inFile(path, table.error());
     if (table->values.size() > std::numeric_limits<std::uint32_t>::max())
-        return inFile(path, {ErrorKind::OutOfResource, "it has more than 4294967295 points. Take a part of them."});
+        return inFile(
+            path, {ErrorKind::OutOfResource, Message::say("it has more than 4294967295 points. Take a part of them.")});
     auto dataset = datasetOf(std::move(*table), path);
     progress.report(1, "Reading");
     return dataset;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> PointReader::probe(const std::filesystem::path& path, const ParameterValues& values,

@@ -92,7 +92,8 @@ private:
 Status TableReading::split(std::string_view line)
 {
     if (!splitFields(line, separator_, fields_))
-        return Error{ErrorKind::BadInput, lineText(lines_.number()) + " has a double quote that is not closed."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("%1 has a double quote that is not closed.", lineText(lines_.number()))};
     return {};
 }
 
@@ -101,7 +102,7 @@ Status TableReading::readFront()
 {
     std::string_view line;
     if (!lines_.next(line))
-        return Error{ErrorKind::BadInput, "it holds no points."};
+        return Error{ErrorKind::BadInput, Message::say("it holds no points.")};
     separator_ = separatorOf(line);
     if (const Status done = split(line); !done)
         return done;
@@ -128,18 +129,20 @@ Result<double> TableReading::number(std::size_t column) const
         return *number;
     const std::string where = lineText(lines_.number()) + ", " + printable(columns_.names[column]) + ": ";
     if (field.empty())
-        return Error{ErrorKind::BadInput, where + "there is no number. Add it, or have incomplete rows skipped."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("%1there is no number. Add it, or have incomplete rows skipped.", where)};
     if (field.find(',') != std::string_view::npos)
-        return Error{ErrorKind::BadInput, where + shown(field) + " is not a number. Numbers need a decimal point."};
-    return Error{ErrorKind::BadInput, where + shown(field) + " is not a finite number."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("%1%2 is not a number. Numbers need a decimal point.", where, shown(field))};
+    return Error{ErrorKind::BadInput, Message::say("%1%2 is not a finite number.", where, shown(field))};
 }
 
 Status TableReading::addRow()
 {
     if (fields_.size() != columns_.names.size())
-        return Error{ErrorKind::BadInput, lineText(lines_.number()) + " has " + std::to_string(fields_.size()) +
-                                              " columns, and those before have " +
-                                              std::to_string(columns_.names.size()) + "."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("%1 has %2 columns, and those before have %3.", lineText(lines_.number()),
+                                  fields_.size(), columns_.names.size())};
     Eigen::Vector3d position;
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t column = columns_.position[static_cast<std::size_t>(axis)];
@@ -147,8 +150,9 @@ Status TableReading::addRow()
         if (!coordinate)
             return coordinate.error();
         if (std::abs(*coordinate) > largestCoordinate)
-            return Error{ErrorKind::BadInput, lineText(lines_.number()) + ", " + printable(columns_.names[column]) +
-                                                  ": " + shown(fields_[column]) + " is too large for a position."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("%1, %2: %3 is too large for a position.", lineText(lines_.number()),
+                                      printable(columns_.names[column]), shown(fields_[column]))};
         position[axis] = *coordinate;
     }
     const Result<double> value = number(columns_.value);
@@ -188,7 +192,7 @@ Result<PointTable> TableReading::run(const Progress& progress)
         }
     }
     if (table_.values.empty())
-        return Error{ErrorKind::BadInput, "it holds no points."};
+        return Error{ErrorKind::BadInput, Message::say("it holds no points.")};
     return std::move(table_);
 }
 
@@ -196,12 +200,13 @@ Result<PointTable> TableReading::run(const Progress& progress)
 Status checkTable(std::string_view text)
 {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        return Error{ErrorKind::BadInput, "it is in UTF-16. Save it as UTF-8."};
+        return Error{ErrorKind::BadInput, Message::say("it is in UTF-16. Save it as UTF-8.")};
     if (text.find('\0') != std::string_view::npos)
-        return Error{ErrorKind::BadInput, "it is not a text."};
+        return Error{ErrorKind::BadInput, Message::say("it is not a text.")};
     if (isChemicalStructure(text))
-        return Error{ErrorKind::BadInput, "it is a chemical structure: elements and where their atoms are. A table of "
-                                          "points is wanted, with a value for each x, y and z."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it is a chemical structure: elements and where their atoms are. A table of points "
+                                  "is wanted, with a value for each x, y and z.")};
     return {};
 }
 

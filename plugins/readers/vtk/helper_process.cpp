@@ -30,16 +30,17 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds betweenLooks{50}; ///< at whether it is to be cancelled
 constexpr auto install = "Install VTK with 'apt install libvtk9.1' (other systems: VTK 9).";
 
-Error cannotRead(const std::string& file, ErrorKind kind, const std::string& reason)
+Error cannotRead(const std::string& file, ErrorKind kind, const Message& reason)
 {
-    return {kind, "Cannot read '" + file + "': " + reason};
+    return {kind, Message::say("Cannot read '%1': %2", file, reason)};
 }
 
-Error notEnoughToStart(const std::string& reason)
+Error notEnoughToStart(const Message& reason)
 {
     return {ErrorKind::OutOfResource,
-            "There are not enough memory, processes or open files to start the VTK readers (" + reason + "). " +
-                std::string(resourceRemedy)};
+            Message::say("There are not enough memory, processes or open files to start the VTK readers (%1). "
+                         "Close other programs, or raise the limit (ulimit).",
+                         reason)};
 }
 
 Error notStarted(const fs::path& helper, int systemError)
@@ -50,11 +51,10 @@ Error notStarted(const fs::path& helper, int systemError)
     std::error_code ignored;
     if (!fs::exists(helper, ignored))
         return {ErrorKind::BadInput,
-                "The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: "
-                "'apt install ./tan-vtk-readers_*.deb' where the file lies "
-                "(of a build of your own: build it anew after 'apt install libvtk9-dev'), or "
-                "convert the file to NRRD or CSV."};
-    return {ErrorKind::BadInput, "The VTK readers cannot be started: '" + helper.string() + "': " + reason};
+                Message::say("The VTK readers are not installed. Install the package tan-vtk-readers, which comes with "
+                             "TAn: 'apt install ./tan-vtk-readers_*.deb' where the file lies (of a build of your own: "
+                             "build it anew after 'apt install libvtk9-dev'), or convert the file to NRRD or CSV.")};
+    return {ErrorKind::BadInput, Message::say("The VTK readers cannot be started: '%1': %2", helper.string(), reason)};
 }
 
 class Descriptor {
@@ -277,9 +277,9 @@ std::optional<Error> loaderError(std::string_view said)
     if (namesLackOfResources(reason))
         return notEnoughToStart(reason);
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
-    return Error{ErrorKind::BadInput, std::string(missing ? "The VTK readers are not installed: "
-                                                          : "The VTK readers are installed badly: ") +
-                                          reason + ". " + install};
+    return Error{ErrorKind::BadInput,
+                 missing ? Message::say("The VTK readers are not installed: %1. %2", reason, install)
+                         : Message::say("The VTK readers are installed badly: %1. %2", reason, install)};
 }
 
 /// Why the helper gave no answer.
@@ -296,13 +296,12 @@ Error explainEnd(HelperProcess& process, const std::string& file)
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
         return cancelledError("Reading");
     if (signal == SIGKILL)
-        return cannotRead(
-            file, ErrorKind::OutOfResource,
-            "the system ended VTK, which it does when memory runs out. Close other programs, or take a part "
-            "of the file.");
+        return cannotRead(file, ErrorKind::OutOfResource,
+                          Message::say("the system ended VTK, which it does when memory runs out. Close other "
+                                       "programs, or take a part of the file."));
     return cannotRead(file, ErrorKind::BadInput,
-                      "VTK's reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads "
-                      "badly. Export it again, or in another format (.vtu, .vti).");
+                      Message::say("VTK's reader crashed. The file is damaged, larger than memory, or of a kind that "
+                                   "VTK reads badly. Export it again, or in another format (.vtu, .vti)."));
 }
 
 /// Reads messages up to the answer.
@@ -341,8 +340,8 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
         return cancelledError("Reading");
     if (output.wasIdle())
         return cannotRead(file, ErrorKind::OutOfResource,
-                          "VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to "
-                          "another one.");
+                          Message::say("VTK has waited for its disk for minutes. See whether the disk answers, or copy "
+                                       "the file to another one."));
     if (!input.good())
         return explainEnd(process, file);
     return answer;

@@ -159,7 +159,7 @@ public:
             if (const Status read = record(*token); !read)
                 return read.error();
         if (file_.zones.empty())
-            return Error{ErrorKind::BadInput, "it has no zone. It is cut short, or no Tecplot text."};
+            return Error{ErrorKind::BadInput, Message::say("it has no zone. It is cut short, or no Tecplot text.")};
         return std::move(file_);
     }
 

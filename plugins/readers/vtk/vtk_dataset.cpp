@@ -19,9 +19,9 @@ std::uint64_t product(const std::array<std::uint32_t, 3>& size)
 Result<ScalarField> fieldOf(VtkFindings& found, std::uint64_t points, const Progress& progress)
 {
     if (found.samples.size() / sampleSize(found.type) != points)
-        return Error{ErrorKind::BadInput, "its array '" + printable(found.arrayName) + "' has " +
-                                              std::to_string(found.samples.size() / sampleSize(found.type)) +
-                                              " values for " + std::to_string(points) + " points."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its array '%1' has %2 values for %3 points.", printable(found.arrayName),
+                                  found.samples.size() / sampleSize(found.type), points)};
     const auto samples = std::make_shared<const Buffer<std::byte>>(std::move(found.samples));
     return ScalarField::scanned(found.type, points, {samples, samples->data()}, progress);
 }
@@ -48,9 +48,8 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
             return placed.error();
     } else {
         if (found.positions.size() != product(found.size))
-            return Error{ErrorKind::BadInput, "it has " + std::to_string(found.positions.size()) +
-                                                  " positions for a grid of " + std::to_string(product(found.size)) +
-                                                  " points."};
+            return Error{ErrorKind::BadInput, Message::say("it has %1 positions for a grid of %2 points.",
+                                                           found.positions.size(), product(found.size))};
         dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(found.positions));
     }
     const auto values = fieldOf(found, product(found.size), progress);
@@ -66,18 +65,20 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
 Status checkPoints(const VtkFindings& found, std::span<const double> values)
 {
     if (values.size() != found.positions.size())
-        return Error{ErrorKind::BadInput, "its array '" + printable(found.arrayName) + "' has " +
-                                              std::to_string(values.size()) + " values for " +
-                                              std::to_string(found.positions.size()) + " points."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its array '%1' has %2 values for %3 points.", printable(found.arrayName),
+                                  values.size(), found.positions.size())};
     if (values.empty())
-        return Error{ErrorKind::BadInput, "it holds no points."};
+        return Error{ErrorKind::BadInput, Message::say("it holds no points.")};
     if (values.size() > std::numeric_limits<std::uint32_t>::max())
-        return Error{ErrorKind::OutOfResource, "it has more than 4294967295 points. Take a part of them."};
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("it has more than 4294967295 points. Take a part of them.")};
     for (std::size_t point = 0; point < values.size(); ++point)
         if (!(found.positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
             !found.positions[point].allFinite())
-            return Error{ErrorKind::BadInput, "the position of point " + std::to_string(point) +
-                                                  " (from 0) is no number, or too large. Repair the file."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("the position of point %1 (from 0) is no number, or too large. Repair the file.", point)};
     return {};
 }
 
@@ -105,7 +106,7 @@ Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
     std::vector<std::string> remarks;
     leaveOutNotFinite(found.positions, values, remarks);
     if (values.empty())
-        return Error{ErrorKind::BadInput, "none of its values is a number."};
+        return Error{ErrorKind::BadInput, Message::say("none of its values is a number.")};
     auto dataset = tetra::scatteredDataset(std::move(found.positions), std::move(values), source.name);
     if (dataset)
         dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());

@@ -26,6 +26,7 @@ public:
     void bytes(const void* data, std::size_t count) { good_ = good_ && (count == 0 || write_(data, count)); }
     template <class List> void list(const List& values)
     {
+        static_assert(std::is_trivially_destructible_v<typename List::value_type>); // else its bytes are not all of it
         const std::uint64_t count = values.size();
         bytes(&count, sizeof count);
         bytes(values.data(), count * sizeof(typename List::value_type));
@@ -54,6 +55,7 @@ public:
     void bytes(void* data, std::size_t count) { good_ = good_ && (count == 0 || read_(data, count)); }
     template <class List> void list(List& values)
     {
+        static_assert(std::is_trivially_destructible_v<typename List::value_type>); // else its bytes are not all of it
         values.resize(count());
         bytes(values.data(), values.size() * sizeof(typename List::value_type));
         if (!good_)
@@ -101,9 +103,22 @@ template <class Archive> void exchange(Archive& archive, VtkRequest& request)
                 request.timeStep, request.part, request.companion);
 }
 
+template <class Archive> void exchange(Archive& archive, Message& message)
+{
+    std::string text = message.text(), sentence = message.sentence();
+    std::vector<Message> arguments = message.arguments();
+    exchangeAll(archive, text, sentence, arguments);
+    message = sentence.empty() ? Message(text) : Message::of(sentence, std::move(arguments));
+}
+
+template <class Archive> void exchange(Archive& archive, std::vector<Message>& messages)
+{
+    archive.each(messages, [&](Message& message) { exchange(archive, message); });
+}
+
 template <class Archive> void exchange(Archive& archive, Error& error)
 {
-    exchangeAll(archive, error.kind, error.text);
+    exchangeAll(archive, error.kind, error.message);
 }
 
 template <class Archive> void exchange(Archive& archive, Eigen::Vector3d& vector)

@@ -21,7 +21,7 @@ Error inFile(const fs::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled)
         return error;
-    return {error.kind, "Cannot read '" + path.string() + "': " + error.text};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
 }
 
 Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& values)
@@ -32,12 +32,12 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
         return file.error();
     const auto bytes = (*file)->bytes();
     if (bytes.empty())
-        return inFile(path, {ErrorKind::BadInput, "it is empty. Get or make the file again."});
+        return inFile(path, {ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")});
     VtkRequest request = vtkRequest(values);
     request.format = guessVtkFormat(path, bytes.first(std::min(looked, bytes.size()))).format;
     request.path = fs::absolute(path).string();
     if (request.format == VtkFormat::None)
-        return inFile(path, {ErrorKind::BadInput, "it is of no format that VTK reads."});
+        return inFile(path, {ErrorKind::BadInput, Message::say("it is of no format that VTK reads.")});
     return request;
 }
 
@@ -97,9 +97,9 @@ try {
         return answer.error();
     return toDataset(std::get<VtkFindings>(std::move(*answer)), path, progress.part(untilFound, 1));
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 } catch (const std::length_error&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to read the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,
@@ -114,7 +114,8 @@ try {
         return answer.error();
     return std::get<FileContents>(std::move(*answer));
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, "Not enough memory to look into the file. Close other programs."};
+    return Error{ErrorKind::OutOfResource,
+                 Message::say("Not enough memory to look into the file. Close other programs.")};
 }
 
 } // namespace tetra

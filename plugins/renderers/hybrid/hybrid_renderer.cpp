@@ -44,7 +44,8 @@ Result<HybridOrder> hybridOrderOf(const std::string& text)
         return HybridOrder::Exact;
     if (text == withCell)
         return HybridOrder::WithCell;
-    return Error{ErrorKind::WrongUsage, "'" + text + "' is no order of surfaces and volume: it is exact or with-cell."};
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("'%1' is no order of surfaces and volume: it is exact or with-cell.", text)};
 }
 
 } // namespace tetra

@@ -178,7 +178,7 @@ private slots:
         for (const auto& [name, says] : {std::pair("forth", "symbolic links"), {"lost", "missing' does not exist"}}) {
             const Status written = writeWhole(folder / name, someBytes(5));
             QVERIFY(!written.ok());
-            QVERIFY2(QString::fromStdString(written.error().text).contains(says), written.error().text.c_str());
+            QVERIFY2(QString::fromStdString(written.error().text()).contains(says), written.error().text().c_str());
             QVERIFY(std::filesystem::is_symlink(folder / name));
         }
         QCOMPARE(entries(folder), 3);
@@ -282,7 +282,7 @@ private slots:
         const Status written = writeWhole(path, someBytes(10));
         QVERIFY(!written.ok());
         QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-        const QString text = QString::fromStdString(written.error().text);
+        const QString text = QString::fromStdString(written.error().text());
         QVERIFY2(text.startsWith("Cannot write '"), qPrintable(text));
         QVERIFY2(text.contains(says), qPrintable(text));
         QCOMPARE(contentOf(folder / "read-only").size(), 4u);
@@ -302,7 +302,7 @@ private slots:
         QCOMPARE(::chmod(folder.c_str(), 0755), 0);
         QVERIFY(!written.ok());
         QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-        QVERIFY(QString::fromStdString(written.error().text).contains("Permission denied. Choose another folder"));
+        QVERIFY(QString::fromStdString(written.error().text()).contains("Permission denied. Choose another folder"));
     }
 
     void reportsAFullDisk()
@@ -314,7 +314,7 @@ private slots:
         const Status written = writeWhole(disk.folder() / "large", someBytes(1'000'000));
         QVERIFY(!written.ok());
         QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-        QVERIFY(QString::fromStdString(written.error().text).contains("No space left on device. Free some space"));
+        QVERIFY(QString::fromStdString(written.error().text()).contains("No space left on device. Free some space"));
         QCOMPARE(entries(disk.folder()), 1);
         QVERIFY(writeWhole(disk.folder() / "small", someBytes(100'000)).ok());
     }
@@ -333,8 +333,8 @@ private slots:
         QCOMPARE(::setrlimit(RLIMIT_FSIZE, &limit), 0);
         ::signal(SIGXFSZ, previous);
         QVERIFY(!written.ok() && !again.ok() && !committed.ok());
-        QVERIFY(QString::fromStdString(written.error().text).contains("ulimit -f"));
-        QCOMPARE(committed.error().text, written.error().text);
+        QVERIFY(QString::fromStdString(written.error().text()).contains("ulimit -f"));
+        QCOMPARE(committed.error().text(), written.error().text());
         QCOMPARE(entries(target().parent_path()), 0);
     }
 

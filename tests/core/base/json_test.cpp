@@ -65,7 +65,7 @@ private slots:
         QFETCH(QByteArray, bytes);
         QFETCH(QByteArray, read);
         const auto value = parseJson(jsonString(bytes.toStdString()));
-        QVERIFY2(value, value ? "" : value.error().text.c_str());
+        QVERIFY2(value, value ? "" : value.error().text().c_str());
         QVERIFY(value->string() != nullptr);
         QCOMPARE(QByteArray::fromStdString(*value->string()), read);
     }
@@ -87,7 +87,7 @@ private slots:
             QVERIFY(!parsed.ok());
             const std::string says = "the member \"a" + std::to_string(again) + "\" is there twice (line 1, column " +
                                      std::to_string(text.size() + 4 + std::to_string(again).size() + 1) + ")";
-            QVERIFY2(parsed.error().text.find(says) != std::string::npos, parsed.error().text.c_str());
+            QVERIFY2(parsed.error().text().find(says) != std::string::npos, parsed.error().text().c_str());
         }
     }
 
@@ -152,7 +152,7 @@ private slots:
         const auto parsed = parseJson("{\"name\":\n  \"M\xfcller\"}");
         QVERIFY(!parsed.ok());
         QCOMPARE(parsed.error().kind, ErrorKind::BadInput);
-        QCOMPARE(parsed.error().text,
+        QCOMPARE(parsed.error().text(),
                  std::string("Not valid JSON: a byte that is not of UTF-8 text (line 2, column 5)."));
     }
 };

@@ -113,7 +113,7 @@ private slots:
         const auto file = MappedFile::open(path.toStdString());
         QVERIFY(!file.ok());
         QCOMPARE(file.error().kind, ErrorKind::BadInput);
-        QVERIFY2(QString::fromStdString(file.error().text).contains(says), file.error().text.c_str());
+        QVERIFY2(QString::fromStdString(file.error().text()).contains(says), file.error().text().c_str());
     }
 
     void readsZerosOfAFileThatWasCut_data()

@@ -47,7 +47,7 @@ private slots:
         outer.run([] { return Status(Error{ErrorKind::BadInput, "no good"}); });
         QVERIFY(within.cancelled());
         QVERIFY(!inner.happened());
-        QCOMPARE(outer.status().error().text, std::string("no good"));
+        QCOMPARE(outer.status().error().text(), std::string("no good"));
         QVERIFY_EXCEPTION_THROWN(inner.run([]() -> Status { throw std::runtime_error("worse"); }), std::runtime_error);
         QVERIFY(inner.happened());
         QVERIFY(inner.status().ok());

@@ -31,7 +31,7 @@ private slots:
         const Status refused = array.reserve(std::uint64_t(1) << 50, "the tetrahedra");
         QVERIFY(!refused.ok());
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
-        QVERIFY(QString::fromStdString(refused.error().text).contains("for the tetrahedra"));
+        QVERIFY(QString::fromStdString(refused.error().text()).contains("for the tetrahedra"));
     }
 };
 

@@ -56,7 +56,7 @@ std::string germanCatalogue()
 
 template <class Value> QString textOfError(const Result<Value>& result)
 {
-    return result ? QString() : QString::fromStdString(result.error().text);
+    return result ? QString() : QString::fromStdString(result.error().text());
 }
 
 } // namespace

@@ -36,7 +36,7 @@ private slots:
             const auto second = WorkFolder::open(path, WorkFolder::Leftovers::Remove);
             QVERIFY(!second.ok());
             QCOMPARE(second.error().kind, ErrorKind::CannotWrite);
-            QVERIFY(QString::fromStdString(second.error().text).contains("another program is building this model"));
+            QVERIFY(QString::fromStdString(second.error().text()).contains("another program is building this model"));
         }
         QVERIFY(!std::filesystem::exists(path));
     }
@@ -52,7 +52,7 @@ private slots:
         std::ofstream(path / "letter.txt") << "Dear Sir";
         const auto folder = WorkFolder::open(path, WorkFolder::Leftovers::Remove);
         QVERIFY(!folder.ok());
-        QVERIFY(QString::fromStdString(folder.error().text).contains("it holds something else"));
+        QVERIFY(QString::fromStdString(folder.error().text()).contains("it holds something else"));
         QVERIFY(std::filesystem::exists(path / "letter.txt"));
         QVERIFY(!std::filesystem::exists(path / ".tan-work"));
     }
@@ -66,7 +66,7 @@ private slots:
         std::filesystem::create_directory_symlink(mine, path);
         const auto folder = WorkFolder::open(path, WorkFolder::Leftovers::Remove);
         QVERIFY(!folder.ok());
-        QVERIFY2(folder.error().text.find("it is a link") != std::string::npos, folder.error().text.c_str());
+        QVERIFY2(folder.error().text().find("it is a link") != std::string::npos, folder.error().text().c_str());
         QVERIFY(std::filesystem::is_symlink(path) && std::filesystem::is_empty(mine));
     }
 
@@ -76,7 +76,7 @@ private slots:
         const auto folder =
             WorkFolder::open(pathIn(home).parent_path() / std::string(256, 'm'), WorkFolder::Leftovers::Remove);
         QVERIFY(!folder.ok());
-        QVERIFY2(folder.error().text.ends_with("Choose a shorter name."), folder.error().text.c_str());
+        QVERIFY2(folder.error().text().ends_with("Choose a shorter name."), folder.error().text().c_str());
     }
 
     /// Many come while others leave: whoever was let in has the folder to himself, with its lock in it, to the end.
@@ -91,9 +91,9 @@ private slots:
             while (opened < 1000) {
                 const auto folder = WorkFolder::open(path, WorkFolder::Leftovers::Remove);
                 if (!folder) {
-                    if (folder.error().text.find("another program") == std::string::npos) {
+                    if (folder.error().text().find("another program") == std::string::npos) {
                         const std::lock_guard lock(mutex);
-                        wrongRefusal = folder.error().text;
+                        wrongRefusal = folder.error().text();
                     }
                     continue;
                 }

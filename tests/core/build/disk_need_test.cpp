@@ -53,7 +53,7 @@ private slots:
             return;
         QCOMPARE(room.error().kind, ErrorKind::CannotWrite);
         for (const char* part : {"3 GB", "'/data'", "model about 1 GB", "work files 2 GB", "Free some space"})
-            QVERIFY2(room.error().text.find(part) != std::string::npos, room.error().text.c_str());
+            QVERIFY2(room.error().text().find(part) != std::string::npos, room.error().text().c_str());
     }
 };
 

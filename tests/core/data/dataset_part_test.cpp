@@ -173,7 +173,7 @@ private slots:
         for (std::uint32_t round = 0; round < rounds; ++round) {
             const DatasetPart part = randomPart(dataset.lattice, round, random);
             const auto taken = takePart(dataset, part);
-            QVERIFY2(taken, taken ? "" : taken.error().text.c_str());
+            QVERIFY2(taken, taken ? "" : taken.error().text().c_str());
             const Eigen::Vector3d first = part.region ? part.region->min() : Eigen::Vector3d(0, 0, 0);
             for (std::uint64_t point = 0; point < taken->pointCount(); ++point) {
                 const auto at = taken->lattice.coordinates(point);
@@ -242,7 +242,7 @@ private slots:
         const auto taken = takePart(grid("c60", 8), part);
         QVERIFY(!taken);
         QCOMPARE(taken.error().kind, ErrorKind::WrongUsage);
-        QVERIFY2(QString::fromStdString(taken.error().text).contains(says), taken.error().text.c_str());
+        QVERIFY2(QString::fromStdString(taken.error().text()).contains(says), taken.error().text().c_str());
         QVERIFY(!partOfLattice(grid("c60", 8).lattice, part));
     }
 
@@ -294,7 +294,7 @@ private slots:
         const Dataset dataset = irregular(6);
         const auto taken =
             takePart(dataset, {.region = Eigen::AlignedBox3d(Eigen::Vector3d(0.5, -1, 2), Eigen::Vector3d(4.5, 3, 9))});
-        QVERIFY2(taken, taken ? "" : taken.error().text.c_str());
+        QVERIFY2(taken, taken ? "" : taken.error().text().c_str());
         QCOMPARE(taken->tetrahedra->size(), std::size_t(3 * 3 * 4 * 6)); // cubes 1..4 x 0..3 x 2..6
         QCOMPARE(taken->pointCount(), std::uint64_t(4 * 4 * 5));
         for (const auto& corners : *taken->tetrahedra)

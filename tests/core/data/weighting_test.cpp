@@ -16,7 +16,7 @@ namespace {
 QString mistakeIn(const char* text)
 {
     const auto weighting = parseWeighting(text);
-    return weighting ? QString() : QString::fromStdString(weighting.error().text);
+    return weighting ? QString() : QString::fromStdString(weighting.error().text());
 }
 
 } // namespace

@@ -23,7 +23,7 @@ void compareSound(const TestMesh& mesh, const DecimationOptions& options, std::u
 {
     RecordedHistory history;
     const auto result = decimate(mesh.view(), options, history);
-    QVERIFY2(result, result ? "" : result.error().text.c_str());
+    QVERIFY2(result, result ? "" : result.error().text().c_str());
     QVERIFY(!history.traits.delaunay);
     QCOMPARE(history.points.size(), mesh.positions.size());
     QCOMPARE(history.finalError, 0.0f);
@@ -172,7 +172,7 @@ void DecimationTest::refusesBadInput()
     const auto refused = [](const TestMesh& mesh, const DecimationOptions& options = {}) {
         RecordedHistory history;
         const auto result = decimate(mesh.view(), options, history);
-        return !result && !result.error().text.empty() && history.points.empty();
+        return !result && !result.error().text().empty() && history.points.empty();
     };
     TestMesh mesh = sound;
     mesh.tetrahedra.clear();

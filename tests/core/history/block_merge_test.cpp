@@ -64,7 +64,7 @@ private slots:
         const BlockDivision division(dataset.lattice.size, cellsOfBlock);
         RunFiles runs(folder(), seed, division.count());
         const Status made = makeRuns(dataset, division, runs);
-        QVERIFY2(made.ok(), made.ok() ? "" : made.error().text.c_str());
+        QVERIFY2(made.ok(), made.ok() ? "" : made.error().text().c_str());
         const std::vector<char> whole = merged(dataset, runs, usualSliceTetrahedra);
         QVERIFY(!whole.empty());
         QCOMPARE(slicesOf(runs, usualSliceTetrahedra), 0);
@@ -111,7 +111,7 @@ private slots:
         const Status made = arena.execute(
             [&] { return makeLatticeRuns(options, LatticeSamples(std::span<const std::uint16_t>(values)), runs, {}); });
         QVERIFY(!made.ok());
-        QVERIFY2(QString::fromStdString(made.error().text).contains(says), made.error().text.c_str());
+        QVERIFY2(QString::fromStdString(made.error().text()).contains(says), made.error().text().c_str());
         QCOMPARE(finished, 1);
     }
 
@@ -148,8 +148,8 @@ private slots:
         const auto refused = mergeRuns(many, folder(), open, {});
         QVERIFY(!refused.ok());
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
-        QVERIFY2(refused.error().text.find("a model holds meshes of at most 4294967295") != std::string::npos,
-                 refused.error().text.c_str());
+        QVERIFY2(refused.error().text().find("a model holds meshes of at most 4294967295") != std::string::npos,
+                 refused.error().text().c_str());
     }
 
     void howManyTetrahedraAMeshMayHave_data()
@@ -203,7 +203,7 @@ private:
         };
         const auto counts = mergeRuns(runs, folder(), open, {}, sliceTetrahedra);
         if (!counts)
-            qWarning("%s", counts.error().text.c_str());
+            qWarning("%s", counts.error().text().c_str());
         return counts ? contentOf(path) : std::vector<char>();
     }
 

@@ -189,9 +189,9 @@ private slots:
         const std::uint32_t destroyed = 0;
         QVERIFY((*writer)->add({0, 1, star, std::span(&destroyed, 1)}).ok());
         const Status finished = (*writer)->finish(0);
-        QVERIFY2(finished.ok(), finished.ok() ? "" : finished.error().text.c_str());
+        QVERIFY2(finished.ok(), finished.ok() ? "" : finished.error().text().c_str());
         const auto model = Model::open(path());
-        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
+        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text().c_str());
         QCOMPARE((*model)->description().domain, DomainClass::Scattered);
         QVERIFY((*model)->ownWarpings().empty());
         QCOMPARE(meshSizeAt(**model, {100}).sites, 4U);
@@ -242,7 +242,7 @@ private slots:
         writeBytes(path(), file.content);
         const auto opened = Model::open(path());
         QVERIFY(!opened.ok());
-        QVERIFY2(QString::fromStdString(opened.error().text).contains(text), opened.error().text.c_str());
+        QVERIFY2(QString::fromStdString(opened.error().text()).contains(text), opened.error().text().c_str());
     }
 
 private:
@@ -252,7 +252,7 @@ private:
         writeModel(path(), dataset);
         const auto model = Model::open(path());
         if (!model)
-            qFatal("%s", model.error().text.c_str());
+            qFatal("%s", model.error().text().c_str());
         return *model;
     }
 

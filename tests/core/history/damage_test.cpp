@@ -106,7 +106,7 @@ private slots:
             writeBytes(path, parts.content);
             const auto model = Model::open(path);
             if (!model.ok()) {
-                QVERIFY(model.error().text.size() > 20);
+                QVERIFY(model.error().text().size() > 20);
                 continue;
             }
             ++opened;

@@ -174,8 +174,8 @@ private slots:
         const auto extracted = extractPrefix(**model, model.value()->siteCount());
         QVERIFY(!extracted.ok());
         QCOMPARE(extracted.error().kind, ErrorKind::BadInput);
-        QVERIFY2(extracted.error().text.find("was cut short or changed while it was open") != std::string::npos,
-                 extracted.error().text.c_str());
+        QVERIFY2(extracted.error().text().find("was cut short or changed while it was open") != std::string::npos,
+                 extracted.error().text().c_str());
         QVERIFY(!model.value()->checkUnchanged().ok());
     }
 
@@ -279,7 +279,7 @@ void ExtractionTest::aDamagedFileIsAnError()
     const auto extracted = extractPrefix(*model, model->siteCount());
     QVERIFY(!extracted.ok());
     QCOMPARE(extracted.error().kind, ErrorKind::BadInput);
-    QVERIFY2(QString::fromStdString(extracted.error().text).contains(says), extracted.error().text.c_str());
+    QVERIFY2(QString::fromStdString(extracted.error().text()).contains(says), extracted.error().text().c_str());
 }
 
 QTEST_GUILESS_MAIN(ExtractionTest)

@@ -245,7 +245,7 @@ private slots:
                 const auto mesh = extractor.extract(query);
                 if (!mesh) {
                     QVERIFY2(method == VariableMethod::Insertion && mesh.error().kind == ErrorKind::WrongUsage,
-                             mesh.error().text.c_str());
+                             mesh.error().text().c_str());
                     continue;
                 }
                 ++answered;
@@ -349,11 +349,11 @@ private:
             description.parameters = {{"block", "3"}};
         const auto writer = ModelWriter::create(path(), dataset, description);
         if (!writer)
-            qFatal("%s", writer.error().text.c_str());
+            qFatal("%s", writer.error().text().c_str());
         LyingSink liar(**writer, grid.valueExtent());
         const auto inverted = buildFolded(builder, grid, builder == "lie" ? static_cast<HistorySink&>(liar) : **writer);
         if (!inverted)
-            qFatal("%s", inverted.error().text.c_str());
+            qFatal("%s", inverted.error().text().c_str());
         return *inverted;
     }
 
@@ -362,7 +362,7 @@ private:
         const auto model = Model::open(path());
         const auto verdict = model ? verify(**model, dataset, levels) : Result<VerificationReport>(model.error());
         if (!verdict)
-            qFatal("%s", verdict.error().text.c_str());
+            qFatal("%s", verdict.error().text().c_str());
         return *verdict;
     }
 

@@ -51,7 +51,7 @@ private slots:
         const RecordedHistory& history = historyOf(dataset);
         writeModel(path(), dataset);
         const auto opened = Model::open(path());
-        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text.c_str());
+        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
         const Model& model = **opened;
 
         const ModelDescription& description = model.description();
@@ -119,7 +119,7 @@ private slots:
             const auto model = Model::open(path());
             QVERIFY(!model.ok());
             QCOMPARE(model.error().kind, ErrorKind::BadInput);
-            const QString text = QString::fromStdString(model.error().text);
+            const QString text = QString::fromStdString(model.error().text());
             if (size >= 8) {
                 QVERIFY2(text.contains("is cut short: it has " + QString::number(size) + " bytes and should have"),
                          qPrintable(text));
@@ -139,7 +139,7 @@ private slots:
         parts.repairChecksums();
         writeBytes(path(), parts.content);
         const auto model = Model::open(path());
-        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
+        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text().c_str());
         QCOMPARE(model.value()->points()[7], 59u);
     }
 
@@ -172,7 +172,7 @@ private slots:
         const Status written = replay(historyOf(dataset), **writer);
         QVERIFY(!written.ok());
         QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-        QVERIFY(QString::fromStdString(written.error().text).contains("No space left on device"));
+        QVERIFY(QString::fromStdString(written.error().text()).contains("No space left on device"));
         QVERIFY(std::filesystem::is_empty(disk.folder()));
     }
 
@@ -341,7 +341,7 @@ void ModelFileTest::whatCannotBeReadIsRefused()
     const auto model = Model::open(path());
     QVERIFY(!model.ok());
     QCOMPARE(model.error().kind, ErrorKind::BadInput);
-    const QString text = QString::fromStdString(model.error().text);
+    const QString text = QString::fromStdString(model.error().text());
     QVERIFY2(text.contains(says) && text.startsWith("'"), qPrintable(text));
 }
 
@@ -392,7 +392,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten()
     const std::filesystem::path target = folder_->filePath("wrong.tan").toStdString();
     auto writer = ModelWriter::create(target, dataset, description);
     const Status written = replay(history, **writer);
-    const QString text = QString::fromStdString(written ? "written" : written.error().text);
+    const QString text = QString::fromStdString(written ? "written" : written.error().text());
     QVERIFY2(text.startsWith("The builder 'careless'") && text.contains(says), qPrintable(text));
     QVERIFY(!std::filesystem::exists(target));
 }

@@ -123,7 +123,7 @@ void OldFilesTest::levelsAreWhatTheyWere()
     QFETCH(QString, model);
     const std::filesystem::path path = fileOf(model.toStdString(), ".tan");
     const auto opened = Model::open(path);
-    QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text.c_str());
+    QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
     const std::string levels =
         levelsAsCsv(**opened, std::vector<Accuracy>{{10, 10}, {4, 4}, {1, 1}, {0.1, 0.1}, {0, 0}});
     QCOMPARE(QByteArray::fromStdString(levels), textOf(fileOf(model.toStdString(), ".csv")));
@@ -139,7 +139,7 @@ void OldFilesTest::meshesAreWhatTheFileSays()
     QVERIFY(recorded.size() >= 3);
     for (const RecordedMesh& expected : recorded) {
         const auto mesh = extractPrefix(*opened, expected.sites);
-        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
         QCOMPARE(mesh->values.size(), std::size_t(expected.sites));
         QCOMPARE(mesh->tetrahedra.size(), expected.tetrahedra);
         QCOMPARE(sha1Of(*opened, *mesh), expected.sha1);
@@ -179,7 +179,7 @@ void OldFilesTest::everyQuestionIsAnswered()
     for (const auto& [name, question] : questionsAbout(opened->description())) {
         const auto answer = question(opened);
         const bool answered = canInsert || !name.starts_with("insertion");
-        QVERIFY2(answer.ok() == answered, (name + (answer ? "" : ": " + answer.error().text)).c_str());
+        QVERIFY2(answer.ok() == answered, (name + (answer ? "" : ": " + answer.error().text())).c_str());
     }
     QVERIFY(opened->confirm().ok());
 }

@@ -70,7 +70,7 @@ private slots:
             return Error{ErrorKind::CannotWrite, "enough"};
         });
         QCOMPARE(visits, 1);
-        QCOMPARE(read.error().text, std::string("enough"));
+        QCOMPARE(read.error().text(), std::string("enough"));
     }
 
     void aFullDiskIsAnError()
@@ -91,7 +91,7 @@ private slots:
     {
         SpoolFile file("/no/such/folder");
         QVERIFY(!file.append(std::as_bytes(std::span("x"))));
-        QVERIFY(file.status().error().text.find("/no/such/folder") != std::string::npos);
+        QVERIFY(file.status().error().text().find("/no/such/folder") != std::string::npos);
     }
 };
 

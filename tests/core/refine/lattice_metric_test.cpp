@@ -35,7 +35,7 @@ private slots:
         const auto refused = latticeMetric({2048, 2048, 2048}, {1, 1, 1});
         QVERIFY(!refused.ok());
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
-        QVERIFY(refused.error().text.find("2048 x 2048 x 2048") != std::string::npos);
+        QVERIFY(refused.error().text().find("2048 x 2048 x 2048") != std::string::npos);
     }
 
     void packedPointsComeBack_data()

@@ -98,7 +98,7 @@ long double sixVolumes(const Replay& replay, const Cloud& cloud, const Tetrahedr
 
 QString textOf(const Result<ScatteredRefinementResult>& result)
 {
-    return result ? QString() : QString::fromStdString(result.error().text);
+    return result ? QString() : QString::fromStdString(result.error().text());
 }
 
 } // namespace

@@ -109,7 +109,7 @@ private slots:
         QFETCH(QString, message);
         const auto camera = cameraFromText(text.toStdString(), bounds);
         QVERIFY(!camera.ok());
-        QVERIFY2(QString::fromStdString(camera.error().text).contains(message), camera.error().text.c_str());
+        QVERIFY2(QString::fromStdString(camera.error().text()).contains(message), camera.error().text().c_str());
     }
 };
 

@@ -56,7 +56,7 @@ private slots:
         const auto planes = parseClipPlanes(text.toStdString());
         QVERIFY(!planes.ok());
         QCOMPARE(planes.error().kind, ErrorKind::WrongUsage);
-        QVERIFY2(planes.error().text.find(named.toStdString()) != std::string::npos, planes.error().text.c_str());
+        QVERIFY2(planes.error().text().find(named.toStdString()) != std::string::npos, planes.error().text().c_str());
     }
 };
 

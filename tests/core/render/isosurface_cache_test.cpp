@@ -38,7 +38,7 @@ std::vector<Surface> surfacesOf(IsosurfaceCache& set, const std::vector<Isovalue
 {
     auto surfaces = set.update(isovalues);
     if (!surfaces)
-        qFatal("%s", surfaces.error().text.c_str());
+        qFatal("%s", surfaces.error().text().c_str());
     return *std::move(surfaces);
 }
 

@@ -33,7 +33,7 @@ TriangleMesh extracted(const TetrahedralMesh& mesh, double isovalue)
     const auto gradients = vertexGradients(mesh);
     auto surface = extractIsosurface(mesh, gradients, isovalue);
     if (!surface)
-        qFatal("%s", surface.error().text.c_str());
+        qFatal("%s", surface.error().text().c_str());
     return std::move(surface).value();
 }
 

@@ -94,7 +94,7 @@ private slots:
             for (int edit = 0; edit < 40; ++edit) {
                 function = randomEdit(function, random);
                 const Status status = checkTransferFunction(function);
-                QVERIFY2(status.ok(), status.ok() ? "" : status.error().text.c_str());
+                QVERIFY2(status.ok(), status.ok() ? "" : status.error().text().c_str());
             }
         }
     }

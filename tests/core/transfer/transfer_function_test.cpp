@@ -139,7 +139,7 @@ void TransferFunctionTest::refusesWhatIsNoFunction()
     QFETCH(QString, word);
     const Status status = checkTransferFunction(function);
     QVERIFY(!status.ok());
-    QVERIFY2(QString::fromStdString(status.error().text).contains(word), status.error().text.c_str());
+    QVERIFY2(QString::fromStdString(status.error().text()).contains(word), status.error().text().c_str());
 }
 
 void TransferFunctionTest::defaultsCoverTheRange()

@@ -34,7 +34,7 @@ private slots:
             for (auto i = random() % 12; i > 0; --i, value += unit(random) / 3)
                 function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
             const auto back = transferFunctionFromText(transferFunctionToText(function));
-            QVERIFY2(back.ok(), back.ok() ? "" : back.error().text.c_str());
+            QVERIFY2(back.ok(), back.ok() ? "" : back.error().text().c_str());
             QVERIFY(*back == function);
         }
     }
@@ -91,7 +91,7 @@ private slots:
         QFETCH(QByteArray, part);
         const auto function = transferFunctionFromText(text.toStdString());
         QVERIFY(!function.ok());
-        QVERIFY2(QByteArray::fromStdString(function.error().text).contains(part), function.error().text.c_str());
+        QVERIFY2(QByteArray::fromStdString(function.error().text()).contains(part), function.error().text().c_str());
     }
 
     void jsonStringsComeBack()
@@ -120,7 +120,7 @@ private slots:
             text[random() % text.size()] = static_cast<char>(random() % 256);
             text.resize(text.size() - random() % 2 * (random() % text.size()));
             const auto read = transferFunctionFromText(text);
-            QVERIFY(read.ok() ? checkTransferFunction(*read).ok() : !read.error().text.empty());
+            QVERIFY(read.ok() ? checkTransferFunction(*read).ok() : !read.error().text().empty());
         }
     }
 };

@@ -259,10 +259,10 @@ private:
     {
         const auto model = Model::open(path());
         if (!model)
-            qFatal("%s", model.error().text.c_str());
+            qFatal("%s", model.error().text().c_str());
         const auto verdict = verify(**model, dataset, {{20, 20}, {10, 10}, {5, 5}, {2, 8}, {3, 1}, {1, 1}, {0, 0}});
         if (!verdict)
-            qFatal("%s", verdict.error().text.c_str());
+            qFatal("%s", verdict.error().text().c_str());
         return *verdict;
     }
 

@@ -23,7 +23,7 @@ const std::vector<Accuracy> levels = {{100, anyWarping}, {30, 30}, {10, 10}, {3,
 QString textOf(const Result<VerificationReport>& verdict)
 {
     if (!verdict)
-        return "Error: " + QString::fromStdString(verdict.error().text);
+        return "Error: " + QString::fromStdString(verdict.error().text());
     QStringList texts;
     for (const std::string& text : verdict->failures)
         texts << QString::fromStdString(text);
@@ -297,7 +297,7 @@ private slots:
             parts.repairChecksums();
             writeBytes(path(), parts.content);
             const auto model = Model::open(path());
-            QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
+            QVERIFY2(model.ok(), model.ok() ? "" : model.error().text().c_str());
             const auto verdict = verify(**model, dataset, levels);
             QVERIFY2(verdict.ok() && !verdict->ok() && textOf(verdict).contains(says), qPrintable(textOf(verdict)));
         }

@@ -20,7 +20,7 @@ namespace {
 QString textOf(const Result<LevelReport>& verdict)
 {
     if (!verdict)
-        return "Error: " + QString::fromStdString(verdict.error().text);
+        return "Error: " + QString::fromStdString(verdict.error().text());
     QStringList texts;
     for (const std::string& text : verdict->failures)
         texts << QString::fromStdString(text);

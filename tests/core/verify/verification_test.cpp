@@ -103,7 +103,7 @@ private slots:
             bytes[at] ^= bit;
             const auto model = Model::open(path("changed.tan"));
             if (!model.ok()) {
-                QVERIFY(!model.error().text.empty());
+                QVERIFY(!model.error().text().empty());
                 ++refused;
                 continue;
             }
@@ -168,7 +168,7 @@ private slots:
         std::filesystem::resize_file(path("cut.tan"), 2000);
         const auto verdict = verify(**model, dataset_, {{0}});
         QVERIFY(!verdict.ok());
-        QVERIFY(verdict.error().text.find("was cut short or changed") != std::string::npos);
+        QVERIFY(verdict.error().text().find("was cut short or changed") != std::string::npos);
     }
 
 private:
@@ -387,7 +387,7 @@ void VerificationTest::findsWhatIsWrong()
     parts.repairChecksums();
     writeBytes(path("wrong.tan"), parts.content);
     const auto model = Model::open(path("wrong.tan"));
-    QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
+    QVERIFY2(model.ok(), model.ok() ? "" : model.error().text().c_str());
     const auto verdict = verify(**model, dataset_, {{10}, {0}});
     QVERIFY(verdict.ok());
     QVERIFY(!verdict->ok());

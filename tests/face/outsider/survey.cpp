@@ -30,7 +30,7 @@ constexpr std::array<double, 8> percents = {50, 20, 10, 5, 2, 1, 0.1, 0};
 template <class Value> Value taken(Result<Value> result, const std::string& what)
 {
     if (!result)
-        fail(what + ": " + result.error().text);
+        fail(what + ": " + result.error().text());
     return *std::move(result);
 }
 
@@ -204,7 +204,7 @@ int main(int count, char** arguments)
                                                                                       : "-whole");
             const auto report = buildModel(dataset, folder / (name + ".tan"), method);
             if (!report && report.error().kind == ErrorKind::BadInput) { // not a method for these data
-                std::cout << std::left << std::setw(24) << name << report.error().text << '\n';
+                std::cout << std::left << std::setw(24) << name << report.error().text() << '\n';
                 continue;
             }
             const auto model = taken(Model::open(folder / (name + ".tan")), "open");

@@ -74,11 +74,11 @@ private slots:
         const ImportOptions options{
             .part = {.region = *parseRegion(region.toStdString()), .stride = *parseStride(stride.toStdString())}};
         const auto part = openDataset(*host_, input, options);
-        QVERIFY2(part, part ? "" : part.error().text.c_str());
+        QVERIFY2(part, part ? "" : part.error().text().c_str());
         QVERIFY(part->pointCount() < openDataset(*host_, input)->pointCount());
         const auto built = buildModel(*host_, *part, {}, {}, path("part.tan"), {},
                                       {.live = nullptr, .keepWhenCancelled = nullptr, .imported = options});
-        QVERIFY2(built, built ? "" : built.error().text.c_str());
+        QVERIFY2(built, built ? "" : built.error().text().c_str());
         const auto model = Model::open(path("part.tan"));
         QVERIFY(model);
         const auto kept = importOf((*model)->description(), {});
@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(chooseReader(*host_, path("table.dat"))->id, std::string("points"));
         const ImportOptions raw{.reader = "lattice", .values = {{"size", std::string("2x2x10")}}};
         const auto opened = openDataset(*host_, path("table.dat"), raw);
-        QVERIFY2(opened, opened ? "" : opened.error().text.c_str());
+        QVERIFY2(opened, opened ? "" : opened.error().text().c_str());
         const auto unknown = openDataset(*host_, path("table.dat"), {.reader = "magic"});
         QVERIFY(!unknown);
         QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
@@ -212,7 +212,7 @@ private slots:
             const auto file = path("detail.tan");
             const auto built = buildModel(*host_, dataset, builder.toStdString(),
                                           plugin->plugin->detail(percent, dataset.domain), file);
-            QVERIFY2(built, built ? "" : built.error().text.c_str());
+            QVERIFY2(built, built ? "" : built.error().text().c_str());
             QVERIFY(built->fileBytes < last);
             last = built->fileBytes;
             const auto model = Model::open(file);
@@ -220,7 +220,7 @@ private slots:
             QCOMPARE(std::uint64_t((*model)->siteCount()), built->report.sites);
             QVERIFY((*model)->finalError() <= percent / 100 * dataset.values.range().extent() * 1.000001);
             const auto verdict = verify(**model, dataset, {}, {});
-            QVERIFY2(verdict, verdict ? "" : verdict.error().text.c_str());
+            QVERIFY2(verdict, verdict ? "" : verdict.error().text().c_str());
             QVERIFY(verdict->ok());
         }
     }

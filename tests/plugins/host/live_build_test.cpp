@@ -62,7 +62,7 @@ private slots:
             while (!done) {
                 const auto look = live.look(path("look.tan"));
                 if (!look)
-                    problem = look.error().text;
+                    problem = look.error().text();
                 else if (*look != nullptr)
                     looks.push_back(*look);
             }
@@ -70,7 +70,7 @@ private slots:
         const auto built = buildModel(*host_, dataset, "refinement", {}, path("built.tan"), {}, {.live = &live});
         done = true;
         looker.join();
-        QVERIFY2(built, built ? "" : built.error().text.c_str());
+        QVERIFY2(built, built ? "" : built.error().text().c_str());
         QVERIFY2(problem.empty(), problem.c_str());
         QVERIFY(!looks.empty());
 

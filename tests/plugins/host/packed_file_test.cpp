@@ -123,19 +123,19 @@ private slots:
         QFETCH(QString, name);
         QFETCH(QString, reader);
         const auto plain = openDataset(*host_, write("plain-" + name.toStdString(), content));
-        QVERIFY2(plain, plain ? "" : plain.error().text.c_str());
+        QVERIFY2(plain, plain ? "" : plain.error().text().c_str());
         const fs::path packed = write(name.toStdString() + ".gz", gzipped(content));
         const auto chosen = chooseReader(*host_, packed);
-        QVERIFY2(chosen, chosen ? "" : chosen.error().text.c_str());
+        QVERIFY2(chosen, chosen ? "" : chosen.error().text().c_str());
         QCOMPARE(QString::fromStdString(chosen->id), reader);
         const auto read = openDataset(*host_, packed);
-        QVERIFY2(read, read ? "" : read.error().text.c_str());
+        QVERIFY2(read, read ? "" : read.error().text().c_str());
         QVERIFY(std::ranges::equal(read->values.bytes(), plain->values.bytes()));
         QCOMPARE(read->source.hash, plain->source.hash);
         QCOMPARE(read->source.path, packed);
         QVERIFY(probeDataset(*host_, packed));
         const auto named = openDataset(*host_, packed, {.reader = reader.toStdString()});
-        QVERIFY2(named, named ? "" : named.error().text.c_str());
+        QVERIFY2(named, named ? "" : named.error().text().c_str());
     }
 
     /// Samples that would stay in their file outlive it.
@@ -144,7 +144,7 @@ private slots:
         const QByteArray samples(64 * 64 * 64, '\7');
         const ImportOptions options{.reader = "lattice", .values = {{"size", std::string("64x64x64")}}};
         const auto read = openDataset(*host_, write("cube.raw.gz", gzipped(samples)), options);
-        QVERIFY2(read, read ? "" : read.error().text.c_str());
+        QVERIFY2(read, read ? "" : read.error().text().c_str());
         QCOMPARE(left(), 0);
         QCOMPARE(read->values.at(64 * 64 * 64 - 1), 7.);
         QVERIFY(read->checkIntact());
@@ -157,21 +157,21 @@ private slots:
             const auto read = openDataset(*host_, write("cut.csv.gz", packed.left(size)));
             QVERIFY2(!read, qPrintable(QString::number(size)));
             QCOMPARE(read.error().kind, ErrorKind::BadInput);
-            QVERIFY2(read.error().text.find("cut.csv.gz") != std::string::npos, read.error().text.c_str());
+            QVERIFY2(read.error().text().find("cut.csv.gz") != std::string::npos, read.error().text().c_str());
         }
         QByteArray changed = gzipped(nrrd());
         changed[changed.size() - 6] = static_cast<char>(changed[changed.size() - 6] + 1); // of its checksum
         const auto read = openDataset(*host_, write("changed.nrrd.gz", changed));
         QVERIFY(!read);
-        QVERIFY2(read.error().text.find("damaged or cut short") != std::string::npos, read.error().text.c_str());
+        QVERIFY2(read.error().text().find("damaged or cut short") != std::string::npos, read.error().text().c_str());
     }
 
     void anErrorNamesTheFileThatTheUserHas()
     {
         const auto read = openDataset(*host_, write("bad.csv.gz", gzipped("x,y,z,v\n1,2,3,4\n1,2,three,4\n")));
         QVERIFY(!read);
-        QVERIFY2(read.error().text.find("bad.csv.gz'") != std::string::npos, read.error().text.c_str());
-        QVERIFY2(read.error().text.find("tan-unpacked") == std::string::npos, read.error().text.c_str());
+        QVERIFY2(read.error().text().find("bad.csv.gz'") != std::string::npos, read.error().text().c_str());
+        QVERIFY2(read.error().text().find("tan-unpacked") == std::string::npos, read.error().text().c_str());
     }
 
     void unpackingCanBeCancelled()
@@ -191,7 +191,7 @@ private slots:
         qputenv("TMPDIR", folder_.path().toUtf8());
         QVERIFY(!read);
         QCOMPARE(read.error().kind, ErrorKind::CannotWrite);
-        QVERIFY2(read.error().text.find("TMPDIR") != std::string::npos, read.error().text.c_str());
+        QVERIFY2(read.error().text().find("TMPDIR") != std::string::npos, read.error().text().c_str());
     }
 
     void whatIsUnknownIsToldInASentence_data()
@@ -220,7 +220,7 @@ private slots:
         const auto read = openDataset(*host_, write(name.toStdString(), content));
         QVERIFY(!read);
         QCOMPARE(read.error().kind, ErrorKind::BadInput);
-        const QString text = QString::fromStdString(read.error().text);
+        const QString text = QString::fromStdString(read.error().text());
         QVERIFY2(text.contains(told) && text.contains(name), qPrintable(text));
         QVERIFY2(text.size() < 300 + folder_.path().size() && !text.contains("*."), qPrintable(text));
     }
@@ -264,10 +264,10 @@ private slots:
             "<DataArray type=\"UInt8\" Name=\"types\" "
             "format=\"ascii\">10</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n");
         const auto chosen = chooseReader(host, mesh);
-        QVERIFY2(chosen, chosen ? "" : chosen.error().text.c_str());
+        QVERIFY2(chosen, chosen ? "" : chosen.error().text().c_str());
         QCOMPARE(chosen->id, std::string("cells"));
         const auto read = openDataset(host, mesh);
-        QVERIFY2(read, read ? "" : read.error().text.c_str());
+        QVERIFY2(read, read ? "" : read.error().text().c_str());
         QCOMPARE(read->pointCount(), std::uint64_t(4));
     }
 };

@@ -75,7 +75,7 @@ private slots:
         const auto read = parseParameter(parameters[kind], text.toStdString());
         QVERIFY(!read);
         QCOMPARE(read.error().kind, ErrorKind::WrongUsage);
-        QVERIFY(!read.error().text.empty());
+        QVERIFY(!read.error().text().empty());
     }
 
     void domainsAreSaidInWords()
@@ -115,7 +115,7 @@ private slots:
         QVERIFY(!checkParameterValues("builder 'x'", parameters, {{"it", true}}));
         const Status unknown = checkParameterValues("builder 'x'", parameters, {{"other", 3.0}});
         QVERIFY(!unknown);
-        QVERIFY(unknown.error().text.find("It has: it.") != std::string::npos);
+        QVERIFY(unknown.error().text().find("It has: it.") != std::string::npos);
     }
 };
 

@@ -201,8 +201,8 @@ private slots:
         const auto unknown = host.builder("unknown");
         QVERIFY(!unknown);
         QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
-        QVERIFY2(unknown.error().text.find("None is installed") != std::string::npos, unknown.error().text.c_str());
-        QVERIFY(host.builder("lying").error().text.find("org.tan.Builder/1") != std::string::npos);
+        QVERIFY2(unknown.error().text().find("None is installed") != std::string::npos, unknown.error().text().c_str());
+        QVERIFY(host.builder("lying").error().text().find("org.tan.Builder/1") != std::string::npos);
         QVERIFY(!host.builder("good"));
     }
 

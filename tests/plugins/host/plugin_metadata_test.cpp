@@ -42,7 +42,7 @@ private slots:
         metadata["description"] = "Reads.";
         metadata["somethingNew"] = 5;
         const auto parsed = parsePluginMetadata(whole(metadata));
-        QVERIFY2(parsed, parsed ? "" : parsed.error().text.c_str());
+        QVERIFY2(parsed, parsed ? "" : parsed.error().text().c_str());
         QCOMPARE(parsed->id, std::string("good"));
         QCOMPARE(parsed->kind, PluginKind::Reader);
         QVERIFY((parsed->version == Version{1, 2, 3}));
@@ -79,7 +79,7 @@ private slots:
             metadata[key] = value;
         const auto parsed = parsePluginMetadata(whole(metadata));
         QVERIFY(!parsed);
-        QVERIFY2(parsed.error().text.find(key.toStdString()) != std::string::npos, parsed.error().text.c_str());
+        QVERIFY2(parsed.error().text().find(key.toStdString()) != std::string::npos, parsed.error().text().c_str());
     }
 
     void refusesNoMetadataAtAll() { QVERIFY(!parsePluginMetadata({})); }
@@ -128,7 +128,8 @@ private slots:
         const Status status = checkCompatible(*parsed, host());
         QCOMPARE(status.ok(), error.isEmpty());
         if (!status)
-            QVERIFY2(status.error().text.find(error.toStdString()) != std::string::npos, status.error().text.c_str());
+            QVERIFY2(status.error().text().find(error.toStdString()) != std::string::npos,
+                     status.error().text().c_str());
     }
 
     void anEditorImplementsTheInterfaceOfEditors()

@@ -23,7 +23,7 @@ inline std::shared_ptr<const Scene> prepared(RendererSession& session, const Par
 {
     auto scene = session.prepare(values, {}, {});
     if (!scene)
-        qFatal("%s", scene.error().text.c_str());
+        qFatal("%s", scene.error().text().c_str());
     return *scene;
 }
 

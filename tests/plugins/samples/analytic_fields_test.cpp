@@ -201,7 +201,7 @@ void AnalyticFieldsTest::refuses()
     const Result<Dataset> made = makeSample({kind, size, {}, 1});
     QVERIFY(!made.ok());
     QCOMPARE(made.error().kind, ErrorKind::WrongUsage);
-    QVERIFY(QString::fromStdString(made.error().text).contains(says));
+    QVERIFY(QString::fromStdString(made.error().text()).contains(says));
 }
 
 void AnalyticFieldsTest::reportsAndCancels()

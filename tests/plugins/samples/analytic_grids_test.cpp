@@ -18,7 +18,7 @@ Dataset sample(std::string_view name, std::uint32_t size)
     request.size = size;
     auto made = makeSample(request);
     if (!made)
-        qFatal("%s", made.error().text.c_str());
+        qFatal("%s", made.error().text().c_str());
     return *std::move(made);
 }
 

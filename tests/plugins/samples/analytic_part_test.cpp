@@ -41,10 +41,10 @@ private slots:
     {
         for (const std::uint32_t size : {2, 16, 24, 32, 40, 64, 100}) {
             const auto dataset = makeSample({.name = "part", .size = size, .type = {}, .seed = 1});
-            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
             QCOMPARE(dataset->domain, DomainClass::Irregular);
             const Status sound = checkIrregular(*dataset);
-            QVERIFY2(sound.ok(), sound ? "" : sound.error().text.c_str());
+            QVERIFY2(sound.ok(), sound ? "" : sound.error().text().c_str());
             QCOMPARE(boundaryEuler(*dataset->tetrahedra), 2 - 2 * 5 + 2);
             QVERIFY(dataset->values.range().minimum >= 0 && dataset->values.range().maximum <= 1);
         }

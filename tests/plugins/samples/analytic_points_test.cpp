@@ -92,7 +92,7 @@ void AnalyticPointsTest::refusesTooMany()
     const Result<Dataset> made = makeSample({"scattered", 513, {}, 1});
     QVERIFY(!made.ok());
     QCOMPARE(made.error().kind, ErrorKind::WrongUsage);
-    QVERIFY(QString::fromStdString(made.error().text).contains("from 2 to 512"));
+    QVERIFY(QString::fromStdString(made.error().text()).contains("from 2 to 512"));
 }
 
 void AnalyticPointsTest::cancels()

@@ -103,7 +103,7 @@ private slots:
         const RandomMesh mesh(static_cast<std::size_t>(vertices), static_cast<std::size_t>(cells));
         const QString path = folder_.filePath(name);
         const Status written = writeMeshFile(path.toStdString(), mesh.content());
-        QVERIFY2(written, written ? "" : written.error().text.c_str());
+        QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
             QSKIP("skipped: no python3-vtk9");
@@ -194,7 +194,7 @@ private slots:
         const Status written = writeMeshFile(folder_.filePath(name).toStdString(), mesh.content());
         QVERIFY(!written);
         QCOMPARE(written.error().kind, ErrorKind::WrongUsage);
-        const QString text = QString::fromStdString(written.error().text);
+        const QString text = QString::fromStdString(written.error().text());
         QVERIFY2(text.contains(".vtu, .vtk and .ply") && text.contains(name), qPrintable(text));
         QVERIFY(!checkMeshFileName(name.toStdString()));
         QVERIFY(!QFile::exists(folder_.filePath(name)));
@@ -225,7 +225,7 @@ private slots:
             const Status written = writeMeshFile(folder_.filePath(name).toStdString(), mesh.content());
             QVERIFY(!written);
             QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-            QVERIFY(QString::fromStdString(written.error().text).contains(name));
+            QVERIFY(QString::fromStdString(written.error().text()).contains(name));
         }
     }
 
@@ -243,8 +243,8 @@ private slots:
             const Status written = writeMeshFile(path, large.content());
             QVERIFY(!written);
             QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-            QVERIFY2(QString::fromStdString(written.error().text).contains("Free some space"),
-                     written.error().text.c_str());
+            QVERIFY2(QString::fromStdString(written.error().text()).contains("Free some space"),
+                     written.error().text().c_str());
             QCOMPARE(std::filesystem::file_size(path), size);
             QVERIFY(std::filesystem::remove(path));
             QVERIFY2(std::filesystem::is_empty(disk.folder()), "nothing is left behind");

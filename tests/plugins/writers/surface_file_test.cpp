@@ -101,7 +101,7 @@ private slots:
         SurfaceContent content = contentOf(one.part("isovalue 1.5", valued), other.part("isovalue 2", valued));
         const QString path = folder_.filePath("surface." + ending);
         const Status written = writeSurfaceFile(path.toStdString(), content);
-        QVERIFY2(written, written ? "" : written.error().text.c_str());
+        QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
             QSKIP("skipped: no python3-vtk9");
@@ -230,7 +230,7 @@ private slots:
             const Status written =
                 writeSurfaceFile(folder_.filePath(name).toStdString(), contentOf(one.part("whole"), part));
             return !written && written.error().kind == ErrorKind::WrongUsage &&
-                   QString::fromStdString(written.error().text).contains(text) &&
+                   QString::fromStdString(written.error().text()).contains(text) &&
                    !QFile::exists(folder_.filePath(name));
         };
         for (const char* name : {"wrong.gltf", "wrong", "stl", "wrong.stl.gz"})
@@ -271,7 +271,7 @@ private slots:
         const Status written = writeSurfaceFile(folder_.filePath("large." + ending).toStdString(), content);
         QVERIFY(!written);
         QCOMPARE(written.error().kind, ErrorKind::OutOfResource);
-        QVERIFY2(QString::fromStdString(written.error().text).contains(part), written.error().text.c_str());
+        QVERIFY2(QString::fromStdString(written.error().text()).contains(part), written.error().text().c_str());
         QVERIFY(!QFile::exists(folder_.filePath("large." + ending)));
     }
 

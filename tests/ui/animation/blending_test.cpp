@@ -89,7 +89,7 @@ void BlendingTest::everyFunctionBetweenIsGood()
         const auto first = randomFunction(random, 2 + random() % 7);
         const auto second = randomFunction(random, 2 + random() % 7);
         const Status good = checkTransferFunction(blended(first, second, unit(random)));
-        QVERIFY2(good, good ? "" : good.error().text.c_str());
+        QVERIFY2(good, good ? "" : good.error().text().c_str());
     }
 }
 

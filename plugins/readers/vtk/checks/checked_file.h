@@ -24,16 +24,17 @@ struct CheckedFile {
 inline constexpr std::uint64_t usualPacking = 20;
 
 /// A file, or a part of it that `what` names ("it", "its data file 'a.raw'"), that ends too early.
-inline Error cutShort(const std::string& what, std::uint64_t has, std::uint64_t needs)
+inline Error cutShort(const Message& what, std::uint64_t has, std::uint64_t needs)
 {
-    return {ErrorKind::BadInput, what + " has " + std::to_string(has) + " bytes, and its header asks for " +
-                                     std::to_string(needs) + ". It is cut short: copy the file again."};
+    return {ErrorKind::BadInput,
+            Message::say("%1 has %2 bytes, and its header asks for %3. It is cut short: copy the file again.", what,
+                         has, needs)};
 }
 
 /// A header that cannot be right; `what` is a sentence.
-inline Error wrongHeader(const std::string& what)
+inline Error wrongHeader(const Message& what)
 {
-    return {ErrorKind::BadInput, what + " The file is damaged: copy or export it again."};
+    return {ErrorKind::BadInput, Message::say("%1 The file is damaged: copy or export it again.", what)};
 }
 
 /// A product that stays the largest number where it would be larger than any file: what headers ask for may overflow.

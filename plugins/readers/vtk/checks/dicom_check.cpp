@@ -151,21 +151,25 @@ bool isWithoutPixels(std::string_view modality)
 Status checkDicomImage(const DicomImage& image, std::uint64_t fileBytes)
 {
     if (!image.hasPixels)
-        return Error{ErrorKind::BadInput,
-                     "it has no pixels. It is cut short, or no image: copy it again, or take it out of the folder."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "it has no pixels. It is cut short, or no image: copy it again, or take it out of the folder.")};
     if (image.isPacked)
-        return Error{ErrorKind::BadInput, "its pixels are compressed, which VTK does not read. Unpack it first, for "
-                                          "instance with 'gdcmconv --raw IN OUT' or 'dcmdjpeg IN OUT'."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its pixels are compressed, which VTK does not read. Unpack it first, for instance "
+                                  "with 'gdcmconv --raw IN OUT' or 'dcmdjpeg IN OUT'.")};
     if (image.bits != 8 && image.bits != 16)
-        return Error{ErrorKind::BadInput, "its pixels have " + std::to_string(image.bits) +
-                                              " bits, and VTK reads those of 8 or 16. Write them with 16."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its pixels have %1 bits, and VTK reads those of 8 or 16. Write them with 16.", image.bits)};
     const std::uint64_t needed = image.rows * image.columns * image.samples * (image.bits / 8);
     if (needed == 0)
-        return wrongHeader("it has no rows or columns.");
+        return wrongHeader(Message::say("it has no rows or columns."));
     if (image.pixelBytes < needed)
-        return Error{ErrorKind::BadInput, "it has " + std::to_string(image.pixelBytes) + " bytes of pixels of " +
-                                              std::to_string(needed) + " (of " + std::to_string(fileBytes) +
-                                              " in all). It is damaged: copy the file again."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it has %1 bytes of pixels of %2 (of %3 in all). It is damaged: copy the file again.",
+                                  image.pixelBytes, needed, fileBytes)};
     return {};
 }
 
@@ -176,7 +180,7 @@ Result<CheckedFile> checkDicom(const fs::path& path)
     CheckedFile checked;
     std::optional<std::pair<fs::path, DicomImage>> first;
     const auto ofFile = [](const fs::path& at, const Error& error) {
-        return Error{error.kind, "the file " + nameOf(at) + " of its series: " + error.text};
+        return Error{error.kind, Message::say("the file %1 of its series: %2", nameOf(at), error.message)};
     };
     const std::vector<fs::path> slices = numberedBeside(path);
     std::error_code problem;
@@ -191,7 +195,7 @@ Result<CheckedFile> checkDicom(const fs::path& path)
         const std::string_view bytes(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         const auto image = DicomElements(bytes).read();
         if (!image || (!image->isDicom && isSlice))
-            return ofFile(beside, Error{ErrorKind::BadInput, "it ends too early. Copy the file again."});
+            return ofFile(beside, Error{ErrorKind::BadInput, Message::say("it ends too early. Copy the file again.")});
         if (!image->isDicom || image->isDirectory || (!image->hasPixels && isWithoutPixels(image->modality)))
             continue;
         if (const Status whole = checkDicomImage(*image, bytes.size()); !whole)
@@ -199,9 +203,10 @@ Result<CheckedFile> checkDicom(const fs::path& path)
         if (!first)
             first.emplace(beside, *image);
         if (image->shape() != first->second.shape())
-            return Error{ErrorKind::BadInput, "its folder holds images of several sizes or types, such as " +
-                                                  nameOf(first->first) + " and " + nameOf(beside) +
-                                                  ". Put the images of one series alone into a folder."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("its folder holds images of several sizes or types, such as %1 and %2. Put the "
+                                      "images of one series alone into a folder.",
+                                      nameOf(first->first), nameOf(beside))};
         checked.bytes = boundedSum(checked.bytes, bytes.size());
     }
     return checked;

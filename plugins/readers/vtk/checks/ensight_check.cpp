@@ -993,7 +993,7 @@ private:
                                      "' is missing. Copy it into the folder of this one: they belong together."};
             const auto file = MappedFile::open(path);
             if (!file)
-                throw EnSightProblem{file.error().text};
+                throw EnSightProblem{file.error().text()};
             const std::string_view text = asText(**file);
             checked_.bytes = boundedSum(checked_.bytes, text.size());
             if (&variable == &case_.geometry)

@@ -31,12 +31,13 @@ std::size_t endOfSection(std::string_view text, std::size_t place, std::size_t l
     return std::string_view::npos;
 }
 
-Status checkSections(const std::string& what, std::string_view text, std::size_t longestTextNumber)
+Status checkSections(const Message& what, std::string_view text, std::size_t longestTextNumber)
 {
     for (auto place = text.find('('); place != std::string_view::npos; place = text.find('(', place)) {
         place = endOfSection(text, place, longestTextNumber);
         if (place == std::string_view::npos)
-            return Error{ErrorKind::BadInput, what + " ends within a section. It is cut short: copy the file again."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("%1 ends within a section. It is cut short: copy the file again.", what)};
     }
     return {};
 }
@@ -50,9 +51,10 @@ Result<CheckedFile> checkFluent(const fs::path& path)
     data.replace_extension("dat");
     std::error_code ignored;
     if (!fs::exists(data, ignored))
-        return Error{ErrorKind::BadInput,
-                     "its file " + nameOf(data) +
-                         " is missing, which holds the values. Copy it into the folder of this one."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its file %1 is missing, which holds the values. Copy it into the folder of this one.",
+                         nameOf(data))};
     for (const fs::path& part : {path, data}) {
         const auto file = MappedFile::open(part);
         if (!file)
@@ -60,9 +62,11 @@ Result<CheckedFile> checkFluent(const fs::path& path)
         const std::string_view text(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         const bool isCase = part == path;
         if (text.find('(') == std::string_view::npos)
-            return Error{ErrorKind::BadInput, (isCase ? "it" : "its file " + nameOf(data)) +
-                                                  " has no section. It is cut short, or of another format."};
-        const Status ends = checkSections(isCase ? "it" : "its file " + nameOf(data), text, isCase ? 2 : 3);
+            return Error{ErrorKind::BadInput,
+                         Message::say("%1 has no section. It is cut short, or of another format.",
+                                      isCase ? Message("it") : Message::say("its file %1", nameOf(data)))};
+        const Status ends =
+            checkSections(isCase ? Message("it") : Message::say("its file %1", nameOf(data)), text, isCase ? 2 : 3);
         if (!ends)
             return ends.error();
         checked.bytes = boundedSum(checked.bytes, text.size());

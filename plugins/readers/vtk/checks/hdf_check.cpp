@@ -18,15 +18,15 @@ Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path)
         return file.error();
     const std::string_view bytes(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
     if (bytes.starts_with("\x0e\x03\x13\x01"sv))
-        return Error{ErrorKind::BadInput,
-                     "it is an HDF4 file, which is not read. Convert it, for instance with h4toh5 and "
-                     "ParaView, to .vti or .vtu."};
+        return Error{ErrorKind::BadInput, Message::say("it is an HDF4 file, which is not read. Convert it, for "
+                                                       "instance with h4toh5 and ParaView, to .vti or .vtu.")};
     if (bytes.substr(0, userBlock).find("\x89HDF\r\n\x1a\n"sv) == std::string_view::npos)
-        return Error{ErrorKind::BadInput, "it does not begin as HDF5 files do. It is damaged, or of another format."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it does not begin as HDF5 files do. It is damaged, or of another format.")};
     const std::string_view names = bytes.substr(0, looked);
     if (names.find("VTKHDF"sv) == std::string_view::npos)
-        return Error{ErrorKind::BadInput, "it is an HDF5 file of another program: it has no group VTKHDF, by which VTK "
-                                          "knows its own. Write it as .vti or .vtu."};
+        return Error{ErrorKind::BadInput, Message::say("it is an HDF5 file of another program: it has no group VTKHDF, "
+                                                       "by which VTK knows its own. Write it as .vti or .vtu.")};
     for (const std::string_view type : {"PartitionedDataSetCollection"sv, "MultiBlockDataSet"sv, "OverlappingAMR"sv,
                                         "HyperTreeGrid"sv, "NSteps"sv, "PolyData"sv})
         if (names.find(type) != std::string_view::npos &&

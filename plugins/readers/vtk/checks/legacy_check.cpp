@@ -47,16 +47,17 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path)
     };
     if (beginsWithOne({"FIELD", "DATASET TABLE", "DATASET TREE", "DATASET DIRECTED_GRAPH", "DATASET UNDIRECTED_GRAPH",
                        "DATASET MOLECULE"}))
-        return Error{ErrorKind::BadInput, "it holds '" + shown +
-                                              "': values alone, without points or a grid that they belong to. Write "
-                                              "them with their grid."};
+        return Error{ErrorKind::BadInput, Message::say("it holds '%1': values alone, without points or a grid that "
+                                                       "they belong to. Write them with their grid.",
+                                                       shown)};
     if (!content.empty() &&
         !beginsWithOne({"DATASET STRUCTURED_POINTS", "DATASET STRUCTURED_GRID", "DATASET RECTILINEAR_GRID",
                         "DATASET UNSTRUCTURED_GRID", "DATASET POLYDATA", "DATASET MULTI", "DATASET HIERARCHICAL",
                         "DATASET OVERLAPPING", "DATASET NON_OVERLAPPING"}))
-        return Error{ErrorKind::BadInput, "it says '" + shown +
-                                              "' where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID "
-                                              "should stand. It is damaged, or written by a faulty program."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it says '%1' where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID "
+                                  "should stand. It is damaged, or written by a faulty program.",
+                                  shown)};
     if (isText && !text.empty() && static_cast<unsigned char>(text.back()) > ' ')
         checked.remarks.emplace_back("The file ends without an end of line: if it was cut short there, its last number "
                                      "is wrong.");

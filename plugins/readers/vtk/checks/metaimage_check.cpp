@@ -128,17 +128,17 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     MetaLayout layout;
     const auto dimensions = wholeNumber(header.text("NDims"));
     if (!dimensions)
-        return wrongHeader("its header has no NDims.");
+        return wrongHeader(Message::say("its header has no NDims."));
     if (*dimensions < 1 || *dimensions > 3)
         return Error{ErrorKind::BadInput,
-                     "it has " + std::to_string(*dimensions) + " dimensions. Write a part of it with three."};
+                     Message::say("it has %1 dimensions. Write a part of it with three.", *dimensions)};
     const auto sizes = wordsOf(header.text("DimSize"));
     for (std::int64_t i = 0; i < *dimensions; ++i) {
         const auto size =
             static_cast<std::size_t>(i) < sizes.size() ? wholeNumber(sizes[static_cast<std::size_t>(i)]) : std::nullopt;
         if (!size || *size < 1 || *size > std::int64_t(1) << 31)
-            return wrongHeader("its DimSize is '" + printable(header.text("DimSize")) + "' and not " +
-                               std::to_string(*dimensions) + " numbers of points.");
+            return wrongHeader(Message::say("its DimSize is '%1' and not %2 numbers of points.",
+                                            printable(header.text("DimSize")), *dimensions));
         layout.size.push_back(static_cast<std::uint64_t>(*size));
     }
     const auto bytes = typeBytes(header.text("ElementType"));
@@ -147,19 +147,20 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     const std::string_view channelsText = header.text("ElementNumberOfChannels");
     const auto channels = channelsText.empty() ? std::optional<std::int64_t>(1) : wholeNumber(channelsText);
     if (!channels || *channels < 1 || *channels > 1'000'000)
-        return wrongHeader("its ElementNumberOfChannels is '" + printable(channelsText) + "'.");
+        return wrongHeader(Message::say("its ElementNumberOfChannels is '%1'.", printable(channelsText)));
     layout.sampleBytes = *bytes * static_cast<std::uint64_t>(*channels);
     layout.isText = !header.isTrue("BinaryData");
     layout.isPacked = header.isTrue("CompressedData") && !layout.isText;
     if (layout.isText && *channels > 1)
-        return Error{ErrorKind::BadInput, "its samples are a text with several channels, of which VTK reads a part "
-                                          "only. Write them with BinaryData = True."};
+        return Error{ErrorKind::BadInput, Message::say("its samples are a text with several channels, of which VTK "
+                                                       "reads a part only. Write them with BinaryData = True.")};
     if (const auto text = header.text("HeaderSize"); !text.empty()) {
         const auto size = wholeNumber(text);
         if (!size || *size < -1)
-            return wrongHeader("its HeaderSize is '" + printable(text) + "'.");
+            return wrongHeader(Message::say("its HeaderSize is '%1'.", printable(text)));
         if (*size < 0 && (layout.isPacked || layout.isText))
-            return wrongHeader("its HeaderSize is -1, which says nothing where samples are packed or a text.");
+            return wrongHeader(
+                Message::say("its HeaderSize is -1, which says nothing where samples are packed or a text."));
         layout.headerSize = *size;
     }
     if (const auto text = header.text("CompressedDataSize"); !text.empty())
@@ -238,19 +239,21 @@ Status checkSamples(const std::string& what, std::string_view bytes, std::size_t
         if (unpacked && *unpacked == needed)
             return {};
         return Error{ErrorKind::BadInput,
-                     what +
-                         (unpacked ? " unpacks to " + std::to_string(*unpacked) + " bytes, and its header asks for " +
-                                         std::to_string(needed) + "."
-                                   : std::string(" cannot be unpacked to its end.")) +
-                         " It is damaged or cut short: copy the file again."};
+                     unpacked ? Message::say("%1 unpacks to %2 bytes, and its header asks for %3. It is damaged or cut "
+                                             "short: copy the file again.",
+                                             what, *unpacked, needed)
+                              : Message::say("%1 cannot be unpacked to its end. It is damaged or cut short: copy the "
+                                             "file again.",
+                                             what)};
     }
     if (layout.isText)
         return hasNumbers(bytes.substr(begin), samples)
                    ? Status()
-                   : Status(Error{ErrorKind::BadInput, what + " has not the " + std::to_string(samples) +
-                                                           " numbers that its header asks for, each with a blank or "
-                                                           "an end of line behind it. It is cut short or damaged: "
-                                                           "copy the file again."});
+                   : Status(Error{
+                         ErrorKind::BadInput,
+                         Message::say("%1 has not the %2 numbers that its header asks for, each with a blank or an end "
+                                      "of line behind it. It is cut short or damaged: copy the file again.",
+                                      what, samples)});
     if (layout.headerSize < 0)
         begin = 0;
     return bytes.size() - begin >= needed ? Status() : cutShort(what, bytes.size(), boundedSum(begin, needed));
@@ -285,8 +288,8 @@ public:
         const std::string_view bytes(reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size());
         auto header = headerOf(bytes);
         if (!header)
-            return Error{ErrorKind::BadInput, "its header has no line 'ElementDataFile = ...', so that it is cut short "
-                                              "or no MetaImage. Copy the file again."};
+            return Error{ErrorKind::BadInput, Message::say("its header has no line 'ElementDataFile = ...', so that it "
+                                                           "is cut short or no MetaImage. Copy the file again.")};
         const auto layout = layoutOf(*header);
         if (!layout)
             return layout.error();
@@ -305,7 +308,7 @@ private:
         const std::uint64_t samples = layout_.samples(layout_.size.size());
         if (name == "LOCAL" || name == "Local" || name == "local") {
             if (layout_.isPacked && layout_.packedSize == 0)
-                return wrongHeader("its header does not say the CompressedDataSize.");
+                return wrongHeader(Message::say("its header does not say the CompressedDataSize."));
             return checkSamples("it", bytes, header.end, layout_, samples);
         }
         if (name.starts_with("LIST"))
@@ -327,9 +330,11 @@ private:
             }
         std::error_code ignored;
         if (name.empty() || !fs::exists(path, ignored))
-            return Error{ErrorKind::BadInput, "its data file " + nameOf(name) +
-                                                  " is missing. Copy it into the folder of this one: the two belong "
-                                                  "together."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say(
+                    "its data file %1 is missing. Copy it into the folder of this one: the two belong together.",
+                    nameOf(name))};
         const auto file = MappedFile::open(path);
         if (!file)
             return file.error();
@@ -352,9 +357,10 @@ private:
         for (std::uint64_t i = 0; i < files; ++i) {
             const auto end = lines.find('\n');
             if (end == std::string_view::npos) // the library passes over a last line that does not end
-                return Error{ErrorKind::BadInput, "it should name " + std::to_string(files) +
-                                                      " data files, each in a line of its own that ends, and names " +
-                                                      std::to_string(i) + ". It is cut short: copy the file again."};
+                return Error{ErrorKind::BadInput,
+                             Message::say("it should name %1 data files, each in a line of its own that ends, and "
+                                          "names %2. It is cut short: copy the file again.",
+                                          files, i)};
             const Status fits = checkFile(std::string(stripped(lines.substr(0, end))),
                                           layout_.samples(static_cast<std::size_t>(dimensions)));
             if (!fits)
@@ -378,7 +384,7 @@ private:
         for (std::size_t i = 1; i < words.size(); ++i) {
             const auto number = wholeNumber(words[i]);
             if (!number || std::abs(*number) > 1'000'000'000)
-                return wrongHeader("its ElementDataFile is '" + printable(name) + "'.");
+                return wrongHeader(Message::say("its ElementDataFile is '%1'.", printable(name)));
             numbers[i - 1] = *number;
         }
         if (words.size() == 2)
@@ -387,16 +393,15 @@ private:
             numbers[2] = (numbers[1] - numbers[0]) / layers;
         const auto [first, end, step] = numbers;
         if (step < 1 || 1 + (end - first) / step < layers)
-            return Error{ErrorKind::BadInput, "its ElementDataFile '" + printable(name) +
-                                                  "' does not name a file for "
-                                                  "each of its " +
-                                                  std::to_string(layers) +
-                                                  " layers. Write the numbers of the first, the last and the step "
-                                                  "behind the name."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("its ElementDataFile '%1' does not name a file for each of its %2 layers. Write "
+                                      "the numbers of the first, the last and the step behind the name.",
+                                      printable(name), layers)};
         for (std::int64_t layer = 0; layer < layers; ++layer) {
             const auto file = numberedName(words[0], first + layer * step);
             if (!file || words[0].size() > longestWord)
-                return wrongHeader("its ElementDataFile '" + printable(name) + "' is no name with a number as '%03d'.");
+                return wrongHeader(
+                    Message::say("its ElementDataFile '%1' is no name with a number as '%03d'.", printable(name)));
             if (const Status fits = checkFile(*file, layout_.samples(layout_.size.size() - 1)); !fits)
                 return fits;
         }

@@ -18,10 +18,11 @@ Result<CheckedFile> checkMrc(const std::filesystem::path& path)
         return file.error();
     const auto bytes = (*file)->bytes();
     if (bytes.size() < headerBytes)
-        return cutShort("it", bytes.size(), headerBytes);
+        return cutShort(Message::say("it"), bytes.size(), headerBytes);
     if (bytes[stampByte] == bigEndianStamp)
-        return Error{ErrorKind::BadInput, "its numbers have the byte order of other machines (big endian), which VTK "
-                                          "reads wrongly. Write it anew on this machine."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("its numbers have the byte order of other machines (big endian), which VTK reads "
+                                  "wrongly. Write it anew on this machine.")};
     const auto word = [&](std::size_t index) {
         std::int32_t value = 0;
         std::memcpy(&value, bytes.data() + index * sizeof value, sizeof value);
@@ -30,7 +31,7 @@ Result<CheckedFile> checkMrc(const std::filesystem::path& path)
     std::uint64_t samples = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (word(axis) < 1)
-            return wrongHeader("its header says that it has " + std::to_string(word(axis)) + " points along an axis.");
+            return wrongHeader(Message::say("its header says that it has %1 points along an axis.", word(axis)));
         samples = boundedProduct(samples, static_cast<std::uint64_t>(word(axis)));
     }
     std::uint64_t sampleBytes = 0;
@@ -43,15 +44,17 @@ Result<CheckedFile> checkMrc(const std::filesystem::path& path)
     case 4: sampleBytes = 8; break;
     case 16: sampleBytes = 3; break;
     default:
-        return Error{ErrorKind::BadInput, "its samples are of mode " + std::to_string(word(modeWord)) +
-                                              ", which VTK does not read. Write it with mode 2 (floating point)."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its samples are of mode %1, which VTK does not read. Write it with mode 2 (floating point).",
+                         word(modeWord))};
     }
     if (word(extensionWord) < 0)
-        return wrongHeader("its header says that an extension of less than no bytes follows.");
+        return wrongHeader(Message::say("its header says that an extension of less than no bytes follows."));
     const std::uint64_t needed =
         boundedSum(headerBytes + static_cast<std::uint64_t>(word(extensionWord)), boundedProduct(samples, sampleBytes));
     if (needed > bytes.size())
-        return cutShort("it", bytes.size(), needed);
+        return cutShort(Message::say("it"), bytes.size(), needed);
     return CheckedFile{.bytes = bytes.size()};
 }
 

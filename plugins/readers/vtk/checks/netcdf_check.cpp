@@ -97,9 +97,10 @@ private:
     Error noHeader() const
     {
         return ended_ || at_ == bytes_.size()
-                   ? Error{ErrorKind::BadInput, "it ends within its header. It is cut short: copy the file again."}
-                   : wrongHeader(
-                         "its NetCDF header has lists that are longer than the file, or none where some belong.");
+                   ? Error{ErrorKind::BadInput,
+                           Message::say("it ends within its header. It is cut short: copy the file again.")}
+                   : wrongHeader(Message::say(
+                         "its NetCDF header has lists that are longer than the file, or none where some belong."));
     }
 
     Status dimensions()
@@ -114,8 +115,8 @@ private:
                 return noHeader();
             // Programs take memory for as many, used or not.
             if (points > bytes_.size())
-                return wrongHeader("its dimension '" + printable(dimension) + "' is " + std::to_string(points) +
-                                   " long, more than the file has bytes.");
+                return wrongHeader(Message::say("its dimension '%1' is %2 long, more than the file has bytes.",
+                                                printable(dimension), points));
             lengths_.push_back(points);
         }
         return {};
@@ -133,7 +134,7 @@ private:
             if (ended_)
                 return noHeader();
             if (netCdfTypeSize(type) == 0)
-                return wrongHeader("an attribute in its NetCDF header is of no type that there is.");
+                return wrongHeader(Message::say("an attribute in its NetCDF header is of no type that there is."));
         }
         return {};
     }
@@ -161,8 +162,8 @@ private:
             if (ended_)
                 return noHeader();
             if (dimension >= lengths_.size())
-                return wrongHeader("its variable '" + printable(variable.name) +
-                                   "' has dimensions that are not there.");
+                return wrongHeader(
+                    Message::say("its variable '%1' has dimensions that are not there.", printable(variable.name)));
             const bool unlimited = lengths_[dimension] == 0;
             variable.hasRecords |= unlimited && i == 0;
             if (!unlimited || i > 0)
@@ -176,7 +177,8 @@ private:
         if (ended_)
             return noHeader();
         if (variable.typeSize == 0)
-            return wrongHeader("its variable '" + printable(variable.name) + "' is of no type that there is.");
+            return wrongHeader(
+                Message::say("its variable '%1' is of no type that there is.", printable(variable.name)));
         variable.bytes = boundedProduct(values, variable.typeSize);
         variables_.push_back(std::move(variable));
         return {};
@@ -211,15 +213,19 @@ private:
                 bytes = boundedSum(bytes, variable.bytes);
             const std::uint64_t end = boundedSum(bytes, variable.begin);
             if (end > bytes_.size())
-                return Error{
-                    ErrorKind::BadInput,
-                    "it has " + std::to_string(bytes_.size()) + " bytes, and its variable '" +
-                        printable(variable.name) + "' " +
-                        (end == noNumber ? "is larger than any file."
-                                         : "reaches to byte " + std::to_string(end) + ".") +
-                        " It is cut short, or was not written to its end: copy the file again, or export it again."};
+                return Error{ErrorKind::BadInput,
+                             end == noNumber
+                                 ? Message::say("it has %1 bytes, and its variable '%2' is larger than any file. It is "
+                                                "cut short, or was not written to its end: copy the file again, or "
+                                                "export it again.",
+                                                bytes_.size(), printable(variable.name))
+                                 : Message::say("it has %1 bytes, and its variable '%2' reaches to byte %3. It is cut "
+                                                "short, or was not written to its end: copy the file again, or export "
+                                                "it again.",
+                                                bytes_.size(), printable(variable.name), end)};
             if (bytes > 0 && variable.begin < at_)
-                return wrongHeader("its variable '" + printable(variable.name) + "' begins within the header.");
+                return wrongHeader(
+                    Message::say("its variable '%1' begins within the header.", printable(variable.name)));
         }
         return {};
     }

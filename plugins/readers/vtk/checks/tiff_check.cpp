@@ -56,14 +56,14 @@ public:
         little_ = little;
         const std::uint64_t version = number(2, 2).value_or(0);
         if (version != 42 && version != 43)
-            return wrongHeader("it does not begin as a TIFF file does.");
+            return wrongHeader(Message::say("it does not begin as a TIFF file does."));
         big_ = version == 43;
         std::vector<TiffPage> pages;
         std::set<std::uint64_t> seen;
         auto next = number(big_ ? 8 : 4, pointerSize());
         while (next && *next != 0) {
             if (!seen.insert(*next).second)
-                return wrongHeader("its pages name one another in a circle.");
+                return wrongHeader(Message::say("its pages name one another in a circle."));
             const auto page = pageAt(*next, pages.size() + 1);
             if (!page)
                 return page.error();
@@ -71,7 +71,7 @@ public:
             next = nextPage_;
         }
         if (!next || pages.empty())
-            return missing("page " + std::to_string(pages.size() + 1));
+            return missing(Message::say("page %1", pages.size() + 1));
         return pages;
     }
 
@@ -89,10 +89,11 @@ private:
         return value;
     }
 
-    Error missing(const std::string& what) const
+    Error missing(const Message& what) const
     {
-        return {ErrorKind::BadInput, what + " lies behind its end, at " + std::to_string(bytes_.size()) +
-                                         " bytes. It is cut short: copy the file again."};
+        return {ErrorKind::BadInput,
+                Message::say("%1 lies behind its end, at %2 bytes. It is cut short: copy the file again.", what,
+                             bytes_.size())};
     }
 
     Result<TiffPage> pageAt(std::uint64_t place, std::uint64_t pageNumber)
@@ -131,7 +132,7 @@ private:
         const std::uint64_t bytes = boundedProduct(values.count, values.size);
         values.place = bytes <= pointerSize() ? valueField : *number(valueField, pointerSize());
         if (values.size > 0 && boundedSum(values.place, bytes) > bytes_.size())
-            return missing("an entry of " + page);
+            return missing(Message::say("an entry of %1", page));
         tags_[tag] = values;
         return {};
     }
@@ -152,23 +153,22 @@ private:
     {
         const auto [width, height, samples, bits, format] = page.shape;
         if (width == 0 || height == 0 || samples == 0 || bits == 0)
-            return wrongHeader(name + " has no size.");
+            return wrongHeader(Message::say("%1 has no size.", name));
         const bool tiled = tags_.contains(tileOffsets);
         const auto offsets = tags_.find(tiled ? tileOffsets : stripOffsets);
         const auto counts = tags_.find(tiled ? tileByteCounts : stripByteCounts);
         if (offsets == tags_.end())
-            return wrongHeader(name + " does not say where its pixels are.");
+            return wrongHeader(Message::say("%1 does not say where its pixels are.", name));
         const std::uint64_t planes = valueOf(planarConfiguration, 1) == 2 ? samples : 1;
         const std::uint64_t rowWidth = tiled ? valueOf(tileWidth, 0) : width;
         const std::uint64_t rows = std::min(tiled ? valueOf(tileLength, 0) : valueOf(rowsPerStrip, height),
                                             tiled ? ~std::uint64_t(0) : height);
         if (rows == 0 || rowWidth == 0)
-            return wrongHeader(name + " is divided into pieces of no size.");
+            return wrongHeader(Message::say("%1 is divided into pieces of no size.", name));
         const std::uint64_t across = tiled ? (width - 1) / rowWidth + 1 : 1;
         const std::uint64_t pieces = boundedProduct(boundedProduct(across, (height - 1) / rows + 1), planes);
         if (offsets->second.count < pieces)
-            return wrongHeader(name + " has " + std::to_string(offsets->second.count) + " of its " +
-                               std::to_string(pieces) + " pieces.");
+            return wrongHeader(Message::say("%1 has %2 of its %3 pieces.", name, offsets->second.count, pieces));
         const bool packed = valueOf(compressionTag, 1) != 1;
         const std::uint64_t rowBits = boundedProduct(boundedProduct(rowWidth, bits), samples / planes);
         const std::uint64_t rowBytes = rowBits / 8 + (rowBits % 8 != 0 ? 1 : 0);
@@ -178,13 +178,12 @@ private:
             const std::uint64_t whole = boundedProduct(rowBytes, rowsHere);
             std::uint64_t bytes = counts != tags_.end() && piece < counts->second.count ? at(counts->second, piece) : 0;
             if (!packed && bytes != 0 && bytes < whole)
-                return wrongHeader("a piece of " + name + " has " + std::to_string(bytes) + " bytes and should have " +
-                                   std::to_string(whole) + ".");
+                return wrongHeader(Message::say("a piece of %1 has %2 bytes and should have %3.", name, bytes, whole));
             if (!packed && bytes == 0) // old programs leave it out
                 bytes = whole;
             if (boundedSum(at(offsets->second, piece), bytes) > bytes_.size() ||
                 at(offsets->second, piece) >= bytes_.size())
-                return missing("a piece of " + name);
+                return missing(Message::say("a piece of %1", name));
         }
         return {};
     }
@@ -200,21 +199,20 @@ Status checkTogether(const std::vector<TiffPage>& pages)
 {
     constexpr std::size_t samples = 2;
     if (pages.size() > 1 && pages[0].shape[samples] == 2)
-        return Error{ErrorKind::BadInput,
-                     "its pages have two samples for each pixel, of which VTK reads the first page only. Write it with "
-                     "one sample."};
+        return Error{ErrorKind::BadInput, Message::say("its pages have two samples for each pixel, of which VTK reads "
+                                                       "the first page only. Write it with one sample.")};
     const auto isMarked = [](const TiffPage& page) { return page.kind == 0; };
     const bool marked = std::ranges::any_of(pages, isMarked);
     for (std::size_t i = 0; i < pages.size(); ++i) {
         if (marked && pages[i].kind.value_or(0) != 0)
             continue; // a smaller copy of another page, which is passed over
         if (marked && !isMarked(pages[i]))
-            return wrongHeader("some of its pages say that they are part of the volume, and page " +
-                               std::to_string(i + 1) + " does not.");
+            return wrongHeader(
+                Message::say("some of its pages say that they are part of the volume, and page %1 does not.", i + 1));
         if (pages[i].shape != pages[0].shape)
-            return Error{ErrorKind::BadInput, "page " + std::to_string(i + 1) +
-                                                  " is of another size or type than page 1. Write a file whose pages "
-                                                  "are layers of one volume."};
+            return Error{ErrorKind::BadInput, Message::say("page %1 is of another size or type than page 1. Write a "
+                                                           "file whose pages are layers of one volume.",
+                                                           i + 1)};
     }
     return {};
 }
@@ -232,17 +230,16 @@ Result<CheckedFile> checkTiff(const std::vector<fs::path>& paths)
         const std::string which = paths.size() > 1 ? "its file " + nameOf(path) + ": " : "";
         const auto pages = TiffFile((*file)->bytes()).pages();
         if (!pages)
-            return Error{pages.error().kind, which + pages.error().text};
+            return Error{pages.error().kind, which + pages.error().text()};
         if (const Status together = checkTogether(*pages); !together)
-            return Error{together.error().kind, which + together.error().text};
+            return Error{together.error().kind, which + together.error().text()};
         if (first.empty())
             first = *pages;
         else if (pages->front().shape != first.front().shape)
-            return Error{ErrorKind::BadInput, which +
-                                                  "it is of another size or type than the first file of its stack, "
-                                                  "'" +
-                                                  printable(paths.front().filename().string()) +
-                                                  "'. Put the layers of one volume alone into a folder."};
+            return Error{ErrorKind::BadInput,
+                         Message::say("%1it is of another size or type than the first file of its stack, '%2'. Put the "
+                                      "layers of one volume alone into a folder.",
+                                      which, printable(paths.front().filename().string()))};
         const auto& shape = pages->front().shape;
         const std::uint64_t unpacked =
             boundedProduct(boundedProduct(shape[0], shape[1]),

@@ -62,9 +62,10 @@ std::string_view xmlAttribute(std::string_view tag, std::string_view name)
     return {};
 }
 
-Error wrongXml(const std::string& what)
+Error wrongXml(const Message& what)
 {
-    return {ErrorKind::BadInput, what + " It is damaged, or written by a faulty program: export it again."};
+    return {ErrorKind::BadInput,
+            Message::say("%1 It is damaged, or written by a faulty program: export it again.", what)};
 }
 
 /// The tags of a file, one after the other, without their brackets; comments and declarations are passed over.
@@ -149,22 +150,25 @@ public:
             if (isNamed(*tag, "AppendedData")) {
                 // VTK stops here with what it takes for text, and fills arrays that are cut with zeros.
                 if (!text.substr(0, text.find_last_not_of(xmlBlanks) + 1).ends_with("</VTKFile>"))
-                    return Error{ErrorKind::BadInput,
-                                 "it ends within its appended data. It is cut short: copy the file again."};
+                    return Error{
+                        ErrorKind::BadInput,
+                        Message::say("it ends within its appended data. It is cut short: copy the file again.")};
                 break;
             }
             if (const Status fine = look(*tag); !fine)
                 return fine.error();
         }
         if (type_ == "Collection")
-            return Error{ErrorKind::BadInput, "it is a list of files, one for each time step or part. Open one of its "
-                                              "files" +
-                                                  (named_.empty() ? "" : ", such as '" + printable(named_) + "'") +
-                                                  "."};
+            return Error{ErrorKind::BadInput,
+                         named_.empty() ? Message::say("it is a list of files, one for each time step or part. Open "
+                                                       "one of its files.")
+                                        : Message::say("it is a list of files, one for each time step or part. Open "
+                                                       "one of its files, such as '%1'.",
+                                                       printable(named_))};
         if (isGridType() && !isGrid_)
-            return wrongXml("its element " + type_ + " is missing.");
+            return wrongXml(Message::say("its element %1 is missing.", type_));
         if (isGrid_ && (!whole_ || covered_ < *whole_))
-            return wrongXml("the pieces in it do not fill the WholeExtent that it names.");
+            return wrongXml(Message::say("the pieces in it do not fill the WholeExtent that it names."));
         return checked_;
     }
 
@@ -176,16 +180,16 @@ private:
         constexpr std::uint64_t mostTags = 1'000'000;
         constexpr std::int64_t deepest = 256;
         if (++tags_ > mostTags)
-            return wrongXml("it has more than " + std::to_string(mostTags) + " elements.");
+            return wrongXml(Message::say("it has more than %1 elements.", mostTags));
         if (tag.starts_with('/')) {
             --level_;
             return {};
         }
         level_ += tag.ends_with('/') ? 0 : 1;
         if (level_ > deepest)
-            return wrongXml("its elements stand more than " + std::to_string(deepest) + " deep in one another.");
+            return wrongXml(Message::say("its elements stand more than %1 deep in one another.", deepest));
         if (std::ranges::count(tag, '=') > mostAttributes)
-            return wrongXml("an element has more than " + std::to_string(mostAttributes) + " attributes.");
+            return wrongXml(Message::say("an element has more than %1 attributes.", mostAttributes));
         if (isNamed(tag, "DataArray") || isNamed(tag, "PDataArray"))
             return array(tag);
         for (const std::string_view section : {"PointData", "CellData", "Points", "Cells"})
@@ -200,8 +204,7 @@ private:
             whole_ = cellsIn(xmlAttribute(tag, "WholeExtent"));
             for (const std::string_view name : {"Spacing", "Origin"})
                 if (const auto value = xmlAttribute(tag, name); !value.empty() && !numbersIn<double, 3>(value))
-                    return wrongXml("its " + std::string(name) + " is '" + printable(value) +
-                                    "' and not three numbers.");
+                    return wrongXml(Message::say("its %1 is '%2' and not three numbers.", name, printable(value)));
         }
         return {};
     }
@@ -215,8 +218,8 @@ private:
             addUnpacked(xmlAttribute(tag, "type"), static_cast<std::uint64_t>(*components));
             return {};
         }
-        return wrongXml("its array '" + printable(xmlAttribute(tag, "Name")) + "' has '" + printable(text) +
-                        "' components.");
+        return wrongXml(
+            Message::say("its array '%1' has '%2' components.", printable(xmlAttribute(tag, "Name")), printable(text)));
     }
 
     /// What the array of a piece unpacks to, at most as much as packed data can.
@@ -243,8 +246,8 @@ private:
         cells_ = isGridType() ? ofGrid : count("NumberOfCells");
         for (const std::uint64_t number : {points_, cells_})
             if (number > boundedProduct(mostPacking, checked_.bytes) && xmlAttribute(tag, "Source").empty())
-                return wrongXml("it says that it has " + std::to_string(number) + " points or cells, more than " +
-                                std::to_string(checked_.bytes) + " bytes can hold.");
+                return wrongXml(Message::say("it says that it has %1 points or cells, more than %2 bytes can hold.",
+                                             number, checked_.bytes));
         return fileNamed(xmlAttribute(tag, "Source"));
     }
 
@@ -260,12 +263,13 @@ private:
         const fs::path path = path_.parent_path() / name;
         std::error_code ignored;
         if (!fs::exists(path, ignored))
-            return Error{ErrorKind::BadInput,
-                         "its file '" + printable(name) +
-                             "' is missing. Copy it into the folder of this one: they belong together."};
+            return Error{
+                ErrorKind::BadInput,
+                Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
+                             printable(name))};
         const auto checked = XmlCheck(path, filesWithin_ - 1).run();
         if (!checked)
-            return Error{checked.error().kind, "its file '" + printable(name) + "': " + checked.error().text};
+            return Error{checked.error().kind, "its file '" + printable(name) + "': " + checked.error().text()};
         checked_.bytes = boundedSum(checked_.bytes, checked->bytes);
         checked_.unpackedBytes = boundedSum(checked_.unpackedBytes, checked->unpackedBytes);
         return {};

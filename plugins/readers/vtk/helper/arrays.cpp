@@ -134,14 +134,15 @@ std::vector<VtkArray> arraysOf(vtkDataSet& data)
 Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::string& wanted)
 {
     if (arrays.empty())
-        return Error{ErrorKind::BadInput, "it has no array with a number for each point or cell. Write it with one."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it has no array with a number for each point or cell. Write it with one.")};
     if (!wanted.empty() && wanted != "automatic") {
         if (const auto found = std::ranges::find(arrays, wanted, &VtkArray::name); found != arrays.end())
             return *found;
         if (const auto number = parseNumber<std::uint64_t>(wanted); number && *number >= 1 && *number <= arrays.size())
             return arrays[*number - 1];
         return Error{ErrorKind::WrongUsage,
-                     "it has no array '" + wanted + "'. Choose one of these: " + namesText(arrays) + "."};
+                     Message::say("it has no array '%1'. Choose one of these: %2.", wanted, namesText(arrays))};
     }
     const auto rank = [](const VtkArray& entry) { // the smallest is taken, of equals the first
         return std::array{entry.isHelping, isConstant(entry), entry.perCell, !entry.active,
@@ -157,9 +158,9 @@ Result<VtkSamples> samplesOf(const VtkArray& entry, const std::string& component
     const bool wantsMagnitude = component.empty() || component == "magnitude";
     const auto number = wantsMagnitude ? std::optional<std::uint32_t>(0) : parseNumber<std::uint32_t>(component);
     if (!number || *number >= static_cast<std::uint32_t>(components))
-        return Error{ErrorKind::WrongUsage, "its array '" + printable(entry.name) + "' has no component '" + component +
-                                                "'. Choose one from 0 to " + std::to_string(components - 1) +
-                                                ", or 'magnitude'."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("its array '%1' has no component '%2'. Choose one from 0 to %3, or 'magnitude'.",
+                                  printable(entry.name), component, components - 1)};
     VtkSamples result =
         components > 1 && wantsMagnitude ? magnitudeSamples(array) : componentSamples(array, static_cast<int>(*number));
     result.name = entry.name;

@@ -76,9 +76,9 @@ void appendPositions(vtkDataSet& data, VtkFindings& found)
 Error unknownShape(int vtkType)
 {
     const char* name = vtkCellTypes::GetClassNameFromTypeId(vtkType);
-    return {ErrorKind::BadInput, "it has cells of a shape that TAn does not know: " +
-                                     (name == nullptr ? "number " + std::to_string(vtkType) : std::string(name)) +
-                                     ". Divide them into simpler ones."};
+    return {ErrorKind::BadInput,
+            Message::say("it has cells of a shape that TAn does not know: %1. Divide them into simpler ones.",
+                         name == nullptr ? Message::say("number %1", vtkType) : Message(name))};
 }
 
 void appendBlanked(vtkDataSet& data, std::size_t cellsBefore, VtkFindings& found)
@@ -99,7 +99,8 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
     const std::size_t cellsBefore = found.shapes.size();
     vtkCellArray* cells = mesh.GetCells();
     if (cells != nullptr && !cells->IsValid())
-        return Error{ErrorKind::BadInput, "the lists of its cells' corners contradict each other. It is damaged."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("the lists of its cells' corners contradict each other. It is damaged.")};
     if (found.offsets.empty())
         found.offsets.push_back(0);
     std::uint64_t wronglyLinear = 0;
@@ -115,10 +116,9 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
         found.shapes.push_back(quadratic.value_or(*shape));
         for (vtkIdType corner = 0; corner < count; ++corner)
             if (corners[corner] < 0 || corners[corner] >= mesh.GetNumberOfPoints())
-                return Error{ErrorKind::BadInput, "cell " + std::to_string(cell) + " (from 0) has the corner " +
-                                                      std::to_string(corners[corner]) + ", and there are " +
-                                                      std::to_string(mesh.GetNumberOfPoints()) +
-                                                      " points. It is damaged."};
+                return Error{ErrorKind::BadInput,
+                             Message::say("cell %1 (from 0) has the corner %2, and there are %3 points. It is damaged.",
+                                          cell, corners[corner], mesh.GetNumberOfPoints())};
             else
                 found.corners.push_back(firstPoint + static_cast<std::uint64_t>(corners[corner]));
         found.offsets.push_back(found.corners.size());
@@ -143,9 +143,10 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
 Result<VtkFindings> pointFindings(vtkDataSet& data, const VtkArray& array, const VtkSamples& samples)
 {
     if (array.perCell)
-        return Error{ErrorKind::BadInput,
-                     "its array '" + printable(array.name) +
-                         "' has values for its polygons, not its points. Choose an array of points."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its array '%1' has values for its polygons, not its points. Choose an array of points.",
+                         printable(array.name))};
     VtkFindings found;
     found.kind = VtkDataKind::Points;
     found.type = samples.type;

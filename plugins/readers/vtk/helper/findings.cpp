@@ -106,7 +106,7 @@ Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& meshes, const V
 Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequest& request)
 {
     if (leaves.empty())
-        return Error{ErrorKind::BadInput, "it holds no points."};
+        return Error{ErrorKind::BadInput, Message::say("it holds no points.")};
     if (!request.part.empty()) {
         const auto leaf = chooseLeaf(leaves, request.part);
         if (!leaf)

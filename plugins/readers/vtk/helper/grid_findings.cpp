@@ -122,10 +122,12 @@ Result<VtkFindings> asCells(vtkDataSet& data, const VtkGrid& grid, bool perCell,
     constexpr std::uint64_t most = 20'000'000;
     const std::uint64_t cells = product({grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1});
     if (cells > most)
-        return Error{ErrorKind::OutOfResource,
-                     "some of its " + std::to_string(cells) +
-                         " cells are blanked out or have values that are no numbers, so that it is an irregular mesh, "
-                         "which is too large for that. Take a part of it, or replace those values by numbers."};
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say(
+                "some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular "
+                "mesh, which is too large for that. Take a part of it, or replace those values by numbers.",
+                cells)};
     VtkFindings found;
     found.kind = VtkDataKind::Cells;
     found.type = samples.type;

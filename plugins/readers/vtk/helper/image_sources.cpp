@@ -65,7 +65,7 @@ Result<VtkSource> niftiSource(const std::string& path)
 {
     const auto reader = vtkSmartPointer<vtkNIFTIImageReader>::New();
     if (reader->CanReadFile(path.c_str()) == 0)
-        return Error{ErrorKind::BadInput, "its header is not that of a NIfTI file."};
+        return Error{ErrorKind::BadInput, Message::say("its header is not that of a NIfTI file.")};
     reader->SetFileName(path.c_str());
     const auto finish = [reader](VtkFindings& found) {
         const double slope = reader->GetRescaleSlope();

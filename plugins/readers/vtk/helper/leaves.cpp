@@ -58,10 +58,10 @@ Result<VtkLeaf> chooseLeaf(const std::vector<VtkLeaf>& leaves, const std::string
         return *found;
     if (const auto number = parseNumber<std::uint64_t>(wanted); number && *number >= 1 && *number <= leaves.size())
         return leaves[*number - 1];
-    return Error{ErrorKind::WrongUsage,
-                 "it has no part '" + wanted + "'. " +
-                     (leaves.size() == 1 && leaves[0].name.empty() ? "It is all one: leave 'part' empty."
-                                                                   : "There is: " + namesText(leaves) + ".")};
+    return Error{ErrorKind::WrongUsage, Message::say("it has no part '%1'. %2", wanted,
+                                                     leaves.size() == 1 && leaves[0].name.empty()
+                                                         ? Message::say("It is all one: leave 'part' empty.")
+                                                         : Message::say("There is: %1.", namesText(leaves)))};
 }
 
 } // namespace tetra

@@ -49,7 +49,7 @@ template <class Value> void send(ExchangeOutput& output, VtkMessage message, Val
 
 Error inFile(const VtkRequest& request, const Error& error)
 {
-    return {error.kind, "Cannot read '" + request.path + "': " + error.text};
+    return {error.kind, Message::say("Cannot read '%1': %2", request.path, error.message)};
 }
 
 Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
@@ -119,10 +119,11 @@ try {
     send(output, VtkMessage::Error, inFile(request, memoryLimitMet()));
 } catch (const std::length_error&) {
     send(output, VtkMessage::Error,
-         inFile(request, {ErrorKind::BadInput, "it says that it holds more than any machine can. It is damaged."}));
+         inFile(request, {ErrorKind::BadInput,
+                          Message::say("it says that it holds more than any machine can. It is damaged.")}));
 } catch (const std::exception& problem) {
     send(output, VtkMessage::Error,
-         inFile(request, {ErrorKind::BadInput, std::string("VTK says: ") + problem.what() + ". It is damaged."}));
+         inFile(request, {ErrorKind::BadInput, Message::say("VTK says: %1. It is damaged.", problem.what())}));
 }
 
 int run()

@@ -109,12 +109,14 @@ Result<Files> filesOf(const VtkRequest& request)
     else
         files.values = beside(path, {".q", ".Q", ".qsol", ".f", ".fun"});
     if (files.grid.empty())
-        return Error{ErrorKind::BadInput,
-                     "it is a PLOT3D solution, and its grid (.xyz, .x, .g, .p3d) is not beside it. Open the grid."};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say(
+                "it is a PLOT3D solution, and its grid (.xyz, .x, .g, .p3d) is not beside it. Open the grid.")};
     if (files.values.empty())
-        return Error{ErrorKind::WrongUsage, "it is a PLOT3D grid without values, and neither a solution (.q) nor a "
-                                            "function file (.f, .fun) of its name is beside it. Name it with "
-                                            "'solution'."};
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("it is a PLOT3D grid without values, and neither a solution (.q) nor a function file "
+                                  "(.f, .fun) of its name is beside it. Name it with 'solution'.")};
     return files;
 }
 
@@ -123,8 +125,8 @@ Status describeText(vtkMultiBlockPLOT3DReader& reader, const fs::path& grid)
     const auto numbers = numbersOf(grid);
     const auto layout = numbers ? layoutOf(*numbers) : std::nullopt;
     if (!layout)
-        return Error{ErrorKind::BadInput, "it is a text, but not as many numbers stand in it as a PLOT3D grid of its "
-                                          "size has. It is damaged, or of another format."};
+        return Error{ErrorKind::BadInput, Message::say("it is a text, but not as many numbers stand in it as a PLOT3D "
+                                                       "grid of its size has. It is damaged, or of another format.")};
     reader.BinaryFileOff();
     reader.SetMultiGrid(layout->several);
     reader.SetIBlanking(layout->blanking);

@@ -22,9 +22,9 @@ Status checkDone(vtkAlgorithm& reader, const VtkLog& log)
     if (const Status done = statusOf(log); !done)
         return done;
     if (const unsigned long code = reader.GetErrorCode(); code != vtkErrorCode::NoError)
-        return Error{ErrorKind::BadInput, std::string("VTK says: ") + vtkErrorCode::GetStringFromErrorCode(code) +
-                                              ". The file is damaged, incomplete, or of a kind that VTK does not "
-                                              "know: copy or export it again."};
+        return Error{ErrorKind::BadInput, Message::say("VTK says: %1. The file is damaged, incomplete, or of a kind "
+                                                       "that VTK does not know: copy or export it again.",
+                                                       vtkErrorCode::GetStringFromErrorCode(code))};
     return {};
 }
 
@@ -56,9 +56,10 @@ Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, std::i
     const std::vector<double> times = timesOf(reader);
     const auto steps = static_cast<std::int64_t>(std::max<std::size_t>(1, times.size()));
     if (timeStep < 1 || timeStep > steps)
-        return Error{ErrorKind::WrongUsage, "it has " + std::to_string(steps) + " time steps, and number " +
-                                                std::to_string(timeStep) + " is asked for. Choose one from 1 to " +
-                                                std::to_string(steps) + " with 'time'."};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with 'time'.",
+                         steps, timeStep, steps)};
     if (times.empty())
         reader.Update();
     else
@@ -67,7 +68,8 @@ Result<vtkSmartPointer<vtkDataObject>> runSource(const VtkSource& source, std::i
         return done.error();
     vtkSmartPointer<vtkDataObject> data = reader.GetOutputDataObject(0);
     if (data == nullptr)
-        return Error{ErrorKind::BadInput, "VTK finds nothing in it. It is damaged, or of another format."};
+        return Error{ErrorKind::BadInput,
+                     Message::say("VTK finds nothing in it. It is damaged, or of another format.")};
     return data;
 }
 

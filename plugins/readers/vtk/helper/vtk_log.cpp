@@ -135,9 +135,9 @@ Status statusOf(const VtkLog& log)
                 return memoryLimitMet();
     const auto reason = std::ranges::find_if(log.errors, [](const std::string& e) { return e != failure; });
     const std::string& said = reason == log.errors.end() ? log.errors.front() : *reason;
-    return Error{ErrorKind::BadInput,
-                 "VTK says: " + said + (said.ends_with('.') ? "" : ".") +
-                     " The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again."};
+    return Error{ErrorKind::BadInput, Message::say("VTK says: %1 The file is damaged, incomplete, or of a kind that "
+                                                   "VTK does not know: copy or export it again.",
+                                                   said.ends_with('.') ? said : said + ".")};
 }
 
 } // namespace tetra

@@ -80,7 +80,7 @@ private slots:
         QFETCH(const QString, says);
         const Status checked = checkIrregular(dataset);
         QVERIFY(!checked.ok());
-        QVERIFY2(QString::fromStdString(checked.error().text).contains(says), checked.error().text.c_str());
+        QVERIFY2(QString::fromStdString(checked.error().text()).contains(says), checked.error().text().c_str());
     }
 
     /// A part in the cavity of another one is no fault: two shells of a tetrahedron with a smaller one in the hole.
@@ -101,7 +101,7 @@ private slots:
                 std::swap(t[0], t[1]);
         }
         const Status checked = checkIrregular(datasetOf(positions, tetrahedra));
-        QVERIFY2(checked.ok(), checked ? "" : checked.error().text.c_str());
+        QVERIFY2(checked.ok(), checked ? "" : checked.error().text().c_str());
     }
 };
 

@@ -58,7 +58,7 @@ private slots:
             const auto shape = static_cast<CellShape>(number);
             const CellComplex complex = singleCell(shape);
             const auto dataset = datasetOf(complex, linearValues(complex));
-            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
             QVERIFY2(dataset->remarks.empty(), qPrintable(remarksOf(*dataset)));
             QCOMPARE(totalVolume6(*dataset), referenceVolume6(shape));
             QCOMPARE(dataset->positions->size(), complex.positions.size());
@@ -73,11 +73,11 @@ private slots:
         for (std::uint32_t seed = 0; seed < 60; ++seed) {
             const RandomCells cells({1 + seed % 5, 1 + seed % 3, 1 + seed % 4}, 0.12, seed);
             const auto dataset = datasetOf(cells.complex(), linearValues(cells.complex()));
-            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
             QCOMPARE(totalVolume6(*dataset), 6 * cells.volume());
             QVERIFY(conforms(*dataset));
             const Status sound = checkIrregular(*dataset);
-            QVERIFY2(sound.ok(), sound ? "" : sound.error().text.c_str());
+            QVERIFY2(sound.ok(), sound ? "" : sound.error().text().c_str());
             for (std::uint64_t point = 0; point < dataset->pointCount(); ++point)
                 QCOMPARE(dataset->values.at(point), (*dataset->positions)[point].dot(Eigen::Vector3d(1, 2, 4)));
         }
@@ -149,7 +149,7 @@ private slots:
                 quadratic.shapes.push_back(quadraticShapes[static_cast<std::size_t>(shape)]);
             }
             const auto dataset = datasetOf(quadratic, linearValues(quadratic));
-            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
             QVERIFY2(!remarksOf(*dataset).contains("middle"), qPrintable(remarksOf(*dataset)));
             QCOMPARE(totalVolume6(*dataset), 6 * cells.volume());
 
@@ -166,7 +166,7 @@ private slots:
             for (std::size_t cell = 1; cell < quadratic.offsets.size(); ++cell)
                 quadratic.offsets[cell] -= end - kept;
             const auto mixed = datasetOf(quadratic, linearValues(quadratic));
-            QVERIFY2(mixed.ok(), mixed ? "" : mixed.error().text.c_str());
+            QVERIFY2(mixed.ok(), mixed ? "" : mixed.error().text().c_str());
             QVERIFY(remarksOf(*mixed).contains("in the middle of"));
             QCOMPARE(totalVolume6(*mixed), 6 * cells.volume());
         }
@@ -181,7 +181,7 @@ private slots:
             for (std::size_t cell = 0; cell < cells.complex().shapes.size(); ++cell)
                 values.values.push_back(cells.random(10) < seed % 8 ? notANumber : 3);
             const auto dataset = datasetOf(cells.complex(), values);
-            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
             QVERIFY(checkIrregular(*dataset).ok());
             QCOMPARE(dataset->values.type(), SampleType::Float32);
             QCOMPARE(dataset->values.range().minimum, 3.0);
@@ -213,7 +213,7 @@ private slots:
         CellComplex complex = twoCubes({2, 0, 0});
         ComplexValues values = linearValues(complex);
         auto dataset = datasetOf(complex, values);
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->pointCount(), 12);
         QVERIFY(remarksOf(*dataset).contains("4 points on the place of another one"));
         QVERIFY(!remarksOf(*dataset).contains("different values"));
@@ -256,7 +256,7 @@ private slots:
         complex.corners.push_back(3);
         complex.offsets.push_back(complex.corners.size());
         const auto dataset = datasetOf(complex, linearValues(complex));
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->tetrahedra->size(), 1);
         QVERIFY(remarksOf(*dataset).contains("1 cell is a vertex"));
         QVERIFY(remarksOf(*dataset).contains("2 cells name a corner twice"));
@@ -278,7 +278,7 @@ private slots:
         complex.corners.insert(complex.corners.end(), complex.corners.begin() + 8 * 5, complex.corners.begin() + 8 * 6);
         complex.offsets.push_back(complex.corners.size());
         dataset = datasetOf(complex, linearValues(complex));
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(totalVolume6(*dataset), 6.0 * 27);
         QVERIFY(remarksOf(*dataset).contains("6 tetrahedra were there twice"));
     }
@@ -289,12 +289,12 @@ private slots:
         const CellComplex diagonal = lattice(2, [](auto i, auto j, auto) { return i == j; });
         const auto refused = datasetOf(diagonal, linearValues(diagonal));
         QVERIFY(!refused.ok());
-        QVERIFY2(refused.error().text.find("2 edges in which parts") != std::string::npos,
-                 refused.error().text.c_str());
+        QVERIFY2(refused.error().text().find("2 edges in which parts") != std::string::npos,
+                 refused.error().text().c_str());
         CellComplex masked = lattice(2, [](auto, auto, auto) { return true; });
         masked.blanked = {0, 1, 1, 0, 0, 1, 1, 0};
         const auto dataset = datasetOf(masked, linearValues(masked));
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QVERIFY(remarksOf(*dataset).contains("touched in an edge"));
         QVERIFY(totalVolume6(*dataset) < 6.0 * 4);
     }
@@ -345,7 +345,7 @@ private slots:
         const auto dataset = datasetOf(complex, values);
         QVERIFY(!dataset.ok());
         QCOMPARE(dataset.error().kind, ErrorKind::BadInput);
-        QVERIFY2(QString::fromStdString(dataset.error().text).contains(says), dataset.error().text.c_str());
+        QVERIFY2(QString::fromStdString(dataset.error().text()).contains(says), dataset.error().text().c_str());
     }
 
     void cancelled()

@@ -21,7 +21,7 @@ using Damage = std::function<void(FileParts&)>;
 std::string refusalOf(const std::filesystem::path& path)
 {
     const auto model = Model::open(path);
-    return model ? std::string() : model.error().text;
+    return model ? std::string() : model.error().text();
 }
 
 /// Gives a section another name, under which nobody knows it.
@@ -149,10 +149,10 @@ private slots:
             auto writer = ModelWriter::create(path(), dataset, {});
             if (begins)
                 if (const Status begun = (*writer)->begin(traits); !begun)
-                    return begun.error().text;
+                    return begun.error().text();
             const auto& first = history.steps.front();
             const Status added = (*writer)->add({first.point, first.keyBefore, first.star, first.destroyed});
-            return added ? std::string() : added.error().text;
+            return added ? std::string() : added.error().text();
         };
         QVERIFY(refusal({1, true}, true).find("not Delaunay") != std::string::npos);
         QVERIFY(refusal({0, false}, true).find("warping weight") != std::string::npos);

@@ -112,12 +112,12 @@ std::shared_ptr<const Model> modelOf(const std::filesystem::path& path, const Da
     if (!writer)
         std::abort();
     if (const Status written = replay(history, **writer); !written) {
-        std::fputs(written.error().text.c_str(), stderr);
+        std::fputs(written.error().text().c_str(), stderr);
         std::abort();
     }
     auto model = Model::open(path);
     if (!model) {
-        std::fputs(model.error().text.c_str(), stderr);
+        std::fputs(model.error().text().c_str(), stderr);
         std::abort();
     }
     return *model;

@@ -163,7 +163,7 @@ void ChecksumsTest::sumsThatCannotBeAreRefused()
     const auto opened = Model::open(path);
     QVERIFY(!opened.ok());
     QCOMPARE(opened.error().kind, ErrorKind::BadInput);
-    QVERIFY2(QString::fromStdString(opened.error().text).contains(says), opened.error().text.c_str());
+    QVERIFY2(QString::fromStdString(opened.error().text()).contains(says), opened.error().text().c_str());
 }
 
 void ChecksumsTest::damageGivesTheRightAnswerOrNone_data()
@@ -189,7 +189,7 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
     std::map<std::string, std::string> answers;
     for (const auto& [name, question] : questions) {
         const auto model = Model::open(path);
-        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text.c_str());
+        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text().c_str());
         if (const auto answer = question(*model)) {
             QVERIFY((*model)->confirm().ok());
             answers[name] = *answer;
@@ -223,7 +223,7 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
                     ++right;
                 } else {
                     QCOMPARE(answer.error().kind, ErrorKind::BadInput);
-                    QVERIFY2(answer.error().text.starts_with(blame), answer.error().text.c_str());
+                    QVERIFY2(answer.error().text().starts_with(blame), answer.error().text().c_str());
                     ++refused;
                 }
             }
@@ -256,9 +256,9 @@ void ChecksumsTest::damageThatIsNotReadDoesNotMatter()
     QVERIFY((*damaged)->confirm().ok());
     const auto fine = extractPrefix(**damaged, model->siteCount());
     QVERIFY(!fine.ok());
-    QVERIFY2(fine.error().text.ends_with(
+    QVERIFY2(fine.error().text().ends_with(
                  "is damaged: the checksum of section 'other sites' is wrong. Copy the file again, or build it again."),
-             fine.error().text.c_str());
+             fine.error().text().c_str());
     QVERIFY(!(*damaged)->foundDamage().ok());
     QVERIFY2(!extractPrefix(**damaged, some).ok(), "damage that was found stays known");
 }
@@ -360,8 +360,8 @@ void ChecksumsTest::anOldFileIsReadInTheBackground()
     const Status sound = damaged->confirm();
     QVERIFY(!sound.ok());
     QCOMPARE(sound.error().kind, ErrorKind::BadInput);
-    QVERIFY2(sound.error().text.find("the checksum of section 'site values' is wrong") != std::string::npos,
-             sound.error().text.c_str());
+    QVERIFY2(sound.error().text().find("the checksum of section 'site values' is wrong") != std::string::npos,
+             sound.error().text().c_str());
     QVERIFY(!extractPrefix(*damaged, damaged->siteCount()).ok());
 }
 

@@ -72,7 +72,7 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QString, means);
         const auto field = parseErrorField(text.toStdString());
-        QVERIFY2(field.ok(), field.ok() ? "" : field.error().text.c_str());
+        QVERIFY2(field.ok(), field.ok() ? "" : field.error().text().c_str());
         QCOMPARE(QString::fromStdString(toText(*field)), means);
     }
 
@@ -112,7 +112,7 @@ private slots:
         const auto field = parseErrorField(text.toStdString());
         QVERIFY(!field.ok());
         QCOMPARE(field.error().kind, ErrorKind::WrongUsage);
-        QVERIFY2(QString::fromStdString(field.error().text).contains(says), field.error().text.c_str());
+        QVERIFY2(QString::fromStdString(field.error().text()).contains(says), field.error().text().c_str());
     }
 
     void sizesAreLimited()
@@ -158,7 +158,7 @@ private slots:
             }
             const auto field = parseErrorField(text);
             if (!field) {
-                QVERIFY(!field.error().text.empty());
+                QVERIFY(!field.error().text().empty());
                 continue;
             }
             ++fields;

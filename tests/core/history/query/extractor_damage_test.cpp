@@ -140,7 +140,7 @@ private slots:
                 if (mesh.ok())
                     QVERIFY(isWellFormed(**mesh));
                 else
-                    QVERIFY(mesh.error().text.size() > 20);
+                    QVERIFY(mesh.error().text().size() > 20);
                 ++(mesh.ok() ? meshes : errors);
             }
             const auto part = extractHistory(**model, {20}, {1}, {}, {});

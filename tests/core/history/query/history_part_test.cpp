@@ -44,7 +44,7 @@ private slots:
         for (const auto& [name, model] : models_)
             for (const auto& [one, other] : ranges()) {
                 const auto part = extractHistory(*model, {one}, {other}, {}, {});
-                QVERIFY2(part.ok(), part.ok() ? "" : part.error().text.c_str());
+                QVERIFY2(part.ok(), part.ok() ? "" : part.error().text().c_str());
                 QCOMPARE(part->coarse.sites, meshSizeAt(*model, {std::max(one, other)}).sites);
                 QCOMPARE(part->fine.sites, meshSizeAt(*model, {std::min(one, other)}).sites);
                 QCOMPARE(part->births.size(), part->mesh.tetrahedra.size());
@@ -222,7 +222,7 @@ private slots:
         const auto part = extractHistory(**model, {100}, {0}, {}, {});
         QVERIFY(!part.ok());
         QCOMPARE(part.error().kind, ErrorKind::BadInput);
-        QVERIFY2(QString::fromStdString(part.error().text).contains(says), part.error().text.c_str());
+        QVERIFY2(QString::fromStdString(part.error().text()).contains(says), part.error().text().c_str());
     }
 
 private:

@@ -34,7 +34,7 @@ private slots:
         MeshExtractor extractor(model_);
         for (int round = 0; round < 2; ++round) {
             const auto mesh = extractor.extract(query_);
-            QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+            QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
             QCOMPARE((*mesh)->method, VariableMethod::ClosedSet);
             QVERIFY(verifyMesh(*model_, dataset_, query_, **mesh)->ok());
         }
@@ -62,7 +62,7 @@ private slots:
         const auto mesh = MeshExtractor(Model::open(folder() / "damaged.tan").value()).extract(query);
         QVERIFY(!mesh.ok());
         QCOMPARE(mesh.error().kind, ErrorKind::BadInput);
-        QVERIFY(mesh.error().text.find("damaged") != std::string::npos);
+        QVERIFY(mesh.error().text().find("damaged") != std::string::npos);
     }
 
 private:

@@ -75,7 +75,7 @@ inline bool isProved(const Model& model, const Dataset& dataset, const MeshQuery
 {
     const auto verdict = verifyMesh(model, dataset, query, mesh);
     if (!verdict) {
-        qWarning("%s", verdict.error().text.c_str());
+        qWarning("%s", verdict.error().text().c_str());
         return false;
     }
     for (const std::string& failure : verdict->failures)
@@ -117,7 +117,7 @@ inline bool areFieldsKept(std::mt19937& random, const std::shared_ptr<const Mode
         const MeshQuery query = randomQuery(random, *model);
         const auto mesh = extractor.extract(query);
         if (!mesh)
-            qWarning("%s", mesh.error().text.c_str());
+            qWarning("%s", mesh.error().text().c_str());
         if (!mesh || !isAnswer(*model, dataset, brute, query, **mesh, brute.smallestClosedSet(query)))
             return false;
     }

@@ -169,7 +169,7 @@ private slots:
                                : RegionRefiner::fits(*one.model) ? VariableMethod::Insertion
                                                                  : VariableMethod::ClosedSet;
                 const auto mesh = extractor.extract(query);
-                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
                 inserted += (*mesh)->method == VariableMethod::Insertion ? 1 : 0;
                 QVERIFY(isProved(one, query, **mesh));
             }

@@ -18,7 +18,7 @@ inline std::shared_ptr<const Model> refinedModel(const std::filesystem::path& pa
                                                  std::uint32_t block = 0, double error = 0)
 {
     if (const auto report = buildModel(dataset, path, Refinement{.error = error, .block = block}); !report) {
-        qWarning("%s", report.error().text.c_str());
+        qWarning("%s", report.error().text().c_str());
         return nullptr;
     }
     const auto model = Model::open(path);

@@ -117,7 +117,7 @@ private slots:
         RegionRefiner focus(*one.model);
         const std::uint64_t inside = focus.sitesInside(one.ramp);
         const auto mesh = focus.extract(one.ramp, true);
-        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
         SlowFocus slow(*one.model, *focusDivision(*one.model));
         const bool real = one.dataset.values.type() == SampleType::Float32;
         const std::vector<Tetrahedron> tetrahedra = byPoints(*one.model, *mesh);
@@ -146,7 +146,7 @@ private slots:
                 sphere->centre.array() -= 0.2;
             }
             auto mesh = focus.extract(one.ramp, false, {}, std::move(last));
-            QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+            QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
             QCOMPARE(slow.faultOf(byPoints(*one.model, *mesh), one.ramp, real ? 1e-12 : 0), std::string());
             checkSites(*one.model, one.dataset, *mesh);
             last = *std::move(mesh);
@@ -180,7 +180,7 @@ private slots:
         for (const double outer : {20.0, 1.0}) {
             const SpaceRamp ramp{Sphere{dataset.lattice.bounds().center(), 1.2}, 0.5, outer, 0};
             const auto mesh = RegionRefiner(*model).extract(ramp, true);
-            QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+            QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
             QCOMPARE(slow.faultOf(byPoints(*model, *mesh), ramp, 0), std::string());
         }
     }
@@ -196,7 +196,7 @@ private slots:
             for (const double falloff : {0.0, 1.0}) {
                 const SpaceRamp ramp{region, 0, 10, falloff};
                 const auto mesh = RegionRefiner(*model).extract(ramp, true);
-                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text.c_str());
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
                 const SlowFocus slow(*model, *focusDivision(*model));
                 QCOMPARE(slow.faultOf(byPoints(*model, *mesh), ramp, 1e-12), std::string());
             }
@@ -253,7 +253,7 @@ private slots:
             (void)focus.sitesInside(ramp);
             const auto mesh = focus.extract(ramp, i % 2 == 0);
             if (!mesh.ok()) {
-                QVERIFY(!mesh.error().text.empty());
+                QVERIFY(!mesh.error().text().empty());
                 continue;
             }
             for (const auto& t : mesh->mesh.tetrahedra)

@@ -21,7 +21,7 @@ TetrahedralMesh delaunayMesh(const std::vector<Vector3d>& points)
 {
     ScatteredDelaunay builder(points);
     if (const Status status = builder.start(); !status)
-        qFatal("%s", status.error().text.c_str());
+        qFatal("%s", status.error().text().c_str());
     std::map<std::uint32_t, std::array<std::uint32_t, 4>> cells;
     std::vector<bool> inserted(points.size(), false);
     std::uint32_t hint = 0;

@@ -21,7 +21,7 @@ Volume made(VolumeCache& maker, const TransferFunction& function, bool shaded = 
 {
     auto volume = maker.update(function, shaded);
     if (!volume)
-        qFatal("%s", volume.error().text.c_str());
+        qFatal("%s", volume.error().text().c_str());
     return *std::move(volume);
 }
 

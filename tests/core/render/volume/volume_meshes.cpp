@@ -24,7 +24,7 @@ TetrahedralMesh extracted(const Dataset& dataset)
     const double percent = dataset.values.range().extent() / 100;
     auto mesh = extractPrefix(*model.value(), meshSizeAt(*model.value(), {2 * percent}).sites);
     if (!mesh)
-        qFatal("%s", mesh.error().text.c_str());
+        qFatal("%s", mesh.error().text().c_str());
     return std::move(mesh).value();
 }
 
@@ -83,7 +83,7 @@ TetrahedralMesh refinedInBlocks()
     const double percent = dataset.values.range().extent() / 100;
     auto mesh = extractPrefix(*model, meshSizeAt(*model, {2 * percent}).sites);
     if (!mesh)
-        qFatal("%s", mesh.error().text.c_str());
+        qFatal("%s", mesh.error().text().c_str());
     return std::move(mesh).value();
 }
 
@@ -98,7 +98,7 @@ TetrahedralMesh variableResolution()
     query.error = SpaceRamp{Sphere{lattice.origin, 3 * lattice.spacing[0]}, 0.5, 20, 4 * lattice.spacing[0]};
     const auto mesh = MeshExtractor(Model::open(path).value()).extract(query);
     if (!mesh)
-        qFatal("%s", mesh.error().text.c_str());
+        qFatal("%s", mesh.error().text().c_str());
     return mesh.value()->mesh;
 }
 

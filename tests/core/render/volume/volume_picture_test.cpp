@@ -68,7 +68,7 @@ VolumePicture drawn(const TetrahedralMesh& mesh, const TransferFunction& functio
     const auto order = orderForCamera(volume.value(), camera, options);
     auto picture = drawVolume(volume.value(), transfer.value(), order.value().cells, camera, options);
     if (!picture)
-        qFatal("%s", picture.error().text.c_str());
+        qFatal("%s", picture.error().text().c_str());
     return std::move(picture).value();
 }
 

@@ -74,7 +74,7 @@ void PresetTest::presetsLookAsInVtk()
     for (int round = 0; round < 40; ++round) {
         const std::string file = presetToJson(randomPreset(random, static_cast<ColourSpace>(space)));
         const auto presets = presetsFromJson(parseJson(file).value());
-        QVERIFY2(presets, presets ? "" : presets.error().text.c_str());
+        QVERIFY2(presets, presets ? "" : presets.error().text().c_str());
         functions.push_back(transferFunctionOf(presets->front(), {}));
         QVERIFY(checkTransferFunction(functions.back()));
         values.push_back(
@@ -213,7 +213,7 @@ void PresetTest::badFilesAreRefused()
     QFETCH(QByteArray, told);
     const auto presets = importTransferFunctions({file.constData(), std::size_t(file.size())}, {});
     QVERIFY(!presets);
-    QVERIFY2(QByteArray::fromStdString(presets.error().text).contains(told), presets.error().text.c_str());
+    QVERIFY2(QByteArray::fromStdString(presets.error().text()).contains(told), presets.error().text().c_str());
 }
 
 QTEST_APPLESS_MAIN(PresetTest)

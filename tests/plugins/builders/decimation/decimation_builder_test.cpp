@@ -106,7 +106,7 @@ private slots:
         const Status refused = checkDecimationNeed(size, need - 1);
         QVERIFY(!refused);
         QVERIFY(refused.error().kind == ErrorKind::OutOfResource);
-        QVERIFY(refused.error().text.find("memory") != std::string::npos);
+        QVERIFY(refused.error().text().find("memory") != std::string::npos);
         QVERIFY(!checkDecimationNeed({5'000'000'000, 1}, std::numeric_limits<std::uint64_t>::max()));
     }
 
@@ -123,7 +123,7 @@ private slots:
         const Dataset dataset = dataOf(kind);
         RecordedHistory history;
         const auto report = build(dataset, {}, history);
-        QVERIFY2(report.ok(), report ? "" : report.error().text.c_str());
+        QVERIFY2(report.ok(), report ? "" : report.error().text().c_str());
         QCOMPARE(report->sites, dataset.pointCount());
         QCOMPARE(history.points.size(), dataset.pointCount());
         QCOMPARE(report->tetrahedra, history.tetrahedra.size());
@@ -201,8 +201,8 @@ private slots:
         RecordedHistory none;
         const auto refused = build(dataset, {{"finest", 4.0}, {"error", 3.0}}, none);
         QVERIFY(!refused.ok() && refused.error().kind == ErrorKind::WrongUsage);
-        QVERIFY2(refused.error().text.starts_with("The finest error (4 %) is larger than"),
-                 refused.error().text.c_str());
+        QVERIFY2(refused.error().text().starts_with("The finest error (4 %) is larger than"),
+                 refused.error().text().c_str());
         QVERIFY(build(dataset, {{"finest", 3.0}, {"error", 3.0}}, none).ok());
     }
 

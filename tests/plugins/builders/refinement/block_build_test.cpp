@@ -69,7 +69,7 @@ private slots:
                                      .arg(int(type))
                                      .arg(block.c_str());
             const Result<BuildReport> report = build(dataset, block, stop);
-            QVERIFY2(report.ok(), qPrintable(name + (report.ok() ? "" : report.error().text.c_str())));
+            QVERIFY2(report.ok(), qPrintable(name + (report.ok() ? "" : report.error().text().c_str())));
             QVERIFY2(isProved(dataset, stop, *report), qPrintable(name));
             QVERIFY(!std::filesystem::exists(workFolder()));
         }
@@ -208,7 +208,8 @@ private slots:
         const auto report = build(mapped, block.toStdString(), 0, true, 2, &cutting);
         QVERIFY(!report.ok());
         QCOMPARE(report.error().kind, ErrorKind::BadInput);
-        QVERIFY2(report.error().text.find("cut short or changed") != std::string::npos, report.error().text.c_str());
+        QVERIFY2(report.error().text().find("cut short or changed") != std::string::npos,
+                 report.error().text().c_str());
         QVERIFY(!std::filesystem::exists(path()));
 
         QVERIFY(build(mappedCopy(whole), block.toStdString(), 0, true).ok());
@@ -222,7 +223,7 @@ private slots:
         const Result<BuildReport> report = build(smoothDataset(10), "4", 0);
         QVERIFY(!report.ok());
         QCOMPARE(report.error().kind, ErrorKind::CannotWrite);
-        QVERIFY(QString::fromStdString(report.error().text).contains("another program is building this model"));
+        QVERIFY(QString::fromStdString(report.error().text()).contains("another program is building this model"));
     }
 
     void aFolderOfTheUserIsNotTouched()
@@ -231,7 +232,7 @@ private slots:
         std::ofstream(workFolder() / "thesis.txt") << "all of it";
         const Result<BuildReport> report = build(smoothDataset(10), "4", 0);
         QVERIFY(!report.ok());
-        QVERIFY(QString::fromStdString(report.error().text).contains("it holds something else"));
+        QVERIFY(QString::fromStdString(report.error().text()).contains("it holds something else"));
         QVERIFY(std::filesystem::exists(workFolder() / "thesis.txt"));
     }
 
@@ -250,7 +251,7 @@ private slots:
         QCOMPARE(*cells(17, 64, plenty), 17u);
         for (const char* wrong : {"0", "-3", "1.5", "many", ""})
             QCOMPARE(build(smoothDataset(10), wrong, 0).error().kind, ErrorKind::WrongUsage);
-        QVERIFY(cells(1, 256, plenty).error().text.find("Choose larger blocks") != std::string::npos);
+        QVERIFY(cells(1, 256, plenty).error().text().find("Choose larger blocks") != std::string::npos);
     }
 
 private:

@@ -89,7 +89,7 @@ private slots:
         QVERIFY(writer.ok());
         BuildTarget target{**writer};
         const Result<BuildReport> report = RefinementBuilder().build(dataset, {{"error", stop}}, target, {});
-        QVERIFY2(report.ok(), report.ok() ? "" : report.error().text.c_str());
+        QVERIFY2(report.ok(), report.ok() ? "" : report.error().text().c_str());
         QCOMPARE(report->inverted, std::uint64_t(0));
         const auto model = Model::open(path);
         QVERIFY(model.ok());

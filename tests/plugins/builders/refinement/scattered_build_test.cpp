@@ -54,7 +54,7 @@ Dataset points(std::size_t count, bool onGrid, unsigned seed)
 QString textOf(const Result<VerificationReport>& verdict)
 {
     if (!verdict)
-        return QString::fromStdString(verdict.error().text);
+        return QString::fromStdString(verdict.error().text());
     QStringList texts;
     for (const std::string& text : verdict->failures)
         texts << QString::fromStdString(text);
@@ -81,7 +81,7 @@ private:
         BuildTarget target{**writer};
         const auto report = RefinementBuilder().build(dataset, {{"weights", weights}}, target, {});
         if (!report)
-            qWarning("%s", report.error().text.c_str());
+            qWarning("%s", report.error().text().c_str());
         return report.ok() ? Model::open(path()).value() : nullptr;
     }
 

@@ -83,7 +83,7 @@ private slots:
         QFETCH(const QString, says);
         const auto dataset = read("bad.vtu", replaced(VtuText().text(), what.toStdString(), by.toStdString()));
         QVERIFY(!dataset.ok());
-        const QString error = QString::fromStdString(dataset.error().text);
+        const QString error = QString::fromStdString(dataset.error().text());
         QVERIFY2(error.contains("bad.vtu") && error.contains(says), qPrintable(error));
     }
 
@@ -123,7 +123,7 @@ private slots:
         QFETCH(const QString, says);
         const auto dataset = read("bad.inp", replaced(ucd, what.toStdString(), by.toStdString()));
         QVERIFY(!dataset.ok());
-        const QString error = QString::fromStdString(dataset.error().text);
+        const QString error = QString::fromStdString(dataset.error().text());
         QVERIFY2(error.contains("bad.inp") && error.contains(says), qPrintable(error));
     }
 
@@ -147,7 +147,7 @@ private slots:
             }
             const auto dataset = read(trial % 2 == 0 ? "m.vtu" : "m.inp", text);
             good += dataset.ok();
-            QVERIFY(dataset.ok() || !dataset.error().text.empty());
+            QVERIFY(dataset.ok() || !dataset.error().text().empty());
         }
         QVERIFY(good > 100);
     }

@@ -96,7 +96,7 @@ class CellsReaderTest : public QObject {
     }
     void expectMesh(const Result<Dataset>& dataset) const
     {
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->pointCount(), 6);
         QCOMPARE(dataset->tetrahedra->size(), 3);
         for (std::size_t point = 0; point < 6; ++point) {
@@ -148,7 +148,7 @@ private slots:
         QCOMPARE(range("c", "magnitude").minimum, 7.0);
         const auto unknown = reader_.read(path, {{"array", std::string("x")}}, {});
         QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
-        QVERIFY(unknown.error().text.find("v, heat, c") != std::string::npos);
+        QVERIFY(unknown.error().text().find("v, heat, c") != std::string::npos);
         QCOMPARE(reader_.read(path, {{"component", std::string("2")}}, {}).error().kind, ErrorKind::WrongUsage);
 
         const auto contents = reader_.probe(path, {}, {});
@@ -166,7 +166,7 @@ private slots:
         VtuText text;
         text.cellData = R"(<DataArray type="UInt8" Name="vtkGhostType" format="ascii">0 32</DataArray>)";
         const auto dataset = reader_.read(file("ghost.vtu", text.text()), {}, {});
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->tetrahedra->size(), 2);
     }
 
@@ -184,7 +184,7 @@ private slots:
             const auto path = std::filesystem::path(folder_.path().toStdString()) / "again.vtu";
             QVERIFY(VtuWriter().write(dataset, path, {}, {}).ok());
             const auto again = reader_.read(path, {}, {});
-            QVERIFY2(again.ok(), again ? "" : again.error().text.c_str());
+            QVERIFY2(again.ok(), again ? "" : again.error().text().c_str());
             QVERIFY(*again->positions == positions);
             QVERIFY(*again->tetrahedra == *first->tetrahedra);
             QCOMPARE(again->values.type(), SampleType::Float32);

@@ -87,7 +87,7 @@ private slots:
         timer.start();
         const auto dataset = CellsReader().read(path, {}, {});
         qInfo("read in %lld ms", timer.elapsed());
-        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->pointCount(), points);
         QCOMPARE(dataset->tetrahedra->size(), tetrahedra);
         const auto near = [](double value, double expected, double relative) {

@@ -94,7 +94,7 @@ private slots:
             for (const QByteArray& file : validFiles()) {
                 const Result<Dataset> dataset = readNrrdInMemory(mutated(file, random).toStdString());
                 if (!dataset) {
-                    QVERIFY(dataset.error().text.size() > 10);
+                    QVERIFY(dataset.error().text().size() > 10);
                     continue;
                 }
                 ++read;

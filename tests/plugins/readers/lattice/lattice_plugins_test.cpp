@@ -33,9 +33,9 @@ private slots:
         QVERIFY(made.ok());
         const auto path = folder.path() / "c60.nrrd";
         const Status saved = saveDataset(host_, *made, path, {{"encoding", std::string("gzip")}}, {});
-        QVERIFY2(saved.ok(), saved.ok() ? "" : saved.error().text.c_str());
+        QVERIFY2(saved.ok(), saved.ok() ? "" : saved.error().text().c_str());
         const Result<Dataset> opened = openDataset(host_, path, {}, {});
-        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text.c_str());
+        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
         QVERIFY(std::ranges::equal(opened->values.bytes(), made->values.bytes()));
     }
 
@@ -47,7 +47,7 @@ private slots:
         QVERIFY(!undescribed.ok());
         QCOMPARE(undescribed.error().kind, ErrorKind::WrongUsage);
         const Result<Dataset> opened = openDataset(host_, path, {.values = {{"size", std::string("3x4x5")}}}, {});
-        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text.c_str());
+        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
         QVERIFY(holdsTestSamples(opened->values));
     }
 

@@ -22,7 +22,7 @@ Result<Dataset> readFile(const std::filesystem::path& path, const Progress& prog
 
 QString textOf(const Result<Dataset>& result)
 {
-    return result.ok() ? QString() : QString::fromStdString(result.error().text);
+    return result.ok() ? QString() : QString::fromStdString(result.error().text());
 }
 
 } // namespace

@@ -36,7 +36,7 @@ void checkRefused(const fs::path& path, const QList<QByteArray>& words, ErrorKin
 {
     const Result<Dataset> dataset = LatticeReader().read(path, {}, {});
     QVERIFY(!dataset.ok());
-    const QByteArray text = QByteArray::fromStdString(dataset.error().text);
+    const QByteArray text = QByteArray::fromStdString(dataset.error().text());
     QVERIFY2(dataset.error().kind == kind, text);
     QVERIFY2(text.contains(QByteArray::fromStdString(path.filename().string())), text);
     QVERIFY2(text.endsWith('.'), text);
@@ -221,7 +221,7 @@ void NrrdRefusalsTest::ofDataFilesThatAreNotThere()
     const Result<Dataset> dataset =
         LatticeReader().read(folder_.write("short.nhdr", nrrdHeader("data file: short.raw\n")), {}, {});
     QVERIFY(!dataset.ok());
-    QVERIFY2(dataset.error().text.find("short.raw") != std::string::npos, dataset.error().text.c_str());
+    QVERIFY2(dataset.error().text().find("short.raw") != std::string::npos, dataset.error().text().c_str());
 }
 
 /// A header that asks for much more than stands in the file is refused at once, whatever the encoding.

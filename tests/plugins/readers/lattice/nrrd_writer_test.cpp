@@ -89,9 +89,9 @@ void NrrdWriterTest::roundTrip()
     dataset.lattice.origin = {-1e-300, 12345.678, -0.1};
     const fs::path path = folder.path() / "volume.nrrd";
     const Status written = NrrdWriter().write(dataset, path, encoded(encoding), {});
-    QVERIFY2(written.ok(), written.ok() ? "" : written.error().text.c_str());
+    QVERIFY2(written.ok(), written.ok() ? "" : written.error().text().c_str());
     const Result<Dataset> again = LatticeReader().read(path, {}, {});
-    QVERIFY2(again.ok(), again.ok() ? "" : again.error().text.c_str());
+    QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
     QVERIFY(identical(*again, dataset));
     QCOMPARE(quint64(again->source.hash), quint64(dataset.source.hash));
     QCOMPARE(filesIn(folder.path()), 1);
@@ -108,7 +108,7 @@ void NrrdWriterTest::anyPlaceSurvives()
         const fs::path path = folder.path() / "place.nrrd";
         QVERIFY(NrrdWriter().write(dataset, path, {}, {}).ok());
         const Result<Dataset> again = LatticeReader().read(path, {}, {});
-        QVERIFY2(again.ok(), again.ok() ? "" : again.error().text.c_str());
+        QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
         QVERIFY(identical(*again, dataset));
     }
 }
@@ -130,7 +130,7 @@ void NrrdWriterTest::anyNameIsOneLine()
     const fs::path path = folder.path() / "name.nrrd";
     QVERIFY(NrrdWriter().write(dataset, path, {}, {}).ok());
     const Result<Dataset> again = LatticeReader().read(path, {}, {});
-    QVERIFY2(again.ok(), again.ok() ? "" : again.error().text.c_str());
+    QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
     QVERIFY(identical(*again, dataset));
 }
 
@@ -162,7 +162,7 @@ void NrrdWriterTest::leavesNothingBehindOnAFullDisk()
         const Status written = NrrdWriter().write(dataset, disk.folder() / "volume.nrrd", encoded(encoding), {});
         QVERIFY(!written.ok());
         QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
-        QVERIFY(written.error().text.find("volume.nrrd") != std::string::npos);
+        QVERIFY(written.error().text().find("volume.nrrd") != std::string::npos);
         QCOMPARE(filesIn(disk.folder()), 0);
     }
 }

@@ -83,7 +83,7 @@ void RawReaderTest::readsEveryTypeAndOrder()
                                     {"type", std::string(sampleTypeName(type))},
                                     {"byte-order", std::string(big ? "big" : "little")}};
     const Result<Dataset> dataset = LatticeReader().read(path, values, {});
-    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QVERIFY((dataset->lattice.size == std::array<std::uint32_t, 3>{3, 4, 5}));
     QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(1, 1, 1));
     QCOMPARE(dataset->lattice.origin, Eigen::Vector3d(0, 0, 0));
@@ -99,7 +99,7 @@ void RawReaderTest::placesTheLattice()
             path,
             {{"size", std::string(size)}, {"spacing", std::string("1x2x0.5")}, {"origin", std::string("-1, 1e2, .5")}},
             {});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(1, 2, 0.5));
         QCOMPARE(dataset->lattice.origin, Eigen::Vector3d(-1, 100, 0.5));
     }
@@ -110,7 +110,7 @@ void RawReaderTest::skipsAHeader()
     const auto path = folder_.write("headed.dat", "header." + testSamples(SampleType::UInt8));
     const Result<Dataset> dataset =
         LatticeReader().read(path, {{"size", std::string("3x4x5")}, {"skip", std::int64_t(7)}}, {});
-    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QVERIFY(holdsTestSamples(dataset->values));
 }
 
@@ -144,7 +144,7 @@ void RawReaderTest::staysInItsFileWhereItCan()
                                                {"byte-order", std::string(little ? "little" : "big")},
                                                {"skip", std::int64_t(skip)}},
                                               {});
-    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QVERIFY(holdsTestSamples(dataset->values));
     QCOMPARE(dataset->values.range().maximum, testPoints - 1.0);
     QCOMPARE(dataset->source.hash, contentHash(dataset->values, nullptr));
@@ -161,7 +161,7 @@ void RawReaderTest::knowsThatItsFileWasCut()
     const Status intact = dataset->checkIntact();
     QVERIFY(!intact);
     QCOMPARE(intact.error().kind, ErrorKind::BadInput);
-    QVERIFY(intact.error().text.find("cut.raw") != std::string::npos);
+    QVERIFY(intact.error().text().find("cut.raw") != std::string::npos);
 }
 
 void RawReaderTest::refuses_data()
@@ -220,7 +220,7 @@ void RawReaderTest::refuses()
     QFETCH(QList<QByteArray>, words);
     const Result<Dataset> dataset = LatticeReader().read(folder_.write("wrong.raw", file), values, {});
     QVERIFY(!dataset.ok());
-    const QByteArray text = QByteArray::fromStdString(dataset.error().text);
+    const QByteArray text = QByteArray::fromStdString(dataset.error().text());
     QVERIFY2(static_cast<int>(dataset.error().kind) == kind, text);
     QVERIFY2(text.contains("wrong.raw") && text.endsWith('.'), text);
     for (const QByteArray& word : words)
@@ -285,12 +285,12 @@ void RawReaderTest::probesWithoutTheSamples()
         const auto probed = LatticeReader().probe(path, values, {});
         const auto read = LatticeReader().read(path, values, {});
         QVERIFY(!probed && !read);
-        QCOMPARE(probed.error().text, read.error().text);
+        QCOMPARE(probed.error().text(), read.error().text());
         QCOMPARE(probed.error().kind, read.error().kind);
     }
     const auto nrrd = folder_.write("v.nrrd", nrrdHeader("spacings: 1 2 3\n") + testSamples(SampleType::UInt8));
     const auto told = LatticeReader().probe(nrrd, {}, {});
-    QVERIFY2(told, told ? "" : told.error().text.c_str());
+    QVERIFY2(told, told ? "" : told.error().text().c_str());
     const auto whole = LatticeReader().read(nrrd, {}, {});
     QVERIFY(whole);
     QCOMPARE(told->lattice.size, whole->lattice.size);

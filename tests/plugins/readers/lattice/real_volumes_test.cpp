@@ -61,7 +61,7 @@ void RealVolumesTest::areRead()
     if (!fs::exists(path))
         QSKIP("skipped: no data");
     const Result<Dataset> dataset = LatticeReader().read(path, {}, {});
-    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     for (int axis = 0; axis < 3; ++axis) {
         QCOMPARE(static_cast<int>(dataset->lattice.size[static_cast<std::size_t>(axis)]), size[axis]);
         QCOMPARE(dataset->lattice.spacing[axis], spacing[axis]);
@@ -83,7 +83,7 @@ void RealVolumesTest::areReadAsRawFiles()
     if (!fs::exists(path))
         QSKIP("skipped: no data");
     const Result<Dataset> raw = LatticeReader().read(path, {{"size", std::string("100x100x120")}}, {});
-    QVERIFY2(raw.ok(), raw.ok() ? "" : raw.error().text.c_str());
+    QVERIFY2(raw.ok(), raw.ok() ? "" : raw.error().text().c_str());
     const Result<Dataset> cropped = LatticeReader().read(dataFolder / "sod" / "sod_97x97x116_uint8.nhdr", {}, {});
     QVERIFY(cropped.ok());
     for (std::uint64_t point = 0; point < cropped->values.count(); ++point) {

@@ -118,7 +118,7 @@ void Plot3dRefusalsTest::refuses()
     const auto dataset = read(write("g.xyz", grid));
     QVERIFY(!dataset.ok());
     QCOMPARE(dataset.error().kind, ErrorKind::BadInput);
-    const QString text = QString::fromStdString(dataset.error().text);
+    const QString text = QString::fromStdString(dataset.error().text());
     QVERIFY2(text.contains(says) && text.contains(folder_->path()), qPrintable(text));
 }
 

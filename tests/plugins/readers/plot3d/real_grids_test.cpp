@@ -61,7 +61,7 @@ private slots:
         if (!std::filesystem::exists(path))
             QSKIP("skipped: no data");
         const auto dataset = Plot3dReader().read(path, {{"array", array.toStdString()}}, {});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(std::abs(dataset->values.range().minimum - smallest) < 6e-4);
         QVERIFY(std::abs(dataset->values.range().maximum - largest) < 6e-4);
         QCOMPARE(dataset->values.type(), SampleType::Float32);
@@ -91,7 +91,7 @@ private slots:
             QSKIP("skipped: no data");
         const auto dataset = Plot3dReader().read(data / "post/postxyz.bin", {{"array", std::string("density")}}, {});
         QVERIFY(!dataset.ok());
-        QVERIFY(QString::fromStdString(dataset.error().text).contains("pressure"));
+        QVERIFY(QString::fromStdString(dataset.error().text()).contains("pressure"));
     }
 };
 

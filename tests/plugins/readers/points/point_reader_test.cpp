@@ -18,7 +18,7 @@ namespace {
 QString mistakeIn(const QByteArray& text, const PointTableRequest& request = {"automatic", "automatic", false})
 {
     const auto table = readPointTable(std::string_view(text.data(), std::size_t(text.size())), request);
-    return table ? QString() : QString::fromStdString(table.error().text);
+    return table ? QString() : QString::fromStdString(table.error().text());
 }
 
 } // namespace
@@ -81,7 +81,7 @@ private slots:
     {
         QFETCH(QByteArray, text);
         const auto dataset = read(text);
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->domain, DomainClass::Scattered);
         QCOMPARE(dataset->pointCount(), std::uint64_t(2));
         QCOMPARE(dataset->position(0), Eigen::Vector3d(1, 2, 3));
@@ -243,7 +243,7 @@ private slots:
                 QCOMPARE(table->positions.size(), table->values.size());
                 QVERIFY(!table->values.empty());
             } else {
-                QVERIFY(!table.error().text.empty());
+                QVERIFY(!table.error().text().empty());
             }
         }
         QVERIFY(read > 1000);

@@ -14,7 +14,7 @@ const std::string cubeBlocks = "0 1 0 1 0 1 0 1\n0 0 1 1 0 0 1 1\n0 0 0 0 1 1 1 
 std::string errorOf(const std::string& text)
 {
     const auto file = readTecplot(text);
-    return file ? "" : file.error().text;
+    return file ? "" : file.error().text();
 }
 
 std::vector<double> valuesOf(const TecplotZone& zone, std::size_t variable)
@@ -35,7 +35,7 @@ private slots:
     {
         const auto blocks =
             readTecplot(cubeHead + "ZONE I=2, J=2, K=2, DATAPACKING=BLOCK\n" + cubeBlocks + "1 2 3 4 5 6 7 8\n8*0.5\n");
-        QVERIFY2(blocks.ok(), blocks.ok() ? "" : blocks.error().text.c_str());
+        QVERIFY2(blocks.ok(), blocks.ok() ? "" : blocks.error().text().c_str());
         std::string rows;
         for (int n = 0; n < 8; ++n)
             rows += std::to_string(n % 2) + "," + std::to_string(n / 2 % 2) + "," + std::to_string(n / 4) + ", " +
@@ -45,7 +45,7 @@ private slots:
               "ZONE\nSTRANDID=1, SOLUTIONTIME=0.5\n I=2,J=2,K=2, ZONETYPE=Ordered\nDATAPACKING=POINT\n"
               "DT=(SINGLE SINGLE SINGLE SINGLE SINGLE)\n"}) {
             const auto points = readTecplot(cubeHead + header + rows);
-            QVERIFY2(points.ok(), points.ok() ? "" : points.error().text.c_str());
+            QVERIFY2(points.ok(), points.ok() ? "" : points.error().text().c_str());
             QCOMPARE(points->zones.size(), std::size_t(1));
             QCOMPARE(points->zones[0].size, (std::array<std::uint32_t, 3>{2, 2, 2}));
             for (std::size_t variable = 0; variable < 5; ++variable)
@@ -60,7 +60,7 @@ private slots:
             cubeHead +
             "ZONE NODES=8, ELEMENTS=1, ZONETYPE=FEBRICK, DATAPACKING=BLOCK, VARLOCATION=([5]=CELLCENTERED)\n" +
             cubeBlocks + "1 2 3 4 5 6 7 8\n9.5\n1 2 4 3 5 6 8 7\n");
-        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text.c_str());
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
         const TecplotZone& zone = file->zones[0];
         QVERIFY(zone.element == TecplotElement::Brick);
         QCOMPARE(*zone.connectivity, (std::vector<std::int64_t>{0, 1, 3, 2, 4, 5, 7, 6}));
@@ -71,7 +71,7 @@ private slots:
               "ZONE N=4, E=1, F=FEPOINT, ET=QUADRILATERAL"}) {
             const auto tetrahedron =
                 readTecplot(cubeHead + header + "\n0 0 0 1 5\n1 0 0 2 5\n0 1 0 3 5\n0 0 1 4 5\n1 2 3 4\n");
-            QVERIFY2(tetrahedron.ok(), tetrahedron.ok() ? "" : tetrahedron.error().text.c_str());
+            QVERIFY2(tetrahedron.ok(), tetrahedron.ok() ? "" : tetrahedron.error().text().c_str());
             QCOMPARE(tetrahedron->zones[0].connectivity->size(), std::size_t(4));
         }
     }
@@ -83,7 +83,7 @@ private slots:
                        "0 1 0 0 0 0 1 0 0 0 0 1 1 2 3 4 5 6 7 8\n1 2 3 4\n"
                        "ZONE T=\"second\" NODES=4, ELEMENTS=1, ZONETYPE=FETETRAHEDRON, DATAPACKING=BLOCK,\n"
                        "VARSHARELIST=([1-3]=1), PASSIVEVARLIST=[5], CONNECTIVITYSHAREZONE=1\n11 12 13 14\n");
-        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text.c_str());
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
         QCOMPARE(file->zones.size(), std::size_t(2));
         const TecplotZone& second = file->zones[1];
         QCOMPARE(QString::fromStdString(second.name), QString("second"));
@@ -103,7 +103,7 @@ private slots:
         std::string quoted = text;
         quoted.replace(0, quoted.find('\n'), "VARIABLES = \"X (m)\", \"Y (m)\", \"Z [m]\", \"V\"");
         const auto file = readTecplot(quoted);
-        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text.c_str());
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
         QCOMPARE(file->axes, (std::array<std::size_t, 3>{0, 1, 2}));
         QCOMPARE(valuesOf(file->zones[0], 0), (std::vector<double>{0.1, 1}));
         QCOMPARE(valuesOf(file->zones[0], 1), (std::vector<double>{150, 2}));
@@ -167,7 +167,7 @@ private slots:
             "DATASETAUXDATA author=\"me\"\nTEXT X=1, Y=2, T=\"a text\"\nGEOMETRY T=LINE, F=POINT\n1\n2\n0 0\n1 1\n"
             "ZONE I=2, J=2, K=2, F=BLOCK, AUXDATA a=\"b\"\n" +
             cubeBlocks + "1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8\nTEXT X=1, T=\"the end\"\n");
-        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text.c_str());
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
         QCOMPARE(file->zones.size(), std::size_t(1));
     }
 };

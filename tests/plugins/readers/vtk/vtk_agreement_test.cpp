@@ -69,7 +69,7 @@ private slots:
             if (file.starts_with("blanked"))
                 continue; // an irregular mesh, in a test of its own
             const auto dataset = builtVtkReader().read(folder_.path() / file, {}, {});
-            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
             compare(*dataset, Reference(dir.filePath(name)), file);
         }
     }
@@ -78,7 +78,7 @@ private slots:
     void blankedCellsAreHoles()
     {
         const auto dataset = builtVtkReader().read(folder_.path() / "blanked.xyz", {}, {});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(dataset->domain == DomainClass::Irregular);
         QCOMPARE(dataset->pointCount(), std::uint64_t(3 * 5 * 6));
         QVERIFY(dataset->tetrahedra->size() >= std::size_t(2 * 4 * 5 * 5));
@@ -101,11 +101,11 @@ private slots:
     {
         const VtkReader reader = builtVtkReader();
         const auto second = reader.read(folder_.path() / "blocks.vtm", {{"part", std::string("2")}}, {});
-        QVERIFY2(second.ok(), second.ok() ? "" : second.error().text.c_str());
+        QVERIFY2(second.ok(), second.ok() ? "" : second.error().text().c_str());
         QVERIFY((second->bounds().min() - Eigen::Vector3d(0, 1, 2)).norm() < 1e-12);
         QVERIFY(!reader.read(folder_.path() / "blocks.vtm", {{"part", std::string("3")}}, {}).ok());
         const auto grid = reader.read(folder_.path() / "two.xyz", {{"part", std::string("2")}}, {});
-        QVERIFY2(grid.ok(), grid.ok() ? "" : grid.error().text.c_str());
+        QVERIFY2(grid.ok(), grid.ok() ? "" : grid.error().text().c_str());
         QVERIFY(std::abs(grid->bounds().min()[0] - 20) < 1e-6);
 
         const auto first = reader.read(folder_.path() / "run.case", {}, {});

@@ -115,7 +115,7 @@ private slots:
         QFETCH(QByteArray, name);
         QFETCH(QByteArray, content);
         const auto dataset = builtVtkReader().read(folder_.write(name, content), {}, {});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(isWhole(*dataset));
     }
 
@@ -128,8 +128,8 @@ private slots:
             if (dataset)
                 accepted << file.name + ": " + file.what;
             else
-                QVERIFY2(dataset.error().text.find(file.name.toStdString()) != std::string::npos,
-                         dataset.error().text.c_str());
+                QVERIFY2(dataset.error().text().find(file.name.toStdString()) != std::string::npos,
+                         dataset.error().text().c_str());
         }
         QVERIFY2(accepted.isEmpty(), qPrintable("\n" + accepted.join('\n')));
     }
@@ -206,7 +206,7 @@ private slots:
         timer.start();
         const auto dataset = builtVtkReader().read(folder_.write(name, content), {}, {});
         QVERIFY(!dataset.ok());
-        const std::string& text = dataset.error().text;
+        const std::string& text = dataset.error().text();
         QVERIFY2(text.find(told.toStdString()) != std::string::npos, text.c_str());
         QVERIFY2(text.find(name.toStdString()) != std::string::npos, text.c_str());
         QVERIFY2(text.find("0x") == std::string::npos && text.find("Debug") == std::string::npos, text.c_str());
@@ -226,8 +226,8 @@ private slots:
         const auto linear = builtVtkReader().read(folder_.write("linear.vtk", text), {}, {});
         const auto quadratic = builtVtkReader().read(
             folder_.write("quadratic.vtk", with(text, "CELL_TYPES 1\n10", "CELL_TYPES 1\n24")), {}, {});
-        QVERIFY2(linear.ok(), linear.ok() ? "" : linear.error().text.c_str());
-        QVERIFY2(quadratic.ok(), quadratic.ok() ? "" : quadratic.error().text.c_str());
+        QVERIFY2(linear.ok(), linear.ok() ? "" : linear.error().text().c_str());
+        QVERIFY2(quadratic.ok(), quadratic.ok() ? "" : quadratic.error().text().c_str());
         QCOMPARE(*linear->tetrahedra, *quadratic->tetrahedra);
         QCOMPARE(linear->tetrahedra->size(), std::size_t(8));
         QCOMPARE(linear->remarks.size(), quadratic->remarks.size() + 1);
@@ -260,8 +260,8 @@ private slots:
             if (dataset)
                 QVERIFY2(isWhole(*dataset), file.what.constData());
             else
-                QVERIFY2(dataset.error().text.find(file.name.toStdString()) != std::string::npos,
-                         dataset.error().text.c_str());
+                QVERIFY2(dataset.error().text().find(file.name.toStdString()) != std::string::npos,
+                         dataset.error().text().c_str());
         }
     }
 

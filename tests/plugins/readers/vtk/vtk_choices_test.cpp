@@ -33,7 +33,7 @@ private slots:
     void latticesKeepPlaceAndType()
     {
         const auto dataset = read(vtiText());
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(dataset->domain == DomainClass::RegularLattice);
         QCOMPARE(dataset->lattice.size, (std::array<std::uint32_t, 3>{3, 3, 3}));
         QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(0.5, 1, 2));
@@ -67,15 +67,15 @@ private slots:
         const auto dataset = read(vtiText(), {{"array", std::string("nothing")}});
         QVERIFY(!dataset.ok());
         QVERIFY(dataset.error().kind == ErrorKind::WrongUsage);
-        QVERIFY2(dataset.error().text.find("'value', 'cells' (of cells)") != std::string::npos,
-                 dataset.error().text.c_str());
+        QVERIFY2(dataset.error().text().find("'value', 'cells' (of cells)") != std::string::npos,
+                 dataset.error().text().c_str());
     }
 
     /// The cells n = 0 ... 7 of a lattice of 2 x 2 x 2: corners have their cell's value, the middle the mean.
     void valuesOfCellsAreBroughtToThePoints()
     {
         const auto dataset = read(vtiText(), {{"array", std::string("cells")}});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->values.at(0), 0.);
         QCOMPARE(dataset->values.at(26), 7.);
         QCOMPARE(dataset->values.at(13), 3.5);
@@ -88,7 +88,7 @@ private slots:
     {
         for (const QByteArray direction : {"-1 0 0 0 1 0 0 0 1", "0 1 0 1 0 0 0 0 1", "0 0 -1 -1 0 0 0 1 0"}) {
             const auto dataset = read(withDirection(direction));
-            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+            QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
             QVERIFY(dataset->domain == DomainClass::RegularLattice);
             Eigen::Matrix3d axes;
             const QList<QByteArray> numbers = direction.split(' ');
@@ -105,7 +105,7 @@ private slots:
     void turnedLatticesAreGrids()
     {
         const auto dataset = read(withDirection("0.8 -0.6 0 0.6 0.8 0 0 0 1"));
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(dataset->domain == DomainClass::Curvilinear);
         QVERIFY((dataset->position(1) - Eigen::Vector3d(1.4, 2.3, 3)).norm() < 1e-12);
     }
@@ -113,7 +113,7 @@ private slots:
     void samplesThatAreNoNumbersAreHoles()
     {
         const auto dataset = read(with(vtiText(), "25 26", "25 nan"));
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(dataset->domain == DomainClass::Irregular);
         QCOMPARE(dataset->values.notFiniteCount(), std::uint64_t(0));
         QCOMPARE(dataset->pointCount(), std::uint64_t(26));
@@ -124,7 +124,7 @@ private slots:
         const QByteArray ghosts =
             "<DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"ascii\">32 0 0 0 0 0 0 0</DataArray>";
         const auto dataset = read(with(vtiText(), "<CellData>", "<CellData>" + ghosts));
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(dataset->domain == DomainClass::Irregular);
         QCOMPARE(dataset->pointCount(), std::uint64_t(26));
     }
@@ -147,7 +147,7 @@ private slots:
                                 "\nY_COORDINATES 2 float\n0 1\nZ_COORDINATES 2 float\n0 1\nPOINT_DATA 12\n"
                                 "SCALARS v int 1\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8 9 10 11\n";
         const auto dataset = builtVtkReader().read(folder_.write("file.vtk", text), {}, {});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->domain == DomainClass::RegularLattice, regular);
         QVERIFY(dataset->values.type() == SampleType::Int32);
         const bool backwards = steps.startsWith("0.2");
@@ -157,7 +157,7 @@ private slots:
     void probingTellsWithoutReading()
     {
         const auto contents = builtVtkReader().probe(folder_.write("file.vti", withVector()), {}, {});
-        QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text.c_str());
+        QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
         QVERIFY(contents->domain == DomainClass::RegularLattice);
         QCOMPARE(contents->points, std::uint64_t(27));
         QCOMPARE(contents->lattice.size, (std::array<std::uint32_t, 3>{3, 3, 3}));

@@ -64,15 +64,15 @@ QStringList wronglyAccepted(const std::filesystem::path& opened, const std::file
 {
     const auto whole = builtVtkReader().read(opened, {}, {});
     if (!whole)
-        return {"whole: " + QString::fromStdString(whole.error().text)};
+        return {"whole: " + QString::fromStdString(whole.error().text())};
     const QByteArray content = contentOf(cut);
     QStringList wrong;
     for (const qsizetype place : placesIn(content.size(), most)) {
         std::filesystem::resize_file(cut, std::uintmax_t(place)); // to write it anew each time takes much longer
         const auto read = builtVtkReader().read(opened, {}, {});
-        if (!read && read.error().text.find(opened.filename().string()) == std::string::npos)
+        if (!read && read.error().text().find(opened.filename().string()) == std::string::npos)
             wrong << QString::number(place) +
-                         ": the error does not name the file: " + QString::fromStdString(read.error().text);
+                         ": the error does not name the file: " + QString::fromStdString(read.error().text());
         if (read && !isSameOrTold(*read, *whole))
             wrong << QString("%1 of %2 bytes").arg(place).arg(content.size());
         *same += read && isSame(*read, *whole) ? 1 : 0;
@@ -124,7 +124,7 @@ private slots:
     {
         const WrittenFiles& files = format();
         const auto dataset = builtVtkReader().read(files.opened, {}, {});
-        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->pointCount(), std::uint64_t(files.points));
         if (files.perCell)
             return;
@@ -147,7 +147,7 @@ private slots:
         const WrittenFiles& files = format();
         const VtkRequest request = requestOf(files.opened);
         const auto whole = builtVtkReader().read(files.opened, {}, {});
-        QVERIFY2(whole.ok(), whole.ok() ? "" : whole.error().text.c_str());
+        QVERIFY2(whole.ok(), whole.ok() ? "" : whole.error().text().c_str());
         QStringList wrong;
         int tried = 0, passed = 0;
         for (const std::filesystem::path& file : {files.data.front(), files.data.back()}) {

@@ -72,10 +72,10 @@ private slots:
         QVERIFY(score > 0 && score < 0.5); // a reader that needs no VTK comes first
         const auto dataset = reader.read(folder.write("a.vti", vtiText()), {}, {});
         QVERIFY(!dataset.ok());
-        QVERIFY2(dataset.error().text.find("apt install ./tan-vtk-readers") != std::string::npos,
-                 dataset.error().text.c_str());
-        QVERIFY2(dataset.error().text.find("The VTK readers are not installed") != std::string::npos,
-                 dataset.error().text.c_str());
+        QVERIFY2(dataset.error().text().find("apt install ./tan-vtk-readers") != std::string::npos,
+                 dataset.error().text().c_str());
+        QVERIFY2(dataset.error().text().find("The VTK readers are not installed") != std::string::npos,
+                 dataset.error().text().c_str());
     }
 
     void aWrongComponentIsAMistake()

@@ -59,7 +59,7 @@ void VtkRealDataTest::aMeshThatTouchesItselfIsRefused()
         QSKIP("skipped: no data");
     const auto dataset = builtVtkReader().read(path, {}, {});
     QVERIFY(!dataset.ok());
-    const QString text = QString::fromStdString(dataset.error().text);
+    const QString text = QString::fromStdString(dataset.error().text());
     QVERIFY2(text.contains("post_near_tet.vtk") && text.contains("157 edges in which parts of it only touch"),
              qPrintable(text));
 }
@@ -77,7 +77,7 @@ void VtkRealDataTest::numbersAreThoseOfTheDescription()
     if (!std::filesystem::exists(path))
         QSKIP("skipped: no data");
     const auto dataset = builtVtkReader().read(path, {{"array", array.toStdString()}}, {});
-    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text.c_str());
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QCOMPARE(QString::fromStdString(std::string(domainClassName(dataset->domain))), kind);
     QCOMPARE(dataset->pointCount(), std::uint64_t(points));
     if (dataset->domain == DomainClass::Irregular)
@@ -89,7 +89,7 @@ void VtkRealDataTest::numbersAreThoseOfTheDescription()
     QVERIFY(std::abs(dataset->values.range().maximum - largest) < slack);
 
     const auto contents = builtVtkReader().probe(path, {}, {});
-    QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text.c_str());
+    QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
     QVERIFY(!contents->arrays.empty());
     if (contents->domain)
         QVERIFY(*contents->domain == dataset->domain);

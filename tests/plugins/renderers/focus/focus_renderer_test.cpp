@@ -61,7 +61,7 @@ private slots:
     {
         const auto session = FocusRenderer().openWithFocus(cone(3), {cone(6), ball, 0.1}, unitBox);
         const auto scene = session->prepare({{"clip", std::string("1,2")}}, {}, {});
-        QVERIFY(!scene && !scene.error().text.empty());
+        QVERIFY(!scene && !scene.error().text().empty());
     }
 
     void showsTheBoundary() { checkBoundary(FocusRenderer(), 0); }

@@ -68,7 +68,7 @@ private slots:
         const auto session = HybridRenderer().open(cone(8), unitBox);
         const auto order = session->prepare({{"order", std::string("random")}}, {}, {});
         QCOMPARE(order.error().kind, ErrorKind::WrongUsage);
-        QVERIFY(order.error().text.find("'random'") != std::string::npos);
+        QVERIFY(order.error().text().find("'random'") != std::string::npos);
         QCOMPARE(session->prepare({{"clip", std::string("0,0,0,0")}}, {}, {}).error().kind, ErrorKind::WrongUsage);
         QVERIFY(!session->prepare({{"transfer", TransferFunction{{}, -1}}}, {}, {}).ok());
     }

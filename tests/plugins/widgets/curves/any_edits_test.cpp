@@ -139,7 +139,7 @@ void AnyEditsTest::anyEditsGiveATransferFunction()
             const auto& [name, edit] = edits[random() % edits.size()];
             edited = edit(edited.function, randomSelection(random, edited.function), random);
             const Status status = checkTransferFunction(edited.function);
-            QVERIFY2(status.ok(), status.ok() ? "" : (name + (": " + status.error().text)).c_str());
+            QVERIFY2(status.ok(), status.ok() ? "" : (name + (": " + status.error().text())).c_str());
             QVERIFY2(isSelection(edited), name);
         }
     }

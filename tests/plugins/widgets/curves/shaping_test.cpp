@@ -195,7 +195,7 @@ void ShapingTest::copiesComeBack()
     }
     QCOMPARE(pasted(four, copyOfSelected(four, {1, 2}), 6.5, randomLimits)->selection, (TransferSelection{3, 5}));
     const auto damaged = pasted(four, "{\n!", std::nullopt, randomLimits);
-    QVERIFY(!damaged && damaged.error().text.find("line 2, column 1") != std::string::npos);
+    QVERIFY(!damaged && damaged.error().text().find("line 2, column 1") != std::string::npos);
 }
 
 void ShapingTest::copiesOfAnotherUnitDistanceAreAsDense()

@@ -118,7 +118,7 @@ void TransferMaskTest::filesKeepMasksAndGroups()
     for (int round = 0; round < 300; ++round) {
         const TransferFunction function = randomFunction(random);
         const auto back = transferFunctionFromText(transferFunctionToText(function));
-        QVERIFY2(back, back ? "" : back.error().text.c_str());
+        QVERIFY2(back, back ? "" : back.error().text().c_str());
         QCOMPARE(*back, function);
     }
 }
@@ -148,7 +148,7 @@ void TransferMaskTest::wrongMasksAndGroupsAreRefused()
     const QByteArray text = "{\"format\": \"tan-transfer-function\", \"version\": 1,\n" + members + "}";
     const auto function = transferFunctionFromText(text.toStdString());
     QVERIFY(!function);
-    QVERIFY2(QByteArray::fromStdString(function.error().text).contains(told), function.error().text.c_str());
+    QVERIFY2(QByteArray::fromStdString(function.error().text()).contains(told), function.error().text().c_str());
 }
 
 void TransferMaskTest::paraviewGetsSteps()
