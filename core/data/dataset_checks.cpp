@@ -39,10 +39,10 @@ Status checkLatticeSize(const std::array<std::uint64_t, 3>& size)
                                                        "put several slices together, or repeat the one there is.",
                                                        sizeText(size))};
     constexpr std::uint64_t largestBytes = std::uint64_t(1) << 62;
-    std::uint64_t room = largestBytes / sizeof(double);
+    std::uint64_t most = largestBytes / sizeof(double);
     for (const std::uint64_t points : size) {
-        room = points > std::numeric_limits<std::uint32_t>::max() ? 0 : room / points;
-        if (room == 0)
+        most = points > std::numeric_limits<std::uint32_t>::max() ? 0 : most / points;
+        if (most == 0)
             return Error{ErrorKind::BadInput, Message::say("it claims to have %1 points, more than any machine can "
                                                            "hold. Its description is wrong: check the sizes.",
                                                            sizeText(size))};

@@ -181,17 +181,17 @@ void DecimatedMesh::gatherPoints()
     const std::size_t count = points_.count();
     for (std::size_t i = 0; i < std::min(count, pointsAhead); ++i)
         __builtin_prefetch(&placedValues_[points_.points[i]]);
-    const std::size_t room = (count + StarPoints::lanes - 1) / StarPoints::lanes * StarPoints::lanes;
+    const std::size_t padded = (count + StarPoints::lanes - 1) / StarPoints::lanes * StarPoints::lanes;
     const std::array<double, 3> origin = placedValues_[star_.vertex()].place;
     const bool physical = !input_.physical.empty(), weighted = !input_.weights.empty();
     for (auto* values : {&points_.value, &points_.error, &points_.place[0], &points_.place[1], &points_.place[2]})
-        values->resize(room);
-    points_.owner.resize(room);
-    points_.weight.resize(weighted ? room : 0);
-    points_.warping.resize(physical ? room : 0);
+        values->resize(padded);
+    points_.owner.resize(padded);
+    points_.weight.resize(weighted ? padded : 0);
+    points_.warping.resize(physical ? padded : 0);
     for (auto& coordinates : points_.physical)
-        coordinates.resize(physical ? room : 0);
-    for (std::size_t i = 0; i < room; ++i) {
+        coordinates.resize(physical ? padded : 0);
+    for (std::size_t i = 0; i < padded; ++i) {
         if (i + pointsAhead < count)
             __builtin_prefetch(&placedValues_[points_.points[i + pointsAhead]]);
         const std::uint32_t point = points_.points[i < count ? i : 0];

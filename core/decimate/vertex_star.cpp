@@ -235,36 +235,36 @@ bool VertexStar::rimIsOneCycle() const
 
 void VertexStar::measure()
 {
-    const std::size_t room = paddedFaceCount();
-    corners_.resize(9 * room);
-    planes_.resize(8 * room);
+    const std::size_t padded = paddedFaceCount();
+    corners_.resize(9 * padded);
+    planes_.resize(8 * padded);
     for (std::size_t column = 0; column < 9; ++column)
-        std::fill(corners_.begin() + column * room + faces_.size(), corners_.begin() + (column + 1) * room, 0);
+        std::fill(corners_.begin() + column * padded + faces_.size(), corners_.begin() + (column + 1) * padded, 0);
     for (std::size_t face = 0; face < faces_.size(); ++face)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::array<double, 3>& place = ofLink_[faces_[face][corner]].place;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                corners_[(3 * corner + axis) * room + face] = place[axis];
+                corners_[(3 * corner + axis) * padded + face] = place[axis];
         }
-    computePlanes(corners_.data(), planes_.data(), room);
+    computePlanes(corners_.data(), planes_.data(), padded);
     countVolumes();
 }
 
 void VertexStar::countVolumes()
 {
-    const std::size_t room = (link_.size() + starLanes - 1) / starLanes * starLanes, planeRoom = paddedFaceCount();
-    apexes_.resize(3 * room);
-    positive_.resize(room);
-    for (std::size_t place = 0; place < room; ++place)
+    const std::size_t padded = (link_.size() + starLanes - 1) / starLanes * starLanes, paddedFaces = paddedFaceCount();
+    apexes_.resize(3 * padded);
+    positive_.resize(padded);
+    for (std::size_t place = 0; place < padded; ++place)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            apexes_[axis * room + place] = place < ofLink_.size() ? ofLink_[place].place[axis] : 0;
-    for (std::size_t first = 0; first < room; first += starLanes) {
+            apexes_[axis * padded + place] = place < ofLink_.size() ? ofLink_[place].place[axis] : 0;
+    for (std::size_t first = 0; first < padded; first += starLanes) {
         const double* apexes = apexes_.data() + first;
         double* positive = positive_.data() + first;
         if (doubt_ == 0)
-            countPositive(planes_.data(), planeRoom, faces_.size(), apexes, room, positive);
+            countPositive(planes_.data(), paddedFaces, faces_.size(), apexes, padded, positive);
         else
-            countSurelyPositive(planes_.data(), planeRoom, faces_.size(), apexes, room, doubt_, positive);
+            countSurelyPositive(planes_.data(), paddedFaces, faces_.size(), apexes, padded, doubt_, positive);
     }
 }
 

@@ -55,16 +55,16 @@ template <class Element, class Write> Status inPieces(std::span<const Element> e
     return {};
 }
 
-/// The bytes of elementOf(each of `keys`), in `room`.
+/// The bytes of elementOf(each of `keys`), in `scratch`.
 template <class Element, class Key, class Function>
-std::span<const std::byte> bytesOfEach(std::span<const Key> keys, Buffer<std::byte>& room, const Function& elementOf)
+std::span<const std::byte> bytesOfEach(std::span<const Key> keys, Buffer<std::byte>& scratch, const Function& elementOf)
 {
-    room.resize(keys.size() * sizeof(Element));
+    scratch.resize(keys.size() * sizeof(Element));
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const Element element = elementOf(keys[i]);
-        std::memcpy(room.data() + i * sizeof(Element), &element, sizeof(Element));
+        std::memcpy(scratch.data() + i * sizeof(Element), &element, sizeof(Element));
     }
-    return room;
+    return scratch;
 }
 
 } // namespace

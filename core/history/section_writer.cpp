@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t bufferBytes = 1 << 20;
 
 /// The table gets room for so many sections: all that there are.
-constexpr std::uint64_t tableRoom = 24;
-constexpr std::uint64_t frontBytes = sizeof(Header) + tableRoom * sizeof(Section);
+constexpr std::uint64_t mostInTable = 24;
+constexpr std::uint64_t frontBytes = sizeof(Header) + mostInTable * sizeof(Section);
 
 } // namespace
 
@@ -90,7 +90,7 @@ Status SectionWriter::finish(Header header)
         cursor.section.checksum = cursor.sums.ofWhole();
         table.push_back(cursor.section);
     }
-    assert(table.size() <= tableRoom);
+    assert(table.size() <= mostInTable);
     header.sectionCount = static_cast<std::uint32_t>(table.size());
     header.fileBytes = file_.size();
     header.checksum = headerChecksum(header, std::as_bytes(std::span(table)));

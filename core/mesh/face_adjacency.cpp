@@ -17,10 +17,10 @@ FaceMatching::FaceMatching(std::uint64_t sides)
 {
     constexpr std::uint64_t fewFaces = 1000;
     most_ = sides / 2 + fewFaces;
-    const std::uint64_t room = std::bit_ceil(most_ + most_ / 3);
-    mask_ = room - 1;
-    shift_ = static_cast<std::uint32_t>(64 - std::countr_zero(room));
-    entries_.assign(room, Entry());
+    const std::uint64_t capacity = std::bit_ceil(most_ + most_ / 3);
+    mask_ = capacity - 1;
+    shift_ = static_cast<std::uint32_t>(64 - std::countr_zero(capacity));
+    entries_.assign(capacity, Entry());
 }
 
 namespace {
@@ -166,13 +166,13 @@ private:
     static void matchPart(std::span<const OpenFace> faces, std::vector<OpenFace>& table,
                           Buffer<std::array<std::uint32_t, 4>>& neighbours)
     {
-        const std::size_t room = std::bit_ceil(2 * faces.size() + 1);
-        const int shift = 64 - std::countr_zero(room);
-        table.assign(room, noFace);
+        const std::size_t capacity = std::bit_ceil(2 * faces.size() + 1);
+        const int shift = 64 - std::countr_zero(capacity);
+        table.assign(capacity, noFace);
         for (const OpenFace& face : faces) {
             std::size_t place = face.hash() >> shift;
             while (table[place].largest != noFace.largest && !table[place].sameCorners(face))
-                place = (place + 1) & (room - 1);
+                place = (place + 1) & (capacity - 1);
             OpenFace& other = table[place];
             if (other.largest == noFace.largest) {
                 other = face;

@@ -80,8 +80,8 @@ DepthRange depthRange(const Camera& camera, const Eigen::AlignedBox3d& bounds)
         const Eigen::Vector3d back = eyeAxes(camera).col(2);
         const double middle = back.dot(eyePosition(camera) - bounds.center());
         const double half = back.cwiseAbs().dot(bounds.sizes()) / 2;
-        const double room = 0.01 * bounds.diagonal().norm() + 1e-6 * std::abs(middle);
-        range = {middle - half - room, middle + half + room};
+        const double margin = 0.01 * bounds.diagonal().norm() + 1e-6 * std::abs(middle);
+        range = {middle - half - margin, middle + half + margin};
     }
     if (!camera.perspective)
         return range;

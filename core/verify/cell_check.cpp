@@ -120,7 +120,7 @@ template <class Kind> Status checkEveryCell(const Kind& kind, CellFindings& foun
     using Number = typename Kind::Number;
     const Residual& residual = kind.residual;
     const MeshToVerify& mesh = residual.mesh;
-    const bool uniform = mesh.claims.areUniform();
+    const bool uniform = mesh.bounds.areUniform();
     const auto checkCell = [&](std::size_t number) {
         const auto cell = kind.cell(number);
         const Turn turn = kind.turn(cell);

@@ -49,7 +49,7 @@ struct MeshToVerify {
     const Original& original;
     const Weights& weights;
     const LevelCells& cells;
-    const MeshBounds& claims;
+    const MeshBounds& bounds;
 
     bool ofHistory() const { return cells.size() > 0 && cells.historyNumber(0).has_value(); }
     double weight(std::uint64_t sample) const { return weights.empty() ? 1 : static_cast<double>(weights[sample]); }
@@ -68,7 +68,7 @@ struct Residual {
     double (MeshBounds::*claim)(std::uint64_t sample) const;
     std::span<const std::uint16_t> ownOfHistory; ///< as fractions of the size
 
-    double claimed(std::uint64_t sample) const { return (mesh.claims.*claim)(sample); }
+    double claimed(std::uint64_t sample) const { return (mesh.bounds.*claim)(sample); }
     /// What the history grants a cell; anything if it is of no history.
     double own(std::size_t cell) const;
     double percent(double residual) const { return size > 0 ? 100 * residual / size : 0; }

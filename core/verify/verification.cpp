@@ -58,13 +58,13 @@ struct ModelToVerify {
     const Weights& weights;
 };
 
-Result<LevelReport> verifyPrefix(const ModelToVerify& all, std::uint32_t sites, const MeshBounds& claims,
+Result<LevelReport> verifyPrefix(const ModelToVerify& all, std::uint32_t sites, const MeshBounds& bounds,
                                  const Progress& progress)
 {
     LevelReport verdict;
     verdict.sites = sites;
     const LevelCells cells(all.model, all.places, sites);
-    if (const Status done = verifyCells({all.model, all.original, all.weights, cells, claims}, verdict, progress);
+    if (const Status done = verifyCells({all.model, all.original, all.weights, cells, bounds}, verdict, progress);
         !done)
         return done.error();
     return verdict;

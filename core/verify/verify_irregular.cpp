@@ -465,7 +465,7 @@ void verifyTwoSides(const MeshToVerify& mesh, const MeshBoundary& boundary, Leve
     const double percent = 100 / mesh.original.diagonal;
     verdict.twoSidedWarping = std::max(verdict.largestWarping, percent * distances.found);
     verdict.twoSidedBound = std::max(verdict.largestWarping, percent * distances.bound);
-    const double claimed = mesh.claims.areUniform() ? mesh.claims.warping(0) : std::numeric_limits<double>::infinity();
+    const double claimed = mesh.bounds.areUniform() ? mesh.bounds.warping(0) : std::numeric_limits<double>::infinity();
     if (claimsTwoSides(mesh.model) && mesh.weights.empty() &&
         distances.found > claimed + mesh.original.warpingAllowance)
         verdict.failures.push_back("The boundary goes " + textOf(percent * distances.found) +

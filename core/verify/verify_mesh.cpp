@@ -133,11 +133,11 @@ Result<LevelReport> verifyWhole(const Model& model, const Dataset& dataset, cons
         return verdict;
     const std::vector<LatticePoint> places = placesOf(dataset, points);
     const LevelCells cells(points, places, cellsOf(model, mesh));
-    const MeshBounds claims(query, mesh.scale, dataset);
+    const MeshBounds bounds(query, mesh.scale, dataset);
     const Result<Original> original = Original::make(model, dataset, verdict.failures, progress.withCallback({}));
     if (!original)
         return original.error();
-    if (const Status done = verifyCells({model, *original, *weights, cells, claims}, verdict, progress); !done)
+    if (const Status done = verifyCells({model, *original, *weights, cells, bounds}, verdict, progress); !done)
         return done.error();
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();

@@ -84,15 +84,15 @@ std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positio
     constexpr std::uint32_t nobody = 0xffffffff;
     std::vector<std::uint32_t> first(positions.size());
     std::iota(first.begin(), first.end(), 0);
-    const std::uint64_t room = std::bit_ceil(positions.size() + positions.size() / 2 + 2);
-    const int shift = 64 - std::countr_zero(room);
-    std::vector<std::uint32_t> table(room, nobody);
+    const std::uint64_t capacity = std::bit_ceil(positions.size() + positions.size() / 2 + 2);
+    const int shift = 64 - std::countr_zero(capacity);
+    std::vector<std::uint32_t> table(capacity, nobody);
     for (std::uint32_t point = 0; point < positions.size(); ++point) {
         if (!used[point])
             continue;
         std::uint64_t place = hashOf(positions[point]) >> shift;
         while (table[place] != nobody && positions[table[place]] != positions[point])
-            place = (place + 1) & (room - 1);
+            place = (place + 1) & (capacity - 1);
         if (table[place] == nobody)
             table[place] = point;
         first[point] = table[place];

@@ -124,10 +124,10 @@ private:
         const Eigen::Vector3d way = to - from;
         const auto near = [&](const Eigen::AlignedBox3d& box) {
             // All its directions rise: where it enters the box is before it leaves. With room for rounding.
-            constexpr double room = 1e-9;
+            constexpr double tolerance = 1e-9;
             const Eigen::Array3d enters = (box.min() - from).array() / way.array();
             const Eigen::Array3d leaves = (box.max() - from).array() / way.array();
-            return enters.maxCoeff() - room <= leaves.minCoeff() + room && leaves.minCoeff() >= -room;
+            return enters.maxCoeff() - tolerance <= leaves.minCoeff() + tolerance && leaves.minCoeff() >= -tolerance;
         };
         int winding = 0;
         bool unclear = false;

@@ -84,9 +84,9 @@ Status BlockMerge::RunBatches::fetch(std::uint32_t words)
     const std::uint64_t more = std::min<std::uint64_t>(std::max<std::uint64_t>(words - have, bufferWords_), left);
     buffer_.resize(have + std::max<std::uint64_t>(more, words - have));
     position_ = 0;
-    const std::span<std::uint32_t> room = std::span(buffer_).subspan(have);
-    const Status read = files_->readWords(block_, read_, room); // tells a run that ends too early
-    read_ += room.size();
+    const std::span<std::uint32_t> to = std::span(buffer_).subspan(have);
+    const Status read = files_->readWords(block_, read_, to); // tells a run that ends too early
+    read_ += to.size();
     return read;
 }
 

@@ -155,8 +155,8 @@ Status ChunkReader::read()
                parts[order[i]].firstTetrahedron == first.firstTetrahedron + count;
              ++i)
             count += parts[order[i]].tetrahedronCount;
-        const std::span<std::byte> room(bytes_.data() + begin, count * runs_.header(first.block).recordBytes);
-        if (const Status read = runs_.readTetrahedra(first.block, first.firstTetrahedron, count, room); !read)
+        const std::span<std::byte> to(bytes_.data() + begin, count * runs_.header(first.block).recordBytes);
+        if (const Status read = runs_.readTetrahedra(first.block, first.firstTetrahedron, count, to); !read)
             return read;
     }
     return {};

@@ -272,13 +272,13 @@ bool isOver(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vecto
 
 bool tetrahedronMeetsBox(const Corners& corners, const Box& box, double tolerance)
 {
-    const double room = tolerance > 0 ? tolerance * largestCoordinate(corners, box) : 0;
+    const double margin = tolerance > 0 ? tolerance * largestCoordinate(corners, box) : 0;
     // Seen from a corner the numbers are small, and differences of nearby floats are exact.
     const Vector3d& origin = corners[0];
     const Corners moved = {Vector3d(0, 0, 0), corners[1] - origin, corners[2] - origin, corners[3] - origin};
     const Box movedBox{box.least - origin, box.largest - origin};
-    return !apartAlongBoxAxes(corners, box, room) && !apartAlongFaces(moved, movedBox, room) &&
-           !apartAlongEdges(moved, movedBox, room);
+    return !apartAlongBoxAxes(corners, box, margin) && !apartAlongFaces(moved, movedBox, margin) &&
+           !apartAlongEdges(moved, movedBox, margin);
 }
 
 double squaredDistance(const Corners& corners, const Eigen::Vector3d& place)
@@ -370,11 +370,11 @@ bool meetsHull(const Box& box, const Hull& hull)
     if ((hull.least.array() > box.largest.array()).any() || (hull.largest.array() < box.least.array()).any())
         return false;
     const Vector3d margin = Vector3d::Constant(hull.margin);
-    const Box room{box.least - margin, box.largest + margin};
+    const Box widened{box.least - margin, box.largest + margin};
     for (const Vector3d& corner : hull.corners)
-        if (isWithin(room, corner))
+        if (isWithin(widened, corner))
             return true;
-    return tetrahedronMeetsBox(hull.corners, room, testRounding);
+    return tetrahedronMeetsBox(hull.corners, widened, testRounding);
 }
 
 bool meetsHull(const Sphere& sphere, const Hull& hull)
@@ -382,11 +382,11 @@ bool meetsHull(const Sphere& sphere, const Hull& hull)
     if (distance(sphere, hull.least, hull.largest) > 0)
         return false;
     const double size = hull.least.cwiseAbs().cwiseMax(hull.largest.cwiseAbs()).maxCoeff();
-    const double room = sphere.radius + hull.margin + testRounding * (size + sphere.centre.cwiseAbs().maxCoeff());
+    const double reach = sphere.radius + hull.margin + testRounding * (size + sphere.centre.cwiseAbs().maxCoeff());
     for (const Vector3d& corner : hull.corners)
-        if ((corner - sphere.centre).squaredNorm() <= room * room)
+        if ((corner - sphere.centre).squaredNorm() <= reach * reach)
             return true;
-    return !(squaredDistance(hull.corners, sphere.centre) > room * room);
+    return !(squaredDistance(hull.corners, sphere.centre) > reach * reach);
 }
 
 bool meetsHull(const HalfSpace& half, const Hull& hull)

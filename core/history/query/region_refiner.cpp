@@ -183,13 +183,13 @@ void FocusLimits::findRange()
     for (int axis = 0; axis < 3; ++axis) {
         const auto count = lattice_.size[static_cast<std::size_t>(axis)];
         std::vector<char> inside(count);
-        const double room =
+        const double margin =
             quick_ ? 0 : reach + 1e-9 * (std::abs(lattice_.origin[axis]) + lattice_.spacing[axis] * count);
         std::array<std::uint32_t, 3> point{0, 0, 0};
         for (std::uint32_t i = 0; i < count; ++i) {
             point[static_cast<std::size_t>(axis)] = i;
             const double place = lattice_.position(point[0], point[1], point[2])[axis];
-            inside[i] = !(place < bounds.least[axis] - room) && !(place > bounds.largest[axis] + room);
+            inside[i] = !(place < bounds.least[axis] - margin) && !(place > bounds.largest[axis] + margin);
         }
         const auto from = std::ranges::find(inside, 1);
         const auto to = std::find(inside.rbegin(), inside.rend(), 1).base();
@@ -219,8 +219,8 @@ bool FocusLimits::mayHoldIn(const std::array<std::uint32_t, 3>& cube, std::uint3
     const SpaceRamp& ramp = *field_.asSpaceRamp();
     const Eigen::Vector3d size = lattice_.spacing * edge;
     const Eigen::Vector3d middle = lattice_.position(cube[0], cube[1], cube[2]) + size / 2;
-    const double room = size.norm() / 2 + ramp.falloff + 1e-9 * (middle.cwiseAbs().maxCoeff() + size.maxCoeff());
-    return !(distanceTo(ramp.region, middle) > room);
+    const double reach = size.norm() / 2 + ramp.falloff + 1e-9 * (middle.cwiseAbs().maxCoeff() + size.maxCoeff());
+    return !(distanceTo(ramp.region, middle) > reach);
 }
 
 namespace {

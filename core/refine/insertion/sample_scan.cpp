@@ -144,8 +144,8 @@ protected:
         largest = largest < -1.0 ? Double8{} - 1.0 : largest;
         const double tooFar = last_[0] - first_[0] + 2.0;
         least = least > tooFar ? Double8{} + tooFar : least;
-        const Int8 first = __builtin_convertvector(least + (1 - roundingRoom), Int8) + first_[0];
-        const Int8 last = __builtin_convertvector(largest + (1 + roundingRoom), Int8) + (first_[0] - 1);
+        const Int8 first = __builtin_convertvector(least + (1 - roundingTolerance), Int8) + first_[0];
+        const Int8 last = __builtin_convertvector(largest + (1 + roundingTolerance), Int8) + (first_[0] - 1);
         const double offsetY = y - corners_[0][1], offsetZ = z - corners_[0][2];
         const Double8 field =
             planes_.fieldY * lane + (planes.field + planes_.fieldZ * offsetZ + planes_.fieldY * offsetY);
@@ -173,8 +173,8 @@ protected:
                 largest = std::max(largest, y);
             }
         }
-        first = std::max(first, static_cast<std::int32_t>(std::ceil(least - roundingRoom)));
-        last = std::min(last, static_cast<std::int32_t>(std::floor(largest + roundingRoom)));
+        first = std::max(first, static_cast<std::int32_t>(std::ceil(least - roundingTolerance)));
+        last = std::min(last, static_cast<std::int32_t>(std::floor(largest + roundingTolerance)));
     }
 
     /// Which x it has in a row, never too few.
@@ -191,12 +191,12 @@ protected:
             else if (row[face] < 0)
                 largest = least - 1;
         }
-        first = corners_[0][0] + static_cast<std::int32_t>(std::ceil(least - roundingRoom));
-        last = corners_[0][0] + static_cast<std::int32_t>(std::floor(largest + roundingRoom));
+        first = corners_[0][0] + static_cast<std::int32_t>(std::ceil(least - roundingTolerance));
+        last = corners_[0][0] + static_cast<std::int32_t>(std::floor(largest + roundingTolerance));
     }
 
     /// What bounds are off by at most.
-    static constexpr double roundingRoom = 1e-9;
+    static constexpr double roundingTolerance = 1e-9;
 
     std::array<std::int32_t, 3> first_{}, last_{}; ///< the points to look at
     std::array<ScanPlace, 4> corners_{};
@@ -620,8 +620,8 @@ private:
         const Double4 perY = slopeY * scale, perZ = slopeZ * scale;
         const Double4 sizeAt = at < 0.0 ? -at : at, sizeY = perY < 0.0 ? -perY : perY,
                       sizeZ = perZ < 0.0 ? -perZ : perZ;
-        const Double4 room = sampleRounding * (1.0 + extent[0] + sizeAt + sizeY * extent[1] + sizeZ * extent[2]);
-        const Double4 widened = slopeX > 0.0 ? at - room : at + room;
+        const Double4 tolerance = sampleRounding * (1.0 + extent[0] + sizeAt + sizeY * extent[1] + sizeZ * extent[2]);
+        const Double4 widened = slopeX > 0.0 ? at - tolerance : at + tolerance;
         fromBelow_ = {planes.slopeX[0] > 0, planes.slopeX[1] > 0, planes.slopeX[2] > 0, planes.slopeX[3] > 0};
         bound_ = __builtin_convertvector(widened, Float4);
         boundY_ = __builtin_convertvector(perY, Float4);

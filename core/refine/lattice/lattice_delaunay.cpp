@@ -145,9 +145,9 @@ struct SphereTest {
 
 TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
 {
-    std::size_t room = std::max<std::size_t>(destroyed_.capacity(), 64);
-    destroyed_.resize(room);
-    cavityFaces_.resize(3 * room);
+    std::size_t capacity = std::max<std::size_t>(destroyed_.capacity(), 64);
+    destroyed_.resize(capacity);
+    cavityFaces_.resize(3 * capacity);
     DelaunayTetrahedron* const tetrahedra = records();
     std::uint32_t* destroyed = destroyed_.data();
     CavityFace* faces = cavityFaces_.data();
@@ -161,10 +161,10 @@ TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint3
     double unused = 0;
     for (std::uint32_t next = 0; next < destroyedCount(); ++next) {
         // The faces found so far are at most two for each tetrahedron, and two.
-        if (destroyedCount() + 4 > room) {
-            room *= 2;
-            destroyed_.resize(room);
-            cavityFaces_.resize(3 * room);
+        if (destroyedCount() + 4 > capacity) {
+            capacity *= 2;
+            destroyed_.resize(capacity);
+            cavityFaces_.resize(3 * capacity);
             destroyed = destroyed_.data();
             faces = cavityFaces_.data();
         }

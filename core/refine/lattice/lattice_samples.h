@@ -54,23 +54,23 @@ public:
     /// Only if weighted().
     float weight(const PackedLattice& lattice, PackedPoint point) const { return weights_[lattice.index(point)]; }
 
-    /// A copy of the box's samples and weights out of those of a lattice of `latticeSize` points, in `room`, which must
-    /// outlive it.
+    /// A copy of the box's samples and weights out of those of a lattice of `latticeSize` points, in `scratch`, which
+    /// must outlive it.
     LatticeSamples copyBox(const std::array<std::uint32_t, 3>& latticeSize, const LatticeBox& box,
-                           Buffer<std::byte>& room) const
+                           Buffer<std::byte>& scratch) const
     {
         const std::uint64_t count = std::uint64_t(box.size[0]) * box.size[1] * box.size[2];
         const std::uint64_t weightBytes = weighted() ? count * sizeof(float) : 0;
         return std::visit(
             [&]<class T>(const T* samples) {
                 const std::uint64_t first = (weightBytes + sizeof(T) - 1) / sizeof(T) * sizeof(T); // aligned
-                room.resize(first + count * sizeof(T));
-                copyRows(samples, latticeSize, box, room.data() + first);
+                scratch.resize(first + count * sizeof(T));
+                copyRows(samples, latticeSize, box, scratch.data() + first);
                 if (weighted())
-                    copyRows(weights_, latticeSize, box, room.data());
+                    copyRows(weights_, latticeSize, box, scratch.data());
                 return LatticeSamples(
-                    std::span(reinterpret_cast<const T*>(room.data() + first), count),
-                    std::span(reinterpret_cast<const float*>(room.data()), weightBytes / sizeof(float)));
+                    std::span(reinterpret_cast<const T*>(scratch.data() + first), count),
+                    std::span(reinterpret_cast<const float*>(scratch.data()), weightBytes / sizeof(float)));
             },
             samples_);
     }

@@ -115,7 +115,7 @@ bool onBoundary(const PackedLattice& lattice, PackedPoint point)
 
 /// Makes the errors of the points on the box's boundary independent of the tetrahedron.
 void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const OwnedPoints& owned, double apexValue,
-                           const PointErrorScratch& room, std::span<double> errors)
+                           const PointErrorScratch& scratch, std::span<double> errors)
 {
     const std::span<const PackedPoint> link = star.link();
     for (std::size_t k = 0; k < owned.points.size(); ++k) {
@@ -125,8 +125,8 @@ void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const
         const auto& [a, b, c] = star.corners()[owner];
         const ValuedFace face{star.faces()[owner],
                               {star.apex(), link[a], link[b], link[c]},
-                              {apexValue, room.rimValues[a], room.rimValues[b], room.rimValues[c]}};
-        errors[k] = independentError(face, room.values[k], owned.x[k], owned.y[k], owned.z[k]);
+                              {apexValue, scratch.rimValues[a], scratch.rimValues[b], scratch.rimValues[c]}};
+        errors[k] = independentError(face, scratch.values[k], owned.x[k], owned.y[k], owned.z[k]);
     }
 }
 
@@ -135,20 +135,20 @@ void computeBoundaryErrors(const PackedLattice& lattice, const Star& star, const
 /// boundary: so boxes agree about shared points (S3). For samples of up to 16 bits that is so for all points, because
 /// it is one division of exact integers (S8).
 void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, const Star& star,
-                   const OwnedPoints& owned, PointErrorScratch& room, std::span<double> errors)
+                   const OwnedPoints& owned, PointErrorScratch& scratch, std::span<double> errors)
 {
     const PackedPoint apex = star.apex();
     double apexValue = 0;
     samples.gather(lattice, {&apex, 1}, &apexValue);
-    room.rimValues.resize(star.link().size());
-    samples.gather(lattice, star.link(), room.rimValues.data());
-    room.values.resize(owned.points.size());
-    samples.gather(lattice, owned.points, room.values.data());
-    room.planes.resize(star.faceCount());
-    computePlanes(star.faces(), star.corners().data(), apexValue, room.rimValues.data(), room.planes.data());
-    computeDistances(owned, room.planes.data(), apexValue, room.values.data(), errors.data());
+    scratch.rimValues.resize(star.link().size());
+    samples.gather(lattice, star.link(), scratch.rimValues.data());
+    scratch.values.resize(owned.points.size());
+    samples.gather(lattice, owned.points, scratch.values.data());
+    scratch.planes.resize(star.faceCount());
+    computePlanes(star.faces(), star.corners().data(), apexValue, scratch.rimValues.data(), scratch.planes.data());
+    computeDistances(owned, scratch.planes.data(), apexValue, scratch.values.data(), errors.data());
     if (!samples.exact())
-        computeBoundaryErrors(lattice, star, owned, apexValue, room, errors);
+        computeBoundaryErrors(lattice, star, owned, apexValue, scratch, errors);
     if (samples.weighted())
         for (std::size_t k = 0; k < owned.points.size(); ++k)
             errors[k] *= samples.weight(lattice, owned.points[k]);
@@ -220,7 +220,7 @@ void Redistribution::run(const PackedLattice& lattice, const LatticeSamples& sam
     errors_.resize(padded);
     unpackPoints(lattice, star.apex(), points_.data(), padded, x_.data(), y_.data(), z_.data());
     locateInStar(star, {x_, y_, z_}, planes_, owners_);
-    computeErrors(lattice, samples, star, {points_, owners_, x_, y_, z_}, room_, errors_);
+    computeErrors(lattice, samples, star, {points_, owners_, x_, y_, z_}, scratch_, errors_);
     points_.resize(points.size());
     keys_.resize(points.size());
     faces_.resize(star.faceCount());

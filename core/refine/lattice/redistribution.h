@@ -13,7 +13,7 @@
 
 namespace tetra {
 
-/// Room to work in, used again.
+/// Memory to work in, used again.
 struct PointErrorScratch {
     Buffer<double> values;
     Buffer<double> rimValues;
@@ -60,7 +60,7 @@ private:
     Buffer<std::uint64_t> keys_;
     Buffer<FacePoints> faces_;
     Buffer<std::array<float, 12>> planes_;
-    PointErrorScratch room_;
+    PointErrorScratch scratch_;
 };
 
 } // namespace tetra

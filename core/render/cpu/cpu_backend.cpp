@@ -179,9 +179,9 @@ private:
         depth_.assign(drawn.depth.begin(), drawn.depth.end());
         const PremultipliedColour background = backgroundOf(options_);
         for (PremultipliedColour& colour : colours_) {
-            const float light = 1 - colour[3];
+            const float transmittance = 1 - colour[3];
             for (std::size_t channel = 0; channel < colour.size(); ++channel)
-                colour[channel] += light * background[channel];
+                colour[channel] += transmittance * background[channel];
         }
     }
 

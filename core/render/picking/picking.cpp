@@ -74,10 +74,10 @@ PickingInterval partWithin(const PickingRay& line, const Sphere& sphere)
 {
     const Eigen::Vector3d toCentre = sphere.centre - line.origin;
     const double middle = toCentre.dot(line.direction);
-    const double room = sphere.radius * sphere.radius - (toCentre - middle * line.direction).squaredNorm();
-    if (!(room > 0))
+    const double squaredHalf = sphere.radius * sphere.radius - (toCentre - middle * line.direction).squaredNorm();
+    if (!(squaredHalf > 0))
         return emptyPart;
-    return {middle - std::sqrt(room), middle + std::sqrt(room)};
+    return {middle - std::sqrt(squaredHalf), middle + std::sqrt(squaredHalf)};
 }
 
 namespace {
@@ -151,9 +151,9 @@ std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfac
 
 namespace {
 
-/// Passages whose ends are nearer to each other than this part of their length are those of two cells that the line
+/// Intervals whose ends are nearer to each other than this part of their length are those of two cells that the line
 /// passes between, along their common face.
-constexpr double samePassage = 1e-9;
+constexpr double sameInterval = 1e-9;
 constexpr std::size_t cellsPerCheck = 1 << 16; ///< for a cancellation
 
 /// What a line has of a cell.
@@ -189,9 +189,9 @@ bool allOnOneSide(const Four& numbers)
 }
 
 /// Where the line passes through the faces of a cell that is seen along it. Nothing if it passes beside, or touches.
-std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Four& along, const Four& values)
+std::optional<RayInterval> intervalOf(const Four& right, const Four& up, const Four& along, const Four& values)
 {
-    RayInterval passage{{PickingInterval{}.to, PickingInterval{}.from}, 0, 0};
+    RayInterval interval{{PickingInterval{}.to, PickingInterval{}.from}, 0, 0};
     for (const auto& face : cornersOfFace) {
         std::array<double, 3> weights{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -206,39 +206,39 @@ std::optional<RayInterval> passageOf(const Four& right, const Four& up, const Fo
             at += weights[i] / sum * along[face[i]];
             value += weights[i] / sum * values[face[i]];
         }
-        if (at < passage.part.from) {
-            passage.part.from = at;
-            passage.valueAtStart = value;
+        if (at < interval.part.from) {
+            interval.part.from = at;
+            interval.valueAtStart = value;
         }
-        if (at > passage.part.to) {
-            passage.part.to = at;
-            passage.valueAtEnd = value;
+        if (at > interval.part.to) {
+            interval.part.to = at;
+            interval.valueAtEnd = value;
         }
     }
-    return passage.part.isEmpty() ? std::nullopt : std::optional(passage);
+    return interval.part.isEmpty() ? std::nullopt : std::optional(interval);
 }
 
 /// Within a part of the line alone.
 std::optional<RayInterval> clippedInterval(const RayInterval& whole, const PickingInterval& part)
 {
-    RayInterval passage = whole;
-    passage.part = commonPart(whole.part, part);
-    if (passage.part.isEmpty())
+    RayInterval interval = whole;
+    interval.part = commonPart(whole.part, part);
+    if (interval.part.isEmpty())
         return std::nullopt;
     const auto valueAt = [&whole](double t) {
         const double share = (t - whole.part.from) / (whole.part.to - whole.part.from);
         return std::lerp(whole.valueAtStart, whole.valueAtEnd, share);
     };
-    passage.valueAtStart = valueAt(passage.part.from);
-    passage.valueAtEnd = valueAt(passage.part.to);
-    return passage;
+    interval.valueAtStart = valueAt(interval.part.from);
+    interval.valueAtEnd = valueAt(interval.part.to);
+    return interval;
 }
 
-std::vector<RayInterval> passagesAlong(const TetrahedralMesh& mesh, const PickingRay& line, const PickingInterval& part,
-                                       const Progress& progress)
+std::vector<RayInterval> intervalsAlong(const TetrahedralMesh& mesh, const PickingRay& line,
+                                        const PickingInterval& part, const Progress& progress)
 {
     const LineFrame frame(line);
-    std::vector<RayInterval> passages;
+    std::vector<RayInterval> intervals;
     for (std::size_t cell = 0; cell < mesh.tetrahedra.size(); ++cell) {
         if (cell % cellsPerCheck == 0 && progress.cancelled())
             break;
@@ -256,18 +256,18 @@ std::vector<RayInterval> passagesAlong(const TetrahedralMesh& mesh, const Pickin
             along[i] = frame.along(mesh.positions[corners[i]].cast<double>());
             values[i] = mesh.values[corners[i]];
         }
-        if (const auto whole = passageOf(right, up, along, values))
-            if (const auto passage = clippedInterval(*whole, part))
-                passages.push_back(*passage);
+        if (const auto whole = intervalOf(right, up, along, values))
+            if (const auto interval = clippedInterval(*whole, part))
+                intervals.push_back(*interval);
     }
-    return passages;
+    return intervals;
 }
 
 bool isSameInterval(const RayInterval& one, const RayInterval& other)
 {
     const double length = one.part.to - one.part.from;
-    return std::abs(one.part.from - other.part.from) <= samePassage * length &&
-           std::abs(one.part.to - other.part.to) <= samePassage * length;
+    return std::abs(one.part.from - other.part.from) <= sameInterval * length &&
+           std::abs(one.part.to - other.part.to) <= sameInterval * length;
 }
 
 double extinctionAt(const TransferSegment& segment, double value)
@@ -275,11 +275,12 @@ double extinctionAt(const TransferSegment& segment, double value)
     return std::max(0.0, segment.atOrigin.extinction + (value - segment.origin) * segment.perValue.extinction);
 }
 
-/// One slab for each segment that the values of the passage lie in, in the order in which the line meets them.
-void addSlabs(std::vector<PickingSlab>& slabs, const RayInterval& passage, const std::vector<TransferSegment>& segments)
+/// One slab for each segment that the values of the interval lie in, in the order in which the line meets them.
+void addSlabs(std::vector<PickingSlab>& slabs, const RayInterval& interval,
+              const std::vector<TransferSegment>& segments)
 {
-    const double rise = passage.valueAtEnd - passage.valueAtStart;
-    const auto [least, largest] = std::minmax(passage.valueAtStart, passage.valueAtEnd);
+    const double rise = interval.valueAtEnd - interval.valueAtStart;
+    const auto [least, largest] = std::minmax(interval.valueAtStart, interval.valueAtEnd);
     auto segment = std::ranges::upper_bound(segments, least, {}, &TransferSegment::begin) - segments.begin() - 1;
     const std::size_t first = slabs.size();
     for (; segment < std::ssize(segments) && segments[static_cast<std::size_t>(segment)].begin <= largest; ++segment) {
@@ -288,11 +289,11 @@ void addSlabs(std::vector<PickingSlab>& slabs, const RayInterval& passage, const
             continue;
         const double low = std::max(least, here.begin), high = std::min(largest, here.end);
         const double start = rise < 0 ? high : low, end = rise < 0 ? low : high;
-        PickingInterval part = passage.part;
+        PickingInterval part = interval.part;
         if (rise != 0) {
             const double length = part.to - part.from;
-            part = {passage.part.from + (start - passage.valueAtStart) / rise * length,
-                    passage.part.from + (end - passage.valueAtStart) / rise * length};
+            part = {interval.part.from + (start - interval.valueAtStart) / rise * length,
+                    interval.part.from + (end - interval.valueAtStart) / rise * length};
         }
         if (!part.isEmpty())
             slabs.push_back({part, start, end, extinctionAt(here, start), extinctionAt(here, end)});
@@ -308,13 +309,13 @@ std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line
 {
     if (part.isEmpty())
         return {};
-    std::vector<RayInterval> passages = passagesAlong(*volume.mesh->mesh, line, part, progress);
-    std::ranges::sort(passages, {}, [](const RayInterval& passage) { return passage.part.from; });
-    const auto doubled = std::ranges::unique(passages, isSameInterval);
-    passages.erase(doubled.begin(), doubled.end());
+    std::vector<RayInterval> intervals = intervalsAlong(*volume.mesh->mesh, line, part, progress);
+    std::ranges::sort(intervals, {}, [](const RayInterval& interval) { return interval.part.from; });
+    const auto doubled = std::ranges::unique(intervals, isSameInterval);
+    intervals.erase(doubled.begin(), doubled.end());
     std::vector<PickingSlab> slabs;
-    for (const RayInterval& passage : passages)
-        addSlabs(slabs, passage, volume.transfer->segments);
+    for (const RayInterval& interval : intervals)
+        addSlabs(slabs, interval, volume.transfer->segments);
     return slabs;
 }
 
@@ -322,9 +323,9 @@ std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line
 constexpr double leastShare = 1.0 / 255;
 
 /// What is left of the light on its way, and who has taken most so far.
-class LightOnItsWay {
+class RayTransmittance {
 public:
-    explicit LightOnItsWay(const PickingRay& line) : line_(line) {}
+    explicit RayTransmittance(const PickingRay& line) : line_(line) {}
 
     void passSurface(const SurfaceCrossing& crossing, double opacity)
     {
@@ -423,20 +424,20 @@ std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, c
     std::vector<PickingSlab> slabs = slabsOf(scene, line, shown, progress);
     if (progress.cancelled())
         return std::nullopt;
-    LightOnItsWay light(line);
+    RayTransmittance transmittance(line);
     std::size_t next = 0;
     const auto passSlabsBefore = [&](double place) {
         for (; next < slabs.size() && slabs[next].part.to <= place; ++next)
-            light.passSlab(slabs[next]);
+            transmittance.passSlab(slabs[next]);
         if (next < slabs.size() && slabs[next].part.from < place)
-            light.passSlab(takeBefore(slabs[next], place));
+            transmittance.passSlab(takeBefore(slabs[next], place));
     };
     for (const SurfaceCrossing& crossing : crossings) {
         passSlabsBefore(crossing.at);
-        light.passSurface(crossing, scene.surfaces[crossing.surface].opacity);
+        transmittance.passSurface(crossing, scene.surfaces[crossing.surface].opacity);
     }
     passSlabsBefore(shown.to);
-    return light.mostSeen();
+    return transmittance.mostSeen();
 }
 
 } // namespace tetra

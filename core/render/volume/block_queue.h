@@ -71,14 +71,14 @@ template <class Lanes> struct BlockTest {
     decltype(Lanes{} > Lanes{}) covered; ///< and light still comes through
 
     TETRA_SIMD_INLINE BlockTest(Lanes front0, Lanes front1, Lanes front2, Lanes back0, Lanes back1, Lanes back2,
-                                Lanes light, Lanes nearest, bool around)
+                                Lanes transmittance, Lanes nearest, bool around)
         : front(smaller(smaller(front0, front1), smaller(front2, nearest))), back(larger(larger(back0, back1), back2))
     {
         if (around) [[unlikely]] {
             front = nearest;
             back = larger(back, front0);
         }
-        covered = (front > back) & (light > darkness);
+        covered = (front > back) & (transmittance > opaqueThreshold);
     }
 };
 
@@ -189,17 +189,17 @@ private:
                 Halves parts[6];
                 for (int i = 0; i < 6; ++i)
                     parts[i] = halvesOf(i == 3 ? firstBack : now[i]);
-                const Halves light = halvesOf(block->light), bounds = halvesOf(nearest);
+                const Halves transmittance = halvesOf(block->transmittance), bounds = halvesOf(nearest);
                 const BlockTest<Float4> low(parts[0].low, parts[1].low, parts[2].low, parts[3].low, parts[4].low,
-                                            parts[5].low, light.low, bounds.low, cell.around);
+                                            parts[5].low, transmittance.low, bounds.low, cell.around);
                 const BlockTest<Float4> high(parts[0].high, parts[1].high, parts[2].high, parts[3].high, parts[4].high,
-                                             parts[5].high, light.high, bounds.high, cell.around);
+                                             parts[5].high, transmittance.high, bounds.high, cell.around);
                 next.front = whole(low.front, high.front);
                 next.back = whole(low.back, high.back);
                 covers = any(low.covered | high.covered);
             } else {
-                const BlockTest<Float8> test(now[0], now[1], now[2], firstBack, now[4], now[5], block->light, nearest,
-                                             cell.around);
+                const BlockTest<Float8> test(now[0], now[1], now[2], firstBack, now[4], now[5], block->transmittance,
+                                             nearest, cell.around);
                 next.front = test.front;
                 next.back = test.back;
                 covers = any(test.covered);

@@ -62,7 +62,7 @@ relight(Gathered<Lanes>& gathered, const Gathered<Lanes>& before, const CellRays
     Lanes power = cosine * cosine;
     for (int doubled = 0; doubled < 4; ++doubled)
         power *= power;
-    const Lanes opacity = before.light - gathered.light;
+    const Lanes opacity = before.transmittance - gathered.transmittance;
     const Lanes specular = Shading::specular * power * opacity;
     gathered.red = before.red + smaller((gathered.red - before.red) * factor + specular, opacity);
     gathered.green = before.green + smaller((gathered.green - before.green) * factor + specular, opacity);
@@ -88,25 +88,25 @@ enum class KernelFeatures {
 
 /// Where the light of some rays, from lane `first` of a block, fell to a half inside a cell.
 template <class Lanes>
-TETRA_SIMD_INLINE void keepDepth(SampleBlock& block, int first, Lanes light, Lanes enter, Lanes leave)
+TETRA_SIMD_INLINE void keepDepth(SampleBlock& block, int first, Lanes transmittance, Lanes enter, Lanes leave)
 {
-    const Lanes before = lanesOf<Lanes>(block.light, first);
-    if (!any((before > 0.5f) & (light <= 0.5f)))
+    const Lanes before = lanesOf<Lanes>(block.transmittance, first);
+    if (!any((before > 0.5f) & (transmittance <= 0.5f)))
         return;
     for (int lane = 0; lane < static_cast<int>(sizeof(Lanes) / sizeof(float)); ++lane)
-        if (before[lane] > 0.5f && light[lane] <= 0.5f) {
-            const float left = std::max(light[lane], 1e-12f);
+        if (before[lane] > 0.5f && transmittance[lane] <= 0.5f) {
+            const float left = std::max(transmittance[lane], 1e-12f);
             const float share = std::log(2 * before[lane]) / std::log(before[lane] / left);
             block.depth[first + lane] = enter[lane] + share * (leave[lane] - enter[lane]);
         }
 }
 
-TETRA_SIMD_INLINE void store(SampleBlock& block, Float8 red, Float8 green, Float8 blue, Float8 light)
+TETRA_SIMD_INLINE void store(SampleBlock& block, Float8 red, Float8 green, Float8 blue, Float8 transmittance)
 {
     block.red = red;
     block.green = green;
     block.blue = blue;
-    block.light = light;
+    block.transmittance = transmittance;
 }
 
 template <bool perspective, KernelFeatures extras>
@@ -114,14 +114,15 @@ TETRA_SIMD_INLINE void shadeOne(const CoveredBlock& covered, const ScaledSegment
 {
     SampleBlock& block = *covered.block;
     CellRays<Float8> rays = {covered.front, covered.back, covered.slope, block.ray, {}, {}};
-    Gathered<Float8> gathered = {block.red, block.green, block.blue, block.light};
+    Gathered<Float8> gathered = {block.red, block.green, block.blue, block.transmittance};
     shade<perspective>(rays, *covered.cell, segments, gathered);
     if constexpr (extras == KernelFeatures::All)
         if (covered.cell->perGradient > 0)
-            relight<perspective>(gathered, {block.red, block.green, block.blue, block.light}, rays, *covered.cell);
+            relight<perspective>(gathered, {block.red, block.green, block.blue, block.transmittance}, rays,
+                                 *covered.cell);
     if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth))
-        keepDepth(block, 0, gathered.light, rays.enter, rays.leave);
-    store(block, gathered.red, gathered.green, gathered.blue, gathered.light);
+        keepDepth(block, 0, gathered.transmittance, rays.enter, rays.leave);
+    store(block, gathered.red, gathered.green, gathered.blue, gathered.transmittance);
 }
 
 template <bool perspective, KernelFeatures extras>
@@ -129,7 +130,7 @@ TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegm
 {
     SampleBlock& block = *covered.block;
     const Halves front = halvesOf(covered.front), back = halvesOf(covered.back), slope = halvesOf(covered.slope);
-    const Halves ray = halvesOf(block.ray), left = halvesOf(block.light);
+    const Halves ray = halvesOf(block.ray), left = halvesOf(block.transmittance);
     const Halves red = halvesOf(block.red), green = halvesOf(block.green), blue = halvesOf(block.blue);
     CellRays<Float4> rays[2] = {{front.low, back.low, slope.low, ray.low, {}, {}},
                                 {front.high, back.high, slope.high, ray.high, {}, {}}};
@@ -143,10 +144,10 @@ TETRA_SIMD_INLINE void shadeHalves(const CoveredBlock& covered, const ScaledSegm
                 relight<perspective>(gathered[half], before[half], rays[half], *covered.cell);
     }
     if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth))
-        keepDepth(block, 0, whole(gathered[0].light, gathered[1].light), whole(rays[0].enter, rays[1].enter),
-                  whole(rays[0].leave, rays[1].leave));
+        keepDepth(block, 0, whole(gathered[0].transmittance, gathered[1].transmittance),
+                  whole(rays[0].enter, rays[1].enter), whole(rays[0].leave, rays[1].leave));
     store(block, whole(gathered[0].red, gathered[1].red), whole(gathered[0].green, gathered[1].green),
-          whole(gathered[0].blue, gathered[1].blue), whole(gathered[0].light, gathered[1].light));
+          whole(gathered[0].blue, gathered[1].blue), whole(gathered[0].transmittance, gathered[1].transmittance));
 }
 
 TETRA_SIMD_INLINE Float16 joined(Float8 low, Float8 high)
@@ -174,20 +175,21 @@ shadeTwo(const CoveredBlock& one, const CoveredBlock& other, const ScaledSegment
                               {},
                               {}};
     Gathered<Float16> gathered = {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
-                                  joined(a.light, b.light)};
+                                  joined(a.transmittance, b.transmittance)};
     shade<perspective>(rays, *one.cell, segments, gathered);
     if constexpr (extras == KernelFeatures::All)
         if (one.cell->perGradient > 0)
-            relight<perspective>(
-                gathered,
-                {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue), joined(a.light, b.light)},
-                rays, *one.cell);
+            relight<perspective>(gathered,
+                                 {joined(a.red, b.red), joined(a.green, b.green), joined(a.blue, b.blue),
+                                  joined(a.transmittance, b.transmittance)},
+                                 rays, *one.cell);
     if (extras == KernelFeatures::Depth || (extras == KernelFeatures::All && depth)) {
-        keepDepth(a, 0, lowHalf(gathered.light), lowHalf(rays.enter), lowHalf(rays.leave));
-        keepDepth(b, 0, highHalf(gathered.light), highHalf(rays.enter), highHalf(rays.leave));
+        keepDepth(a, 0, lowHalf(gathered.transmittance), lowHalf(rays.enter), lowHalf(rays.leave));
+        keepDepth(b, 0, highHalf(gathered.transmittance), highHalf(rays.enter), highHalf(rays.leave));
     }
-    store(a, lowHalf(gathered.red), lowHalf(gathered.green), lowHalf(gathered.blue), lowHalf(gathered.light));
-    store(b, highHalf(gathered.red), highHalf(gathered.green), highHalf(gathered.blue), highHalf(gathered.light));
+    store(a, lowHalf(gathered.red), lowHalf(gathered.green), lowHalf(gathered.blue), lowHalf(gathered.transmittance));
+    store(b, highHalf(gathered.red), highHalf(gathered.green), highHalf(gathered.blue),
+          highHalf(gathered.transmittance));
 }
 
 /// Draws the next surface of a ray.
@@ -195,12 +197,12 @@ TETRA_SIMD_INLINE void drawSurface(const SurfaceFragment* fragments, bool perspe
                                    SampleBlock& block, BlockLimits& limits)
 {
     const SurfaceFragment& surface = fragments[limits.place[lane]];
-    const float before = block.light[lane];
+    const float before = block.transmittance[lane];
     block.red[lane] += before * surface.colour[0];
     block.green[lane] += before * surface.colour[1];
     block.blue[lane] += before * surface.colour[2];
-    block.light[lane] = before * (1 - surface.colour[3]);
-    if (before > 0.5f && block.light[lane] <= 0.5f)
+    block.transmittance[lane] = before * (1 - surface.colour[3]);
+    if (before > 0.5f && block.transmittance[lane] <= 0.5f)
         block.depth[lane] = perspective ? 1 / surface.nearness : -surface.nearness;
     limits.next[lane] = fragments[++limits.place[lane]].nearness;
 }
@@ -221,8 +223,8 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
     bool more = true;
     while (more) {
         const Lanes next = lanesOf<Lanes>(limits.next, first);
-        const Lanes before = lanesOf<Lanes>(block.light, first);
-        const auto meets = inside & (next > back) & (before > darkness);
+        const Lanes before = lanesOf<Lanes>(block.transmittance, first);
+        const auto meets = inside & (next > back) & (before > opaqueThreshold);
         const Lanes end = meets ? (shading.splitCells ? smaller(next, front) : front) : back;
         CellRays<Lanes> rays = {front, end, slope, ray, {}, {}};
         const Gathered<Lanes> unlit = {lanesOf<Lanes>(block.red, first), lanesOf<Lanes>(block.green, first),
@@ -231,11 +233,11 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
         shade<perspective>(rays, *covered.cell, shading.segments, gathered);
         if (covered.cell->perGradient > 0)
             relight<perspective>(gathered, unlit, rays, *covered.cell);
-        keepDepth(block, first, gathered.light, rays.enter, rays.leave);
+        keepDepth(block, first, gathered.transmittance, rays.enter, rays.leave);
         putLanes(gathered.red, first, block.red);
         putLanes(gathered.green, first, block.green);
         putLanes(gathered.blue, first, block.blue);
-        putLanes(gathered.light, first, block.light);
+        putLanes(gathered.transmittance, first, block.transmittance);
         front = end;
         more = any(meets);
         for (int lane = 0; more && lane < count; ++lane)

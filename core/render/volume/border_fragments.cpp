@@ -74,19 +74,19 @@ std::pair<double, double> FocusRays::within(const Ray& ray, double margin) const
     return {first, last};
 }
 
-FocusRays::Passage FocusRays::at(int column, int row) const
+FocusRays::RayInterval FocusRays::at(int column, int row) const
 {
     const Ray ray = rayOf(column, row);
     const auto [enter, leave] = within(ray, border_);
     if (!(leave > enter && leave > nearest_))
         return {0, 0, 0, 0};
     const auto [in, out] = within(ray, 0);
-    Passage passage{enter, in, out, leave};
+    RayInterval interval{enter, in, out, leave};
     if (!(out > in))
-        passage.in = passage.out = (enter + leave) / 2;
-    for (double* const place : {&passage.enter, &passage.in, &passage.out})
+        interval.in = interval.out = (enter + leave) / 2;
+    for (double* const place : {&interval.enter, &interval.in, &interval.out})
         *place = std::max(*place, nearest_);
-    return passage;
+    return interval;
 }
 
 FocusWeights FocusRays::weightsFrom(int column, int row) const
@@ -123,11 +123,11 @@ namespace {
 constexpr int layers = 4;
 
 /// The rays of a block in a cell; w.
-struct CellPassage {
+struct CellInterval {
     Float8 enter, leave, slope;
 };
 
-TETRA_SIMD_INLINE CellPassage passageOf(const CellSetup& cell, float x, float y, bool perspective)
+TETRA_SIMD_INLINE CellInterval intervalOf(const CellSetup& cell, float x, float y, bool perspective)
 {
     Float8 at[7];
     for (int i = 0; i < 7; ++i)
@@ -196,23 +196,23 @@ TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine, const Bord
     if (cell.perGradient > 0)
         relight<perspective>(gathered, before, rays, cell);
     for (int lane = 0; lane < 8; ++lane)
-        if (to[lane] > from[lane] && gathered.light[lane] < 1) {
+        if (to[lane] > from[lane] && gathered.transmittance[lane] < 1) {
             const int x = place.column * blockWidth + lane % blockWidth;
             const int y = place.row * blockHeight + lane / blockWidth;
             fragments.push_back(
                 {static_cast<std::uint32_t>(y * tile.tile.width() + x),
                  {perspective ? 1 / middle[lane] : -middle[lane],
-                  {gathered.red[lane], gathered.green[lane], gathered.blue[lane], 1 - gathered.light[lane]}}});
+                  {gathered.red[lane], gathered.green[lane], gathered.blue[lane], 1 - gathered.transmittance[lane]}}});
         }
 }
 
 /// The border from `first` to `last` on one side of the region.
 template <bool perspective> TETRA_SIMD_INLINE void collectSide(const CellSetup& cell, bool fine, const BorderTile& tile,
-                                                               const BlockPlace& place, const CellPassage& passage,
+                                                               const BlockPlace& place, const CellInterval& interval,
                                                                Float8 first, Float8 last,
                                                                std::vector<BorderFragment>& fragments)
 {
-    const Float8 from = larger(first, passage.enter), to = smaller(last, passage.leave);
+    const Float8 from = larger(first, interval.enter), to = smaller(last, interval.leave);
     if (!anyPositive(to - from))
         return;
     const Float8 step = (last - first) * (1.0f / layers);
@@ -229,7 +229,7 @@ template <bool perspective> TETRA_SIMD_INLINE void collectSide(const CellSetup& 
         const Float8 start = layer == begin ? from : larger(from, first + number * step);
         const Float8 stop = layer == end - 1 ? to : smaller(to, first + (number + 1) * step);
         if (anyPositive(stop - start))
-            collectLayer<perspective>(cell, fine, tile, place, passage.slope, start, stop, fragments);
+            collectLayer<perspective>(cell, fine, tile, place, interval.slope, start, stop, fragments);
     }
 }
 
@@ -237,12 +237,12 @@ template <bool perspective> TETRA_SIMD_INLINE void collectBlock(const CellSetup&
                                                                 const BorderTile& tile, const BlockPlace& place,
                                                                 std::vector<BorderFragment>& fragments)
 {
-    const BlockPassage& region = tile.passages[static_cast<std::size_t>(place.row * tile.columns + place.column)];
+    const BlockInterval& region = tile.intervals[static_cast<std::size_t>(place.row * tile.columns + place.column)];
     if (!anyPositive(region.leave - region.enter))
         return;
-    const CellPassage passage = passageOf(cell, place.x(), place.y(), perspective);
-    collectSide<perspective>(cell, fine, tile, place, passage, region.enter, region.in, fragments);
-    collectSide<perspective>(cell, fine, tile, place, passage, region.out, region.leave, fragments);
+    const CellInterval interval = intervalOf(cell, place.x(), place.y(), perspective);
+    collectSide<perspective>(cell, fine, tile, place, interval, region.enter, region.in, fragments);
+    collectSide<perspective>(cell, fine, tile, place, interval, region.out, region.leave, fragments);
 }
 
 TETRA_SIMD_CLONES void collect(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,

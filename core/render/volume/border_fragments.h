@@ -32,14 +32,14 @@ class FocusRays {
 public:
     /// enter <= in <= out <= leave. Between `in` and `out` the weight of the fine volume is 1; before `enter` and
     /// after `leave` it is 0. A ray that stays out of the region but not out of its border has in == out.
-    struct Passage {
+    struct RayInterval {
         double enter, in, out, leave;
         bool meets() const noexcept { return enter < leave; } ///< else the ray stays out of both
     };
 
     FocusRays(const FocusVolume& focus, const VolumeView& view);
 
-    Passage at(int column, int row) const;
+    RayInterval at(int column, int row) const;
     /// Of the fine volume. Columns and rows count from the given ones.
     FocusWeights weightsFrom(int column, int row) const;
     /// A place in the units of the dataset lies in the region.
@@ -65,8 +65,8 @@ private:
     Eigen::Matrix3d worldFromImage_;
 };
 
-/// FocusRays::Passage of the rays of a block.
-struct alignas(64) BlockPassage {
+/// FocusRays::RayInterval of the rays of a block.
+struct alignas(64) BlockInterval {
     Float8 enter, in, out, leave;
 };
 
@@ -81,7 +81,7 @@ struct BorderFragment {
 struct BorderTile {
     FocusWeights weights; ///< from the tile's first sample
     SampleRectangle tile;
-    std::span<const BlockPassage> passages; ///< for each block
+    std::span<const BlockInterval> intervals; ///< for each block
     std::span<const SampleBlock> blocks;
     int columns = 0; ///< blocks a row
     const ScaledSegment* segments = nullptr;

@@ -26,14 +26,14 @@ struct HullFace {
 };
 
 /// A ray passing a face of the boundary.
-struct Passage {
+struct RayCrossing {
     std::uint32_t sample; ///< of the tile
     float nearness;       ///< q, larger is nearer; in single precision, so that faces on one place tie
     bool enters;
     std::uint32_t cell;
 
     /// By sample, front to back; where two parts of the domain touch, out of the one before into the other.
-    bool operator<(const Passage& other) const
+    bool operator<(const RayCrossing& other) const
     {
         if (sample != other.sample)
             return sample < other.sample;
@@ -148,13 +148,13 @@ public:
     {
         if (!countEntries(tile, faces))
             return;
-        collectPassages(tile, faces);
-        std::ranges::sort(passages_, std::less<>());
+        collectCrossings(tile, faces);
+        std::ranges::sort(crossings_, std::less<>());
         const std::size_t before = relations.size();
-        for (std::size_t i = 1; i < passages_.size(); ++i)
-            if (passages_[i].sample == passages_[i - 1].sample && !passages_[i - 1].enters && passages_[i].enters &&
-                passages_[i - 1].cell != passages_[i].cell)
-                relations.push_back({passages_[i - 1].cell, passages_[i].cell});
+        for (std::size_t i = 1; i < crossings_.size(); ++i)
+            if (crossings_[i].sample == crossings_[i - 1].sample && !crossings_[i - 1].enters && crossings_[i].enters &&
+                crossings_[i - 1].cell != crossings_[i].cell)
+                relations.push_back({crossings_[i - 1].cell, crossings_[i].cell});
         const auto found = std::span(relations).subspan(before);
         std::ranges::sort(found);
         relations.resize(before + static_cast<std::size_t>(std::ranges::unique(found).begin() - found.begin()));
@@ -181,9 +181,9 @@ private:
         return std::ranges::any_of(entries_, [&](std::uint8_t count) { return count >= enough(); });
     }
 
-    void collectPassages(const SampleRectangle& tile, std::span<const std::uint32_t> faces)
+    void collectCrossings(const SampleRectangle& tile, std::span<const std::uint32_t> faces)
     {
-        passages_.clear();
+        crossings_.clear();
         for (const std::uint32_t index : faces) {
             const ScreenFace face(faces_[index], projected_, view_);
             if (face.edgeOn())
@@ -195,7 +195,7 @@ private:
                         continue;
                     const double q = face.nearness({x + view_.firstX(), y + view_.firstY(), 1});
                     if (!view_.perspective || (q > 0 && q * view_.nearest < 1))
-                        passages_.push_back({sample, static_cast<float>(q), face.isEntry(), faces_[index].cell});
+                        crossings_.push_back({sample, static_cast<float>(q), face.isEntry(), faces_[index].cell});
                 }
             });
         }
@@ -206,7 +206,7 @@ private:
     const VolumeView& view_;
     bool cut_;                          ///< the near plane cuts the domain
     std::vector<std::uint8_t> entries_; ///< of each sample, counted to two
-    std::vector<Passage> passages_;
+    std::vector<RayCrossing> crossings_;
 };
 
 } // namespace

@@ -17,7 +17,7 @@ constexpr int blockRows = volumeTileSide / blockHeight;
 /// The samples of a tile along an axis.
 struct AxisSamples {
     float squares[volumeTileSide]; ///< of the slopes of their rays
-    float light[volumeTileSide];   ///< 1 if the tile has them, else 0
+    float inside[volumeTileSide];  ///< 1 if the tile has them, else 0
 };
 
 AxisSamples axisSamples(double first, double samplesPerSlope, int count)
@@ -26,7 +26,7 @@ AxisSamples axisSamples(double first, double samplesPerSlope, int count)
     for (int i = 0; i < volumeTileSide; ++i) {
         const double slope = (first + i) / samplesPerSlope;
         samples.squares[i] = static_cast<float>(slope * slope);
-        samples.light[i] = i < count ? 1.0f : 0.0f;
+        samples.inside[i] = i < count ? 1.0f : 0.0f;
     }
     return samples;
 }
@@ -55,7 +55,8 @@ TETRA_SIMD_CLONES void fillBlocks(const AxisSamples& across, const AxisSamples& 
             for (float& length : lengths)
                 length = std::sqrt(length);
             block.red = block.green = block.blue = Float8{};
-            block.light = acrossBlock(across.light + column * blockWidth) * downBlock(down.light + row * blockHeight);
+            block.transmittance =
+                acrossBlock(across.inside + column * blockWidth) * downBlock(down.inside + row * blockHeight);
             block.depth = Float8{} + noDepth;
             std::memcpy(&block.ray, lengths, sizeof lengths);
             if (!perspective)
@@ -70,7 +71,7 @@ TETRA_SIMD_CLONES void coloursOfBlocks(const SampleBlock* blocks, const SampleRe
         for (int left = 0; left < tile.width(); left += blockWidth) {
             const SampleBlock& block = blocks[top / blockHeight * blockColumns + left / blockWidth];
             Float4 samples[blockWidth * blockHeight];
-            transposeBack(block.red, block.green, block.blue, 1.0f - block.light, samples);
+            transposeBack(block.red, block.green, block.blue, 1.0f - block.transmittance, samples);
             const int width = std::min(blockWidth, tile.width() - left);
             const int height = std::min(blockHeight, tile.height() - top);
             for (int y = 0; y < height; ++y)

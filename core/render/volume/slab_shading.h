@@ -60,7 +60,7 @@ TETRA_SIMD_INLINE bool anyPositive(Float16 lanes)
 
 /// What has reached the eye of some rays so far: of half a block, a block, or two.
 template <class Lanes> struct Gathered {
-    Lanes red, green, blue, light;
+    Lanes red, green, blue, transmittance;
 };
 
 /// Adds a slab whose optical depth is at most 1, or faintDepth; values count from the segment's origin.
@@ -75,13 +75,13 @@ addThinSlab(Gathered<Lanes>& gathered, const ScaledSegment& segment, Lanes value
         faintSlabLight(depth, length * (out - in), slab);
     else
         slabLight(depth, length * (out - in), slab);
-    const Lanes opacity = slab.opacity * gathered.light;
-    const Lanes weight = slab.weight * gathered.light;
+    const Lanes opacity = slab.opacity * gathered.transmittance;
+    const Lanes weight = slab.weight * gathered.transmittance;
     const Lanes value = valueIn * opacity + (valueOut - valueIn) * weight;
     gathered.red += segment.colour[0] * opacity + segment.colourPerValue[0] * value;
     gathered.green += segment.colour[1] * opacity + segment.colourPerValue[1] * value;
     gathered.blue += segment.colour[2] * opacity + segment.colourPerValue[2] * value;
-    gathered.light -= opacity;
+    gathered.transmittance -= opacity;
 }
 
 /// Adds a slab of any optical depth, cut into thin ones.

@@ -59,11 +59,11 @@ void VolumeTilePainter::clear(const SampleRectangle& tile)
     clearBlocks(view_, tile, blocks_);
 }
 
-bool VolumeTilePainter::allDark()
+bool VolumeTilePainter::allOpaque()
 {
     const auto lit = [](const SampleBlock& block) {
         for (std::size_t lane = 0; lane < 8; ++lane)
-            if (block.light[lane] > darkness)
+            if (block.transmittance[lane] > opaqueThreshold)
                 return true;
         return false;
     };
@@ -154,7 +154,7 @@ void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCe
         fetchCells(source, batchFrom(first + 2 * cellsInBatch));
         drawn.fragments += drawCells(std::span(setups_).first(now.size()), shading, blocks_.data(), columns);
         drawn.cells += now.size();
-        if (allDark())
+        if (allOpaque())
             break;
     }
 }
@@ -166,7 +166,7 @@ DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const 
     if (isLimited(surroundings))
         setLimits(tile, surroundings);
     DrawnTile drawn;
-    if (surroundings.focus != nullptr && setPassages(tile, *surroundings.focus->rays))
+    if (surroundings.focus != nullptr && setIntervals(tile, *surroundings.focus->rays))
         drawWithFocus(tile, cells, surroundings, progress, drawn);
     else {
         const TileShading shading = shadingOf(surroundings);
@@ -201,15 +201,15 @@ bool liesWithin(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen:
 
 } // namespace
 
-/// False if no ray of the tile meets the focus. What clip planes hide is left out of the passages.
-bool VolumeTilePainter::setPassages(const SampleRectangle& tile, const FocusRays& rays)
+/// False if no ray of the tile meets the focus. What clip planes hide is left out of the intervals.
+bool VolumeTilePainter::setIntervals(const SampleRectangle& tile, const FocusRays& rays)
 {
-    passages_.assign(blocks_.size(), BlockPassage{{}, {}, {}, {}});
+    intervals_.assign(blocks_.size(), BlockInterval{{}, {}, {}, {}});
     bool any = false;
     for (int y = 0; y < tile.height(); ++y)
         for (int x = 0; x < tile.width(); ++x) {
-            FocusRays::Passage passage = rays.at(tile.left + x, tile.top + y);
-            if (!passage.meets())
+            FocusRays::RayInterval interval = rays.at(tile.left + x, tile.top + y);
+            if (!interval.meets())
                 continue;
             const auto [number, lane] = BlockLane(x, y);
             const double front = limits_[number].front[lane], back = limits_[number].back[lane];
@@ -219,10 +219,10 @@ bool VolumeTilePainter::setPassages(const SampleRectangle& tile, const FocusRays
             const auto shown = [&](double w) {
                 return static_cast<float>(std::max(nearest, std::min(w, std::max(nearest, farthest))));
             };
-            passages_[number].enter[lane] = shown(passage.enter);
-            passages_[number].in[lane] = shown(passage.in);
-            passages_[number].out[lane] = shown(passage.out);
-            passages_[number].leave[lane] = shown(passage.leave);
+            intervals_[number].enter[lane] = shown(interval.enter);
+            intervals_[number].in[lane] = shown(interval.in);
+            intervals_[number].out[lane] = shown(interval.out);
+            intervals_[number].leave[lane] = shown(interval.leave);
             any = true;
         }
     return any;
@@ -235,7 +235,7 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
     const auto positions = fine ? focus.finePositions : focus.positions;
     const BorderTile border{focus.rays->weightsFrom(tile.left, tile.top),
                             tile,
-                            passages_,
+                            intervals_,
                             blocks_,
                             volumeTileSide / blockWidth,
                             source.segments.data(),
@@ -298,9 +298,9 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
     const auto drawBetween = [&](const SetupSource& source, std::span<const BinnedCell> some, auto&& ends) {
         for (std::size_t block = 0; block < limits_.size(); ++block)
             for (std::size_t lane = 0; lane < 8; ++lane) {
-                const auto& [enter, in, out, leave] = passages_[block];
-                const FocusRays::Passage passage{enter[lane], in[lane], out[lane], leave[lane]};
-                const auto [front, back] = ends(passage, whole[block].front[lane], whole[block].back[lane]);
+                const auto& [enter, in, out, leave] = intervals_[block];
+                const FocusRays::RayInterval interval{enter[lane], in[lane], out[lane], leave[lane]};
+                const auto [front, back] = ends(interval, whole[block].front[lane], whole[block].back[lane]);
                 limits_[block].front[lane] = std::min(front, whole[block].front[lane]);
                 limits_[block].back[lane] = std::max(back, whole[block].back[lane]);
             }
@@ -310,15 +310,16 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
     using Ends = std::pair<float, float>;
     constexpr Ends nothing{-farBound, farBound};
     const bool perspective = view_.perspective;
-    drawBetween(source_, cells, [&](const FocusRays::Passage& passage, float front, float back) -> Ends {
-        return {front, passage.meets() ? focusNearness(passage.enter, perspective) : back};
+    drawBetween(source_, cells, [&](const FocusRays::RayInterval& interval, float front, float back) -> Ends {
+        return {front, interval.meets() ? focusNearness(interval.enter, perspective) : back};
     });
-    drawBetween(*focus.source, focus.cells, [&](const FocusRays::Passage& passage, float, float) -> Ends {
-        return passage.meets() ? Ends{focusNearness(passage.in, perspective), focusNearness(passage.out, perspective)}
-                               : nothing;
+    drawBetween(*focus.source, focus.cells, [&](const FocusRays::RayInterval& interval, float, float) -> Ends {
+        return interval.meets()
+                   ? Ends{focusNearness(interval.in, perspective), focusNearness(interval.out, perspective)}
+                   : nothing;
     });
-    drawBetween(source_, cells, [&](const FocusRays::Passage& passage, float, float back) -> Ends {
-        return passage.meets() ? Ends{focusNearness(passage.leave, perspective), back} : nothing;
+    drawBetween(source_, cells, [&](const FocusRays::RayInterval& interval, float, float back) -> Ends {
+        return interval.meets() ? Ends{focusNearness(interval.leave, perspective), back} : nothing;
     });
     finish(tile, shading);
 }

@@ -61,7 +61,7 @@ private:
     void setLimits(const SampleRectangle& tile, const TileSurroundings& surroundings);
     void draw(const SetupSource& source, std::span<const BinnedCell> cells, const SampleRectangle& tile,
               const TileShading& shading, const Progress& progress, DrawnTile& drawn);
-    bool setPassages(const SampleRectangle& tile, const FocusRays& rays);
+    bool setIntervals(const SampleRectangle& tile, const FocusRays& rays);
     void collectBorderOf(const SampleRectangle& tile, std::span<const BinnedCell> cells, const FocusTile& focus,
                          bool fine, const Progress& progress);
     void putBorderAmong(const SampleRectangle& tile, const SurfaceFragments* surfaces);
@@ -69,7 +69,7 @@ private:
                        const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn);
     TileShading shadingOf(const TileSurroundings& surroundings);
     TileFrame frameOf(const SampleRectangle& tile) const;
-    bool allDark();
+    bool allOpaque();
     void finish(const SampleRectangle& tile, const TileShading& shading);
 
     SetupSource source_;
@@ -77,10 +77,10 @@ private:
     std::vector<SampleBlock> blocks_;
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
-    std::size_t firstLit_ = 0;           ///< all blocks before it are opaque
-    std::vector<BlockPassage> passages_; ///< of the blocks, if the tile meets a focus
-    std::vector<BorderFragment> border_; ///< of the tile
-    SurfaceFragments amongBorder_;       ///< surfaces, and the border's fragments
+    std::size_t firstLit_ = 0;             ///< all blocks before it are opaque
+    std::vector<BlockInterval> intervals_; ///< of the blocks, if the tile meets a focus
+    std::vector<BorderFragment> border_;   ///< of the tile
+    SurfaceFragments amongBorder_;         ///< surfaces, and the border's fragments
     std::vector<PremultipliedColour> colours_;
     std::vector<float> depth_;
 };

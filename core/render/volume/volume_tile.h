@@ -12,15 +12,15 @@ namespace tetra {
 /// blockWidth x blockHeight samples of a picture, row by row.
 struct alignas(64) SampleBlock {
     Float8 red, green, blue; ///< light that reached the eye so far
-    Float8 light;            ///< what part of the light behind would reach it
+    Float8 transmittance;    ///< what part of the light behind would reach it
     Float8 ray;              ///< length along the ray for one unit of w
-    Float8 depth;            ///< w where `light` fell to a half; `noDepth` before
+    Float8 depth;            ///< w where `transmittance` fell to a half; `noDepth` before
 };
 
 inline constexpr float noDepth = 1e30f;
 
 /// Less light than this from behind is none: a sixteenth of an 8-bit step at most.
-inline constexpr float darkness = 1.0f / 16384;
+inline constexpr float opaqueThreshold = 1.0f / 16384;
 
 /// What surfaces and clip planes do to the rays of a block; q as in CellSetup.
 struct alignas(64) BlockLimits {

@@ -11,7 +11,7 @@ std::size_t drawCellsWithExtras(std::span<const CellSetup> cells, const TileShad
 
 void drawSurfacesBehind(const TileShading& shading, std::size_t lane, SampleBlock& block, BlockLimits& limits)
 {
-    while (limits.next[lane] > -farBound && block.light[lane] > darkness)
+    while (limits.next[lane] > -farBound && block.transmittance[lane] > opaqueThreshold)
         drawSurface(shading.fragments, shading.perspective, lane, block, limits);
 }
 
