@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
 #include "core/base/mapped_file.h"
+#include "core/base/rounding.h"
 #include "core/history/file_layout.h"
 #include "core/history/section_checks.h"
 
@@ -27,61 +28,6 @@ template <class T> std::span<const T> elementsOf(const MappedFile& file, const F
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
 
-class MappedModel final : public Model {
-public:
-    MappedModel(std::shared_ptr<const MappedFile> file, const FileLayout& layout, ModelDescription description,
-                std::unique_ptr<const SectionChecks> checks)
-        : file_(std::move(file)), checks_(std::move(checks))
-    {
-        path_ = file_->path();
-        description_ = std::move(description);
-        fileSize_ = file_->bytes().size();
-        finalError_ = layout.header.finalError;
-        points_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::SitePoints);
-        values_ = elementsOf<std::byte>(*file_, layout, SectionId::SiteValues);
-        runningErrors_ = elementsOf<float>(*file_, layout, SectionId::SiteRunningErrors);
-        starOffsets_ = elementsOf<std::uint64_t>(*file_, layout, SectionId::StarOffsets);
-        meshSizes_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::MeshSizes);
-        groupGoesOn_ = elementsOf<std::uint8_t>(*file_, layout, SectionId::SiteGroups);
-        otherSites_ = elementsOf<std::array<std::uint32_t, 3>>(*file_, layout, SectionId::OtherSites);
-        destroyers_ = elementsOf<std::uint32_t>(*file_, layout, SectionId::Destroyers);
-        ownErrors_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnErrors);
-        if (description_.warpingWeight > 0)
-            ownWarpings_ = elementsOf<std::uint16_t>(*file_, layout, SectionId::OwnWarpings);
-        if (description_.domain != DomainClass::RegularLattice)
-            mapPositions(layout);
-        if (isOnLattice(description_.domain) && layout.has(SectionId::Samples))
-            mapSamples(layout);
-    }
-
-    std::span<const std::byte> fileBytes() const noexcept override { return file_->bytes(); }
-
-private:
-    bool changed() const noexcept override { return file_->damaged(); }
-    const SectionChecks& checks() const noexcept override { return *checks_; }
-
-    void mapPositions(const FileLayout& layout)
-    {
-        static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector3d) == 24);
-        if (layout.section(SectionId::SitePositions).elementBytes == sizeof(Eigen::Vector3f))
-            floatPositions_ = elementsOf<Eigen::Vector3f>(*file_, layout, SectionId::SitePositions);
-        else
-            doublePositions_ = elementsOf<Eigen::Vector3d>(*file_, layout, SectionId::SitePositions);
-    }
-
-    void mapSamples(const FileLayout& layout)
-    {
-        samples_ = elementsOf<std::byte>(*file_, layout, SectionId::Samples);
-        if (!floatPositions_.empty())
-            floatSamplePositions_ = elementsOf<Eigen::Vector3f>(*file_, layout, SectionId::SamplePositions);
-        else if (!doublePositions_.empty())
-            doubleSamplePositions_ = elementsOf<Eigen::Vector3d>(*file_, layout, SectionId::SamplePositions);
-    }
-
-    std::shared_ptr<const MappedFile> file_;
-    std::unique_ptr<const SectionChecks> checks_;
-};
-
 /// Whether the meshes are Delaunay ones. A kind that is not known may mean anything.
 Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
 {
@@ -105,6 +51,50 @@ Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
 }
 
 } // namespace
+
+struct Model::File {
+    std::shared_ptr<const MappedFile> mapped;
+    FileLayout layout;
+    std::unique_ptr<const SectionChecks> checks;
+};
+
+Model::Model(File file, ModelDescription description)
+    : file_(std::make_unique<const File>(std::move(file))), path_(file_->mapped->path()),
+      description_(std::move(description)), fileSize_(file_->mapped->bytes().size()),
+      finalError_(file_->layout.header.finalError)
+{
+    const auto map = [this]<class T>(std::span<const T>& elements, SectionId id) {
+        elements = elementsOf<T>(*file_->mapped, file_->layout, id);
+    };
+    map(points_, SectionId::SitePoints);
+    map(values_, SectionId::SiteValues);
+    map(runningErrors_, SectionId::SiteRunningErrors);
+    map(starOffsets_, SectionId::StarOffsets);
+    map(meshSizes_, SectionId::MeshSizes);
+    map(groupGoesOn_, SectionId::SiteGroups);
+    map(otherSites_, SectionId::OtherSites);
+    map(destroyers_, SectionId::Destroyers);
+    map(ownErrors_, SectionId::OwnErrors);
+    if (description_.warpingWeight > 0)
+        map(ownWarpings_, SectionId::OwnWarpings);
+    static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector3d) == 24);
+    const bool hasPositions = description_.domain != DomainClass::RegularLattice;
+    const bool floats =
+        hasPositions && file_->layout.section(SectionId::SitePositions).elementBytes == sizeof(Eigen::Vector3f);
+    if (hasPositions && floats)
+        map(floatPositions_, SectionId::SitePositions);
+    else if (hasPositions)
+        map(doublePositions_, SectionId::SitePositions);
+    if (!isOnLattice(description_.domain) || !file_->layout.has(SectionId::Samples))
+        return;
+    map(samples_, SectionId::Samples);
+    if (hasPositions && floats)
+        map(floatSamplePositions_, SectionId::SamplePositions);
+    else if (hasPositions)
+        map(doubleSamplePositions_, SectionId::SamplePositions);
+}
+
+Model::~Model() = default;
 
 Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path)
 {
@@ -131,11 +121,26 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     auto checks = SectionChecks::make(file.value(), *layout);
     if (!checks)
         return checks.error();
-    std::shared_ptr<const Model> model =
-        std::make_shared<const MappedModel>(file.value(), *layout, std::move(description), *std::move(checks));
+    const std::shared_ptr<const Model> model(
+        new Model({file.value(), *layout, *std::move(checks)}, std::move(description)));
     if (const Status unchanged = model->checkUnchanged(); !unchanged) // of damage checkIntact() tells
         return unchanged.error();
     return model;
+}
+
+std::span<const std::byte> Model::fileBytes() const noexcept
+{
+    return file_->mapped->bytes();
+}
+
+double Model::ownError(std::uint64_t tetrahedron) const noexcept
+{
+    return static_cast<double>(halfToFloat(ownErrors_[tetrahedron])) * description_.range.extent();
+}
+
+double Model::ownWarping(std::uint64_t tetrahedron) const noexcept
+{
+    return ownWarpings_.empty() ? 0 : static_cast<double>(halfToFloat(ownWarpings_[tetrahedron])) * diagonal();
 }
 
 Eigen::Vector3d Model::position(std::uint32_t site) const
@@ -150,7 +155,7 @@ Eigen::Vector3d Model::position(std::uint32_t site) const
 
 bool Model::checkBytes(std::span<const std::byte> bytes) const noexcept
 {
-    return checks().check(bytes);
+    return file_->checks->check(bytes);
 }
 
 Status Model::checkBytes(std::span<const std::byte> bytes, const Progress& progress) const
@@ -185,7 +190,7 @@ Status Model::checkPrefix(std::uint32_t sites, unsigned reading, const Progress&
 
 Status Model::confirm(const Progress& progress) const
 {
-    const Status right = checks().finish(progress);
+    const Status right = file_->checks->finish(progress);
     const Status unchanged = checkUnchanged();
     return unchanged ? right : unchanged;
 }
@@ -198,12 +203,12 @@ Status Model::checkIntact() const
 
 Status Model::foundDamage() const
 {
-    return checks().damage();
+    return file_->checks->damage();
 }
 
 Status Model::checkUnchanged() const
 {
-    if (!changed())
+    if (!file_->mapped->damaged())
         return {};
     return Error{ErrorKind::BadInput, Message::say("'%1' was cut short or changed while it was open. Open it again; if "
                                                    "that fails, copy the file again, or build it again.",

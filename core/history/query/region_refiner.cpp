@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/region_refiner.h"
 
-#include "core/base/rounding.h"
 #include "core/base/simd.h"
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
@@ -782,14 +781,13 @@ Result<ExtractedMesh> RegionRefiner::extract(const SpaceRamp& error, bool fresh,
 /// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.
 Status RegionRefiner::Work::readBounds(std::uint32_t sites)
 {
-    const double extent = model_.description().range.extent();
     coarseBounds_.assign(coarse_.mesh.tetrahedra.size(), std::numeric_limits<float>::infinity());
     std::size_t slot = 0;
     const auto visit = [&](const Stars& stars) -> Status {
         if (!model_.check(model_.ownErrors().subspan(stars.first(), stars.count())))
             return model_.checkIntact();
         forEachAlive(stars, sites, [&](std::uint32_t, std::uint64_t t, std::uint32_t) {
-            const double bound = static_cast<double>(halfToFloat(model_.ownErrors()[t])) * extent * (1 + 1e-6);
+            const double bound = model_.ownError(t) * (1 + 1e-6);
             if (slot < coarseBounds_.size())
                 coarseBounds_[slot++] = static_cast<float>(bound);
         });

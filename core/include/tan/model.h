@@ -54,8 +54,6 @@
 
 namespace tetra {
 
-class SectionChecks;
-
 /// What a model says of itself: its domain, its values, and how it was made.
 struct ModelDescription {
     DomainClass domain = DomainClass::RegularLattice;
@@ -97,7 +95,9 @@ public:
     /// opened installs a handler of that signal, which gives zeros in its place (then checkIntact() tells) and hands on
     /// what is not its own to the handler that was there before. At most 1024 files are mapped at a time.
     static Result<std::shared_ptr<const Model>> open(const std::filesystem::path& path);
-    virtual ~Model() = default;
+    ~Model();
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
 
     const std::filesystem::path& path() const noexcept { return path_; }
     const ModelDescription& description() const noexcept { return description_; }
@@ -125,11 +125,13 @@ public:
     /// mesh was made in: computational space for curvilinear data.
     std::span<const std::array<std::uint32_t, 3>> otherSites() const noexcept { return otherSites_; }
     std::span<const std::uint32_t> destroyers() const noexcept { return destroyers_; }
-    /// Bound on each tetrahedron's own error as IEEE half, a fraction of the value range (halfToFloat in
-    /// core/base/rounding.h).
+    /// Bound on each tetrahedron's own error as IEEE half, a fraction of the value range.
     std::span<const std::uint16_t> ownErrors() const noexcept { return ownErrors_; }
     /// Likewise on its own warping, a fraction of the bounding box's diagonal; empty without a warping weight.
     std::span<const std::uint16_t> ownWarpings() const noexcept { return ownWarpings_; }
+    /// What these are for one tetrahedron, in units of the values and of length (0 without a warping weight).
+    double ownError(std::uint64_t tetrahedron) const noexcept;
+    double ownWarping(std::uint64_t tetrahedron) const noexcept;
 
     /// Where each site lies: nothing for a regular lattice, else one array of the two, that of floats if they hold
     /// every coordinate of the dataset exactly.
@@ -148,7 +150,7 @@ public:
     std::span<const Eigen::Vector3d> doubleSamplePositions() const noexcept { return doubleSamplePositions_; }
 
     /// The whole file as it is mapped, for those who check it.
-    virtual std::span<const std::byte> fileBytes() const noexcept = 0;
+    std::span<const std::byte> fileBytes() const noexcept;
     /// Whether these elements of one of the arrays are those that were written, as far as is known: false if any damage
     /// has been found, anywhere in the file. The checksum of each chunk is computed once, at its first check; of many
     /// chunks on all threads of the current TBB arena.
@@ -182,13 +184,13 @@ public:
     /// checkIntact()'s, cancelled.
     Status confirm(const Progress& progress = {}) const;
 
-protected:
-    Model() = default;
-    virtual bool changed() const noexcept = 0;
-    virtual const SectionChecks& checks() const noexcept = 0;
+private:
+    struct File;
+    Model(File file, ModelDescription description);
     bool checkBytes(std::span<const std::byte> bytes) const noexcept;
     Status checkBytes(std::span<const std::byte> bytes, const Progress& progress) const;
 
+    std::unique_ptr<const File> file_;
     std::filesystem::path path_;
     ModelDescription description_;
     std::uint64_t fileSize_ = 0;

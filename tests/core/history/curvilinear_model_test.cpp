@@ -97,8 +97,11 @@ private slots:
         const RecordedHistory& history = historyOf(dataset);
         QCOMPARE(model->ownWarpings().size(), std::size_t(model->tetrahedronCount()));
         std::multiset<double> claimed;
-        for (const std::uint16_t half : model->ownWarpings())
-            claimed.insert(static_cast<double>(halfToFloat(half)) * dataset.bounds().diagonal().norm());
+        for (std::uint64_t t = 0; t < model->tetrahedronCount(); ++t) {
+            claimed.insert(model->ownWarping(t));
+            QCOMPARE(model->ownWarping(t),
+                     static_cast<double>(halfToFloat(model->ownWarpings()[t])) * dataset.bounds().diagonal().norm());
+        }
         std::multiset<double> given;
         for (const auto& step : history.steps)
             for (const HistoryTetrahedron& tetrahedron : step.star)

@@ -230,7 +230,9 @@ void ModelFileTest::compareTetrahedra(const Model& model, const RecordedHistory&
             const std::array<std::uint32_t, 4> sites = {site, others[0], others[1], others[2]};
             const auto made = ownErrors.find(byPoints({&sites, 1}, model.points())[0]);
             QVERIFY(made != ownErrors.end());
-            const double bound = extent * static_cast<double>(halfToFloat(model.ownErrors()[t]));
+            const double bound = model.ownError(t);
+            QCOMPARE(bound, extent * static_cast<double>(halfToFloat(model.ownErrors()[t])));
+            QCOMPARE(model.ownWarping(t), 0.0);
             QVERIFY(bound >= made->second && bound <= made->second * 1.002 + extent * 1e-7);
         }
     QVERIFY(model.tetrahedronCount() <= ownErrors.size());
