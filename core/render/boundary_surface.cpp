@@ -197,7 +197,7 @@ struct ColourSpan {
     }
 };
 
-Colour colourOf(const TransferPoint& point)
+Colour colourOf(const ColourPoint& point)
 {
     return {point.colour[0], point.colour[1], point.colour[2]};
 }
@@ -205,7 +205,7 @@ Colour colourOf(const TransferPoint& point)
 /// From below the first point to above the last; none is empty.
 std::vector<ColourSpan> spansOf(const TransferFunction& function)
 {
-    const auto& points = function.points;
+    const auto& points = function.colours;
     std::vector<ColourSpan> spans{{-unbounded, points.front().value, colourOf(points.front()), {}}};
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i - 1].value < points[i].value)
@@ -332,7 +332,7 @@ void Colouring::add(const std::array<std::uint32_t, 3>& triangle)
 
 TriangleMesh colouredByValue(const TriangleMesh& surface, const TransferFunction& function)
 {
-    if (function.points.empty() || surface.values.empty())
+    if (function.colours.empty() || surface.values.empty())
         return surface;
     Colouring colouring(surface, spansOf(function));
     for (const auto& triangle : surface.triangles)

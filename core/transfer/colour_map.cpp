@@ -257,16 +257,9 @@ TransferFunction withColourMap(const TransferFunction& function, const ColourMap
     if (!(limits.least < limits.largest) || !std::isfinite(limits.largest - limits.least))
         return function;
     TransferFunction coloured = function;
-    for (TransferPoint& point : coloured.points)
-        point.colour = colourAt(map, (point.value - limits.least) / (limits.largest - limits.least));
-    for (const ColourMapNode& node : map.nodes) {
-        const double value = std::lerp(limits.least, limits.largest, node.share);
-        if (std::ranges::find(function.points, value, &TransferPoint::value) != function.points.end())
-            continue;
-        const double depth = evaluateUnmasked(function, value).extinction * function.unitDistance;
-        coloured.points.push_back({value, node.colour, static_cast<float>(-std::expm1(-depth))});
-    }
-    std::ranges::stable_sort(coloured.points, {}, &TransferPoint::value);
+    coloured.colours.clear();
+    for (const ColourMapNode& node : map.nodes)
+        coloured.colours.push_back({std::lerp(limits.least, limits.largest, node.share), node.colour});
     return coloured;
 }
 

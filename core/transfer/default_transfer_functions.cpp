@@ -13,19 +13,15 @@ namespace {
 /// Over values in [0, 1]; spreads them over the range.
 TransferFunction spread(std::span<const TransferPoint> points, double smallest, double largest, double unitDistance)
 {
-    TransferFunction function;
-    function.unitDistance = unitDistance;
     if (!(smallest < largest) || !std::isfinite(smallest) || !std::isfinite(largest)) {
         TransferPoint middle = points[points.size() / 2];
         middle.value = std::isfinite(smallest) ? smallest : 0;
-        function.points.push_back(middle);
-        return function;
+        return transferFunctionFromPoints({middle}, unitDistance);
     }
-    for (TransferPoint point : points) {
+    std::vector<TransferPoint> spreadPoints(points.begin(), points.end());
+    for (TransferPoint& point : spreadPoints)
         point.value = std::lerp(smallest, largest, point.value);
-        function.points.push_back(point);
-    }
-    return function;
+    return transferFunctionFromPoints(spreadPoints, unitDistance);
 }
 
 } // namespace
@@ -165,16 +161,15 @@ TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double un
     const double scale = scaleFor(weights, frequency);
     const std::vector<double> place = places(weights, frequency);
     const TransferFunction colours = sequentialTransferFunction(0, 1, 1);
-    TransferFunction function{{}, unitDistance};
-    for (std::size_t point = 0; point < weights.size(); ++point) {
+    std::vector<TransferPoint> points(weights.size());
+    for (std::size_t point = 0; point < points.size(); ++point) {
         const TransferSample look = evaluate(colours, place[point]);
-        TransferPoint& added = function.points.emplace_back();
-        added.value = std::lerp(volumes.least, volumes.largest, positionOf(point));
+        points[point].value = std::lerp(volumes.least, volumes.largest, positionOf(point));
         for (std::size_t channel = 0; channel < 3; ++channel)
-            added.colour[channel] = static_cast<float>(std::clamp(look.colour[channel], 0.0, 1.0));
-        added.opacity = static_cast<float>(-std::expm1(-extinctionAt(weights[point], scale)));
+            points[point].colour[channel] = static_cast<float>(std::clamp(look.colour[channel], 0.0, 1.0));
+        points[point].opacity = static_cast<float>(-std::expm1(-extinctionAt(weights[point], scale)));
     }
-    return function;
+    return transferFunctionFromPoints(points, unitDistance);
 }
 
 } // namespace tetra

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -15,15 +15,43 @@ bool inUnitRange(float number)
     return number >= 0 && number <= 1;
 }
 
-Error wrongPoint(std::size_t index, const Message& what)
+/// An error if the points of a curve are not in order; `wrong(i, what)` says so of one.
+template <class Point, class Wrong> Status checkOrder(const std::vector<Point>& points, const Wrong& wrong)
 {
-    return {ErrorKind::BadInput, Message::say("Point %1 of the transfer function %2", index + 1, what)};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& [value, look, group] = points[i];
+        if (!std::isfinite(value))
+            return wrong(i, Message::say("has no finite value."));
+        if (group && (*group < 0 || *group > largestTransferGroup))
+            return wrong(i, Message::say("is of a group that is none of 0 to 9."));
+        if (i >= 1 && value < points[i - 1].value)
+            return wrong(i, Message::say("has a smaller value than the point before it. Put them in ascending order."));
+        if (i >= 2 && value == points[i - 2].value)
+            return wrong(i, Message::say("is the third of its value. Two make a step; leave out those between."));
+    }
+    return {};
 }
 
-TransferSample sampleAt(const TransferFunction& function, const TransferPoint& point)
+Status checkColours(const std::vector<ColourPoint>& colours)
 {
-    const auto& [red, green, blue] = point.colour;
-    return {{red, green, blue}, extinctionOf(point.opacity, function.unitDistance)};
+    const auto wrong = [](std::size_t index, const Message& what) {
+        return Error{ErrorKind::BadInput, Message::say("Colour %1 of the transfer function %2", index + 1, what)};
+    };
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        if (!std::ranges::all_of(colours[i].colour, inUnitRange))
+            return wrong(i, Message::say("has a channel outside 0 to 1."));
+    return checkOrder(colours, wrong);
+}
+
+Status checkOpacities(const std::vector<OpacityPoint>& opacities)
+{
+    const auto wrong = [](std::size_t index, const Message& what) {
+        return Error{ErrorKind::BadInput, Message::say("Opacity %1 of the transfer function %2", index + 1, what)};
+    };
+    for (std::size_t i = 0; i < opacities.size(); ++i)
+        if (!inUnitRange(opacities[i].opacity))
+            return wrong(i, Message::say("is outside 0 to 1."));
+    return checkOrder(opacities, wrong);
 }
 
 } // namespace
@@ -41,22 +69,10 @@ Status checkTransferFunction(const TransferFunction& function)
     if (!(function.unitDistance > 0) || !std::isfinite(function.unitDistance))
         return Error{ErrorKind::BadInput,
                      Message::say("The unit distance of a transfer function must be a length above zero.")};
-    const auto& points = function.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!std::isfinite(points[i].value))
-            return wrongPoint(i, Message::say("has no finite value."));
-        if (!std::ranges::all_of(points[i].colour, inUnitRange))
-            return wrongPoint(i, Message::say("has a colour outside 0 to 1."));
-        if (!inUnitRange(points[i].opacity))
-            return wrongPoint(i, Message::say("has an opacity outside 0 to 1."));
-        if (points[i].group && (*points[i].group < 0 || *points[i].group > largestTransferGroup))
-            return wrongPoint(i, Message::say("is of a group that is none of 0 to 9."));
-        if (i >= 1 && points[i].value < points[i - 1].value)
-            return wrongPoint(
-                i, Message::say("has a smaller value than the point before it. Put them in ascending order."));
-        if (i >= 2 && points[i].value == points[i - 2].value)
-            return wrongPoint(i, Message::say("is the third of its value. Two make a step; leave out those between."));
-    }
+    if (const Status usable = checkColours(function.colours); !usable)
+        return usable;
+    if (const Status usable = checkOpacities(function.opacities); !usable)
+        return usable;
     return function.mask ? checkMask(*function.mask) : Status{};
 }
 
@@ -64,6 +80,61 @@ double extinctionOf(double opacity, double unitDistance) noexcept
 {
     return -std::log1p(-std::min(opacity, largestOpacity)) / unitDistance;
 }
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where a value lies on a curve: between one point and the next, which are the same beyond an end.
+template <class Point> struct Stretch {
+    const Point& low;
+    const Point& high;
+
+    double width() const { return high.value - low.value; }
+    double share(double value) const { return width() > 0 ? (value - low.value) / width() : 0; }
+};
+
+/// Of the upper side at a step. O(log points).
+template <class Point> Stretch<Point> stretchAt(const std::vector<Point>& points, double value)
+{
+    static const Point none{};
+    if (points.empty())
+        return {none, none};
+    const auto above = std::ranges::upper_bound(points, value, {}, &Point::value);
+    return {above == points.begin() ? *above : above[-1], above == points.end() ? above[-1] : *above};
+}
+
+std::array<double, 3> colourAt(const std::vector<ColourPoint>& colours, double value)
+{
+    const Stretch<ColourPoint> stretch = stretchAt(colours, value);
+    std::array<double, 3> colour{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        colour[channel] =
+            std::lerp(double{stretch.low.colour[channel]}, double{stretch.high.colour[channel]}, stretch.share(value));
+    return colour;
+}
+
+double extinctionAt(const std::vector<OpacityPoint>& opacities, double unitDistance, double value)
+{
+    const Stretch<OpacityPoint> stretch = stretchAt(opacities, value);
+    return std::lerp(extinctionOf(stretch.low.opacity, unitDistance), extinctionOf(stretch.high.opacity, unitDistance),
+                     stretch.share(value));
+}
+
+/// The values at which either curve has a point, ascending, each once.
+std::vector<double> valuesOf(const TransferFunction& function)
+{
+    std::vector<double> values;
+    for (const ColourPoint& point : function.colours)
+        values.push_back(point.value);
+    for (const OpacityPoint& point : function.opacities)
+        values.push_back(point.value);
+    std::ranges::sort(values);
+    values.erase(std::ranges::unique(values).begin(), values.end());
+    return values;
+}
+
+} // namespace
 
 TransferSample evaluate(const TransferFunction& function, double value)
 {
@@ -74,42 +145,40 @@ TransferSample evaluate(const TransferFunction& function, double value)
 
 TransferSample evaluateUnmasked(const TransferFunction& function, double value)
 {
-    const auto& points = function.points;
-    if (points.empty() || std::isnan(value))
+    if (std::isnan(value))
         return {};
-    const auto above = std::ranges::upper_bound(points, value, {}, &TransferPoint::value);
-    if (above == points.begin())
-        return sampleAt(function, points.front());
-    if (above == points.end())
-        return sampleAt(function, points.back());
-    const TransferSample low = sampleAt(function, above[-1]);
-    const TransferSample high = sampleAt(function, *above);
-    const double weight = (value - above[-1].value) / (above->value - above[-1].value);
-    TransferSample result;
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        result.colour[channel] = std::lerp(low.colour[channel], high.colour[channel], weight);
-    result.extinction = std::lerp(low.extinction, high.extinction, weight);
-    return result;
+    return {colourAt(function.colours, value), extinctionAt(function.opacities, function.unitDistance, value)};
 }
 
 namespace {
 
-TransferSample sampleAt(const TransferPoint& point, double unitDistance)
+/// How fast colour and extinction change above a value, up to the next point of either curve.
+TransferSample slopeAbove(const TransferFunction& function, double value)
 {
-    const auto& [red, green, blue] = point.colour;
-    return {{red, green, blue}, extinctionOf(point.opacity, unitDistance)};
+    TransferSample slope;
+    if (const auto stretch = stretchAt(function.colours, value); stretch.width() > 0)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            slope.colour[channel] =
+                (double{stretch.high.colour[channel]} - double{stretch.low.colour[channel]}) / stretch.width();
+    if (const auto stretch = stretchAt(function.opacities, value); stretch.width() > 0)
+        slope.extinction = (extinctionOf(stretch.high.opacity, function.unitDistance) -
+                            extinctionOf(stretch.low.opacity, function.unitDistance)) /
+                           stretch.width();
+    return slope;
 }
 
-TransferSample slope(const TransferSample& low, const TransferSample& high, double width)
+std::vector<TransferSegment> unmaskedSegments(const TransferFunction& function)
 {
-    TransferSample result;
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        result.colour[channel] = (high.colour[channel] - low.colour[channel]) / width;
-    result.extinction = (high.extinction - low.extinction) / width;
-    return result;
+    const std::vector<double> values = valuesOf(function);
+    std::vector<TransferSegment> segments;
+    segments.push_back({-infinity, values.front(), values.front(), evaluateUnmasked(function, -infinity), {}});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double end = i + 1 < values.size() ? values[i + 1] : infinity;
+        segments.push_back(
+            {values[i], end, values[i], evaluateUnmasked(function, values[i]), slopeAbove(function, values[i])});
+    }
+    return segments;
 }
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TransferSegment nothingSeen(double begin, double end)
 {
@@ -146,31 +215,69 @@ std::vector<TransferSegment> masked(const std::vector<TransferSegment>& segments
     return result;
 }
 
-std::vector<TransferSegment> unmaskedSegments(const TransferFunction& function)
-{
-    const auto& points = function.points;
-    if (points.empty())
-        return {{-infinity, infinity, 0, {}, {}}};
-    const auto at = [&](std::size_t i) { return sampleAt(points[i], function.unitDistance); };
-
-    std::vector<TransferSegment> segments;
-    segments.push_back({-infinity, points.front().value, points.front().value, at(0), {}});
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const double begin = points[i - 1].value;
-        const double end = points[i].value;
-        if (end > begin)
-            segments.push_back({begin, end, begin, at(i - 1), slope(at(i - 1), at(i), end - begin)});
-    }
-    segments.push_back({points.back().value, infinity, points.back().value, at(points.size() - 1), {}});
-    return segments;
-}
-
 } // namespace
 
 std::vector<TransferSegment> transferSegments(const TransferFunction& function)
 {
-    std::vector<TransferSegment> segments = unmaskedSegments(function);
-    return function.mask && !function.points.empty() ? masked(segments, *function.mask) : segments;
+    if (function.opacities.empty())
+        return {{-infinity, infinity, 0, {}, {}}};
+    const std::vector<TransferSegment> segments = unmaskedSegments(function);
+    return function.mask ? masked(segments, *function.mask) : segments;
+}
+
+TransferFunction transferFunctionFromPoints(std::span<const TransferPoint> points, double unitDistance)
+{
+    TransferFunction function;
+    function.unitDistance = unitDistance;
+    for (const TransferPoint& point : points) {
+        function.colours.push_back({point.value, point.colour, point.group});
+        function.opacities.push_back({point.value, point.opacity, point.group});
+    }
+    return function;
+}
+
+namespace {
+
+/// The points of a curve at a value: none, one, or both sides of a step.
+template <class Point> std::span<const Point> pointsAt(const std::vector<Point>& points, double value)
+{
+    return std::ranges::equal_range(points, value, {}, &Point::value);
+}
+
+/// The lower or the upper side of both curves at a value.
+TransferPoint sideAt(const TransferFunction& function, double value, bool upper)
+{
+    TransferPoint side;
+    side.value = value;
+    if (const auto colours = pointsAt(function.colours, value); !colours.empty()) {
+        const ColourPoint& point = upper ? colours.back() : colours.front();
+        side.colour = point.colour;
+        side.group = point.group;
+    } else {
+        std::ranges::transform(colourAt(function.colours, value), side.colour.begin(),
+                               [](double channel) { return std::clamp(static_cast<float>(channel), 0.0F, 1.0F); });
+    }
+    if (const auto opacities = pointsAt(function.opacities, value); !opacities.empty()) {
+        const OpacityPoint& point = upper ? opacities.back() : opacities.front();
+        side.opacity = point.opacity;
+        side.group = point.group;
+    } else {
+        side.opacity = static_cast<float>(-std::expm1(-extinctionAt(function.opacities, 1, value)));
+    }
+    return side;
+}
+
+} // namespace
+
+std::vector<TransferPoint> transferPoints(const TransferFunction& function)
+{
+    std::vector<TransferPoint> points;
+    for (const double value : valuesOf(function)) {
+        if (pointsAt(function.colours, value).size() > 1 || pointsAt(function.opacities, value).size() > 1)
+            points.push_back(sideAt(function, value, false));
+        points.push_back(sideAt(function, value, true));
+    }
+    return points;
 }
 
 } // namespace tetra

@@ -13,7 +13,8 @@ namespace tetra {
 namespace {
 
 constexpr std::string_view formatName = "tan-transfer-function";
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;
+constexpr int versionOfPoints = 1; ///< a colour and an opacity at each value
 
 Error wrongFunction(const JsonValue& value, const Message& what)
 {
@@ -56,18 +57,54 @@ Status readColour(const JsonValue& value, std::array<float, 3>& colour)
     return {};
 }
 
+/// What all points have.
+template <class Point> Status readPlace(const JsonValue& value, Point& point)
+{
+    if (Status status = readNumber(*value.find("value"), "\"value\"", point.value); !status)
+        return status;
+    if (const JsonValue* group = value.find("group"))
+        return readNumber(*group, "\"group\"", point.group.emplace());
+    return {};
+}
+
+Status readPoint(const JsonValue& value, ColourPoint& point)
+{
+    if (Status status = checkMembers(value, {"value", "colour"}, {"group"}, "a colour"); !status)
+        return status;
+    if (Status status = readPlace(value, point); !status)
+        return status;
+    return readColour(*value.find("colour"), point.colour);
+}
+
+Status readPoint(const JsonValue& value, OpacityPoint& point)
+{
+    if (Status status = checkMembers(value, {"value", "opacity"}, {"group"}, "an opacity"); !status)
+        return status;
+    if (Status status = readPlace(value, point); !status)
+        return status;
+    return readNumber(*value.find("opacity"), "\"opacity\"", point.opacity);
+}
+
 Status readPoint(const JsonValue& value, TransferPoint& point)
 {
     if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {"group"}, "a point"); !status)
         return status;
-    if (Status status = readNumber(*value.find("value"), "\"value\"", point.value); !status)
+    if (Status status = readPlace(value, point); !status)
         return status;
     if (Status status = readNumber(*value.find("opacity"), "\"opacity\"", point.opacity); !status)
         return status;
-    if (const JsonValue* group = value.find("group"))
-        if (Status status = readNumber(*group, "\"group\"", point.group.emplace()); !status)
-            return status;
     return readColour(*value.find("colour"), point.colour);
+}
+
+template <class Point> Status readPoints(const JsonValue& root, std::string_view name, std::vector<Point>& points)
+{
+    const JsonValue& list = *root.find(name);
+    if (list.array() == nullptr)
+        return wrongFunction(list, Message::say("\"%1\" must be a list, in brackets", name));
+    for (const JsonValue& value : *list.array())
+        if (Status status = readPoint(value, points.emplace_back()); !status)
+            return status;
+    return {};
 }
 
 Status readMask(const JsonValue& value, TransferMask& mask)
@@ -83,25 +120,45 @@ Status readMask(const JsonValue& value, TransferMask& mask)
     return {};
 }
 
-Status readFormat(const JsonValue& root)
+Status readFormat(const JsonValue& root, int& version)
 {
+    if (root.object() == nullptr)
+        return wrongFunction(root, Message::say("%1 must be an object, in braces", "the text"));
+    for (const std::string_view name : {"format", "version"})
+        if (root.find(name) == nullptr)
+            return wrongFunction(root, Message::say("%1 has no \"%2\"", "the text", name));
     const std::string* format = root.find("format")->string();
     if (format == nullptr || *format != formatName)
         return wrongFunction(*root.find("format"), Message::say("\"format\" is not \"%1\"", formatName));
-    int version = 0;
     if (Status status = readNumber(*root.find("version"), "\"version\"", version); !status)
         return status;
-    if (version != formatVersion)
-        return wrongFunction(*root.find("version"), Message::say("this program knows version %1 only", formatVersion));
+    if (version != formatVersion && version != versionOfPoints)
+        return wrongFunction(*root.find("version"), Message::say("this program knows versions 1 to %1", formatVersion));
     return {};
 }
 
-std::string maskText(const TransferPoint& point)
+std::string lookText(const ColourPoint& point)
 {
     const auto& [red, green, blue] = point.colour;
-    return "{\"value\": " + formatNumber(point.value) + ", \"colour\": [" + formatNumber(red) + ", " +
-           formatNumber(green) + ", " + formatNumber(blue) + "], \"opacity\": " + formatNumber(point.opacity) +
-           (point.group ? ", \"group\": " + std::to_string(*point.group) : "") + "}";
+    return "\"colour\": [" + formatNumber(red) + ", " + formatNumber(green) + ", " + formatNumber(blue) + "]";
+}
+
+std::string lookText(const OpacityPoint& point)
+{
+    return "\"opacity\": " + formatNumber(point.opacity);
+}
+
+template <class Point> std::string listText(const std::vector<Point>& points)
+{
+    std::string text = "[";
+    std::string_view separator = "\n";
+    for (const Point& point : points) {
+        text += separator;
+        text += "    {\"value\": " + formatNumber(point.value) + ", " + lookText(point) +
+                (point.group ? ", \"group\": " + std::to_string(*point.group) : "") + "}";
+        separator = ",\n";
+    }
+    return text + "\n  ]";
 }
 
 std::string maskText(const TransferMask& mask)
@@ -113,17 +170,11 @@ std::string maskText(const TransferMask& mask)
 
 std::string transferFunctionToText(const TransferFunction& function)
 {
-    std::string text = "{\n  \"format\": " + jsonString(formatName) +
-                       ",\n  \"version\": " + std::to_string(formatVersion) +
-                       ",\n  \"unitDistance\": " + formatNumber(function.unitDistance) +
-                       (function.mask ? ",\n  \"mask\": " + maskText(*function.mask) : "") + ",\n  \"points\": [";
-    std::string_view separator = "\n";
-    for (const TransferPoint& point : function.points) {
-        text += separator;
-        text += "    " + maskText(point);
-        separator = ",\n";
-    }
-    return text + "\n  ]\n}\n";
+    return "{\n  \"format\": " + jsonString(formatName) + ",\n  \"version\": " + std::to_string(formatVersion) +
+           ",\n  \"unitDistance\": " + formatNumber(function.unitDistance) +
+           (function.mask ? ",\n  \"mask\": " + maskText(*function.mask) : "") +
+           ",\n  \"colours\": " + listText(function.colours) + ",\n  \"opacities\": " + listText(function.opacities) +
+           "\n}\n";
 }
 
 Result<TransferFunction> transferFunctionFromText(std::string_view text)
@@ -137,27 +188,36 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
 
 Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
 {
-    if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, "the text");
-        !status)
+    int version = 0;
+    if (Status status = readFormat(root, version); !status)
         return status.error();
-    if (Status status = readFormat(root); !status)
-        return status.error();
-
     TransferFunction function;
+    if (version == versionOfPoints) {
+        if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, "the text");
+            !status)
+            return status.error();
+        std::vector<TransferPoint> points;
+        if (Status status = readPoints(root, "points", points); !status)
+            return status.error();
+        function = transferFunctionFromPoints(points);
+    } else {
+        if (Status status =
+                checkMembers(root, {"format", "version", "colours", "opacities"}, {"unitDistance", "mask"}, "the text");
+            !status)
+            return status.error();
+        if (Status status = readPoints(root, "colours", function.colours); !status)
+            return status.error();
+        if (Status status = readPoints(root, "opacities", function.opacities); !status)
+            return status.error();
+    }
     if (const JsonValue* distance = root.find("unitDistance"))
         if (Status status = readNumber(*distance, "\"unitDistance\"", function.unitDistance); !status)
             return status.error();
     if (const JsonValue* mask = root.find("mask"))
         if (Status status = readMask(*mask, function.mask.emplace()); !status)
             return status.error();
-    const JsonArray* points = root.find("points")->array();
-    if (points == nullptr)
-        return wrongFunction(*root.find("points"), Message::say("\"points\" must be a list, in brackets"));
-    for (const JsonValue& value : *points)
-        if (Status status = readPoint(value, function.points.emplace_back()); !status)
-            return status.error();
     if (Status status = checkTransferFunction(function); !status)
-        return wrongFunction(*root.find("points"), status.error().text());
+        return wrongFunction(root, status.error().text());
     return function;
 }
 

@@ -36,7 +36,7 @@ template <class Done> double secondsUntil(const Done& done)
 /// The same opacities in one colour, so that a picture tells which function it shows.
 TransferFunction inColour(TransferFunction function, bool red)
 {
-    for (TransferPoint& point : function.points)
+    for (ColourPoint& point : function.colours)
         point.colour = red ? std::array<float, 3>{1, 0, 0} : std::array<float, 3>{0, 0, 1};
     return function;
 }

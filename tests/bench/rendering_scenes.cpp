@@ -59,17 +59,12 @@ TetrahedralMesh cubeOf(const RowFunction& signal, std::uint32_t size)
 /// Blue, cyan, green, yellow, red, and opacity that rises faster and faster; both linear between their own points.
 TransferFunction colourful(float smallest, float largest, double unitDistance)
 {
-    TransferFunction function{{{0, {0, 0, 1}, 0},
-                               {0.05, {0, 0.2f, 1}, 0.02f},
-                               {0.2, {0, 0.8f, 1}, 0.1f},
-                               {0.25, {0, 1, 1}, 0.125f},
-                               {0.5, {0, 1, 0}, 0.25f},
-                               {0.75, {1, 1, 0}, 0.525f},
-                               {1, {1, 0, 0}, 0.8f}},
-                              unitDistance};
-    for (TransferPoint& point : function.points)
+    std::vector<TransferPoint> points{{0, {0, 0, 1}, 0},         {0.05, {0, 0.2f, 1}, 0.02f}, {0.2, {0, 0.8f, 1}, 0.1f},
+                                      {0.25, {0, 1, 1}, 0.125f}, {0.5, {0, 1, 0}, 0.25f},     {0.75, {1, 1, 0}, 0.525f},
+                                      {1, {1, 0, 0}, 0.8f}};
+    for (TransferPoint& point : points)
         point.value = std::lerp(double(smallest), double(largest), point.value);
-    return function;
+    return transferFunctionFromPoints(points, unitDistance);
 }
 
 /// Our cameras have z up, VTK's y: turned like this, both show the same by default.

@@ -30,7 +30,7 @@ QJsonArray jsonOf(const Eigen::Vector3d& point)
 QJsonObject jsonOf(const RenderingScene& scene, int size)
 {
     QJsonArray points, cameras;
-    for (const TransferPoint& point : scene.function.points)
+    for (const TransferPoint& point : transferPoints(scene.function))
         points.append(QJsonObject{{"value", point.value},
                                   {"colour", QJsonArray{point.colour[0], point.colour[1], point.colour[2]}},
                                   {"opacity", point.opacity}});

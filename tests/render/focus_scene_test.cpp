@@ -288,7 +288,8 @@ void FocusSceneTest::surfacesAreMetInTheBorder()
 void FocusSceneTest::hasAFunctionOfItsOwn()
 {
     const Fields fields;
-    const TransferFunction function{{{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2};
+    const TransferFunction function =
+        transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2);
     const Scene expected = volumeScene(fields.fine, function);
     Scene scene = volumeScene(fields.fine, rainbow(0.5));
     scene.focus = FocusVolume{volumeOf(scene.volume->mesh, function), Sphere{{0.5, 0.5, 0.5}, 2}, 0};

@@ -22,7 +22,7 @@ namespace {
 const PictureOptions usual{.width = 48, .height = 40, .samplesPerAxis = 1};
 
 /// For a focus that nobody overlooks.
-const TransferFunction fire{{{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2};
+const TransferFunction fire = transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2);
 
 using FocusRegion = std::variant<Box, Sphere>;
 

@@ -112,7 +112,8 @@ private slots:
     {
         const TetrahedralMesh fine = column(1500);
         const auto mesh = std::make_shared<VolumeMesh>(*makeVolumeMesh(std::make_shared<TetrahedralMesh>(fine)));
-        const TransferFunction function{{{0, {1, 0.2f, 0}, 0.5f}, {1, {0, 0.2f, 1}, 0.9f}}, 1};
+        const TransferFunction function =
+            transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.5f}, {1, {0, 0.2f, 1}, 0.9f}}, 1);
         Scene scene;
         scene.volume = {mesh, std::make_shared<VolumeTransfer>(*makeVolumeTransfer(fine, function))};
         scene.bounds = mesh->bounds;
@@ -178,7 +179,8 @@ private slots:
             mesh.tetrahedra.push_back(cell);
         std::ranges::reverse(mesh.tetrahedra[11]); // inverted where it was
         std::swap(mesh.tetrahedra[12][0], mesh.tetrahedra[12][1]);
-        const TransferFunction function{{{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.3f}}, 1};
+        const TransferFunction function =
+            transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.3f}}, 1);
         Scene scene;
         scene.volume = {std::make_shared<VolumeMesh>(*makeVolumeMesh(std::make_shared<TetrahedralMesh>(mesh))),
                         std::make_shared<VolumeTransfer>(*makeVolumeTransfer(mesh, function))};

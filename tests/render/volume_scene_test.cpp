@@ -194,7 +194,7 @@ private slots:
                 for (const bool perspective : {true, false}) {
                     const TetrahedralMesh& mesh = meshNamed(name);
                     TransferFunction function = functionFor(mesh, kind).function;
-                    for (TransferPoint& point : function.points)
+                    for (ColourPoint& point : function.colours)
                         for (float& channel : point.colour)
                             channel *= 0.8f; // so that no highlight is cut off, which the back end does slab by slab
                     Scene scene = volumeScene(mesh, function);

@@ -26,7 +26,7 @@ AnnotationContent fullContent()
     for (AnnotationPlace& place : content.state.places)
         place.shown = true;
     content.range = {0.2, 4.98};
-    content.transfer = TransferFunction{{{0.2, {0, 0, 1}, 0}, {4.98, {1, 0, 0}, 0.9F}}, 1};
+    content.transfer = transferFunctionFromPoints({{0.2, {0, 0, 1}, 0}, {4.98, {1, 0, 0}, 0.9F}}, 1);
     content.isovalues = std::vector<Isovalue>{{.value = 1}, {.value = 1.02}, {.value = 3}};
     content.field = "density";
     content.title = "bluntfin";

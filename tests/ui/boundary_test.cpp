@@ -164,7 +164,7 @@ void BoundaryTest::valuesHaveTheColoursOfTheTransferFunction()
     QVERIFY(bar() && *bar() == session().view().look().transfer);
     QVERIFY(!boundary().mesh->colours.empty() && boundary().opacity == 1);
     TransferFunction green = session().view().look().transfer;
-    for (TransferPoint& point : green.points)
+    for (ColourPoint& point : green.colours)
         point.colour = {0, 1, 0};
     session().setTransfer(green);
     QTRY_VERIFY(window_->settled() && boundary().mesh->colours.front() == (Colour{0, 1, 0}));

@@ -187,7 +187,7 @@ void FirstLookTest::whatWasChosenWhileItGrewStays()
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
     TransferFunction chosen = session().view().look().transfer;
-    chosen.points.front().opacity = 0.7F;
+    chosen.opacities.front().opacity = 0.7F;
     session().setTransfer(chosen);
     Isovalue isovalue = session().view().isovalues().front();
     isovalue.value = 11;

@@ -478,10 +478,10 @@ void KeepSessionTest::aLongFilmIsSavedAndOpened()
     Animation animation;
     animation.kind = Animation::Kind::KeyFrames;
     FilmFrame frame = window_->workbench.presentFrame(window_->viewport().camera());
-    frame.transfer.points.clear();
+    std::vector<TransferPoint> points;
     for (int point = 0; point < 64; ++point)
-        frame.transfer.points.push_back(
-            {session().range().minimum + point * session().range().extent() / 63, {1, 0, 0}, 0.5F});
+        points.push_back({session().range().minimum + point * session().range().extent() / 63, {1, 0, 0}, 0.5F});
+    frame.transfer = transferFunctionFromPoints(points, frame.transfer.unitDistance);
     for (int key = 0; key < 300; ++key) {
         frame.camera.azimuth = key;
         animation = withKey(animation, frame);

@@ -116,12 +116,12 @@ void moving(Sitting& sitting)
     sitting.dock("transfer");
     sitting.raiseBorder();
     const TransferFunction before = sitting.session().view().look().transfer;
-    const std::size_t point = before.points.size() / 2;
+    const std::size_t point = before.opacities.size() / 2;
     sitting.session().beginGesture();
     QElapsedTimer clock;
     for (clock.start(); clock.elapsed() < 4000; QTest::qWait(15)) {
         TransferFunction dragged = before;
-        dragged.points[point].opacity = 0.5F + 0.2F * static_cast<float>(std::sin(double(clock.elapsed()) / 300));
+        dragged.opacities[point].opacity = 0.5F + 0.2F * static_cast<float>(std::sin(double(clock.elapsed()) / 300));
         sitting.session().setTransfer(dragged);
     }
     sitting.take("moving");

@@ -5,6 +5,7 @@
 #include "plugins/widgets/curves/copying.h"
 #include "plugins/widgets/curves/moving.h"
 #include "plugins/widgets/curves/reshaping.h"
+#include "plugins/widgets/curves/whole_function.h"
 
 #include <tan/transfer.h>
 
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t mostPoints = 40; ///< a person's function
 constexpr int mostIsovalues = 4;
 
-TransferSelection anySelection(const TransferFunction& function, std::mt19937& random)
+TransferSelection anySelection(const JoinedFunction& function, std::mt19937& random)
 {
     TransferSelection selection;
     for (std::size_t i = 0; i < function.points.size(); ++i)
@@ -82,18 +83,22 @@ void RandomEdits::editTransfer()
 {
     const ValueRange range = session_.range();
     const TransferLimits limits{range.minimum, range.maximum};
-    const TransferFunction now = session_.view().look().transfer;
+    const TransferFunction whole = session_.view().look().transfer;
+    const JoinedFunction now = joined(whole);
     const TransferSelection some = anySelection(now, random_);
     const auto rule = static_cast<NeighbourRule>(below(3));
     const auto alignment = static_cast<Alignment>(below(4));
     const double by = number(-0.2, 0.2) * range.extent();
-    const auto set = [this](const TransferFunction& function) { session_.setTransfer(function); };
-    if (now.points.size() > mostPoints)
-        return set(simplified(now, allPoints(now), {0.2, 0.2}).function.points.size() > mostPoints
-                       ? sequentialTransferFunction(limits.least, limits.largest, now.unitDistance)
-                       : simplified(now, allPoints(now), {0.2, 0.2}).function);
+    const auto setWhole = [this](const TransferFunction& function) { session_.setTransfer(function); };
+    const auto set = [this](const JoinedFunction& function) { session_.setTransfer(separated(function)); };
+    if (now.points.size() > mostPoints) {
+        const JoinedFunction simple = simplified(now, allPoints(now), {0.2, 0.2}).function;
+        return simple.points.size() > mostPoints
+                   ? setWhole(sequentialTransferFunction(limits.least, limits.largest, now.unitDistance))
+                   : set(simple);
+    }
     switch (below(20)) {
-    case 0: return set(withPoint(now, value()).value_or(EditedTransfer{now, 0}).function);
+    case 0: return set(withPoint(now, value()).value_or(EditedPoint{now, 0}).function);
     case 1: return set(withoutSelected(now, {below(8)}).function);
     case 2: return set(alignOpacities(now, some, alignment).function);
     case 3: return set(alignValues(now, some, alignment).function);
@@ -103,15 +108,17 @@ void RandomEdits::editTransfer()
     case 7: return set(rampOpacities(now, some).function);
     case 8: return set(withPeak(now, {value(), number(0, 0.3) * range.extent(), number(0, 1)}, limits).function);
     case 9: return set(duplicated(now, {below(8)}, by, limits).function);
-    case 10: return set(shifted(now, by));
-    case 11: return set(widened(now, value(), number(0.5, 2)));
-    case 12: return set(withMask(now, {value(), value()}));
-    case 13: return set(withoutMask(now));
+    case 10: return setWhole(shifted(whole, by));
+    case 11: return setWhole(widened(whole, value(), number(0.5, 2)));
+    case 12: return setWhole(withMask(whole, {value(), value()}));
+    case 13: return setWhole(withoutMask(whole));
     case 14: return set(withGroup(now, some, static_cast<int>(below(12)) - 1).function);
-    case 15: return set(withColourMap(now, colourMaps()[below(colourMaps().size())], limits));
-    case 16: return set(withUnitDistance(now, number(0.5, 2) * now.unitDistance));
+    case 15: return setWhole(withColourMap(whole, colourMaps()[below(colourMaps().size())], limits));
+    case 16: return setWhole(withUnitDistance(whole, number(0.5, 2) * now.unitDistance));
     case 17:
-        return set({{{value(), {1, 0, 0}, static_cast<float>(number(-0.5, 1.5))}, {value(), {}, 1}}, number(-1, 9)});
+        return setWhole({{{value(), {1, 0, 0}}, {value(), {}}},
+                         {{value(), static_cast<float>(number(-0.5, 1.5))}, {value(), 1}},
+                         number(-1, 9)});
     default:
         return set(moveSelected(now, some, {by, number(-0.2, 0.2), OpacityAxis::Logarithmic}, rule, limits).function);
     }

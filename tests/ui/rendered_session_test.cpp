@@ -111,7 +111,7 @@ void RenderedSessionTest::asTheWindowDrawsIt()
         session().setError(3);
         session().addIsovalue();
         TransferFunction transfer = session().view().look().transfer;
-        transfer.points.back().opacity = 0.5F;
+        transfer.opacities.back().opacity = 0.5F;
         session().setTransfer(transfer);
         session().setSetting("shaded", true);
         session().setAnnotations(allAnnotations());

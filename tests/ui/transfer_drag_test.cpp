@@ -54,14 +54,15 @@ void TransferDragTest::drag(Viewport& viewport, QPoint by, Qt::KeyboardModifiers
 
 void TransferDragTest::sidewaysShiftsAndUpwardsWidens()
 {
-    const TransferFunction before{{{2, {1, 0, 0}, 0.1F}, {4, {0, 1, 0}, 0.7F}, {6, {0, 0, 1}, 0.2F}}, 1};
+    const TransferFunction before =
+        transferFunctionFromPoints({{2, {1, 0, 0}, 0.1F}, {4, {0, 1, 0}, 0.7F}, {6, {0, 0, 1}, 0.2F}}, 1);
     const TransferFunction right = draggedTransfer(before, {50, 0}, {200, 100}, {0, 8});
-    QCOMPARE(right.points[1].value, 6.0);
-    QCOMPARE(right.points[2].value, 8.0);
+    QCOMPARE(right.opacities[1].value, 6.0);
+    QCOMPARE(right.opacities[2].value, 8.0);
     const TransferFunction up = draggedTransfer(before, {0, -25}, {200, 100}, {0, 8});
-    QCOMPARE(up.points[0].value, 0.0);
-    QCOMPARE(up.points[2].value, 8.0);
-    QCOMPARE(up.points[1], before.points[1]);
+    QCOMPARE(up.opacities[0].value, 0.0);
+    QCOMPARE(up.opacities[2].value, 8.0);
+    QCOMPARE(up.opacities[1], before.opacities[1]);
     QCOMPARE(draggedTransfer(before, {5, 5}, {0, 0}, {0, 8}), before);
     QCOMPARE(draggedTransfer({}, {5, 5}, {200, 100}, {0, 8}), TransferFunction());
 }

@@ -176,8 +176,8 @@ void ValuePickTest::keysPickAndMakeIsovaluesAndPoints()
     QCOMPARE(session().view().isovalueCount(), isovalues + 1);
     QCOMPARE(session().view().isovalues().back().value, value);
     pointHere.trigger();
-    const auto& points = session().view().look().transfer.points;
-    QCOMPARE(points.size(), before.points.size() + 1);
+    const auto points = transferPoints(session().view().look().transfer);
+    QCOMPARE(points.size(), transferPoints(before).size() + 1);
     QVERIFY(std::ranges::find(points, value, &TransferPoint::value) != points.end());
     QCOMPARE(session().undoStack().index(), steps + 2);
     window_->find<QAction>("action.undo").trigger();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tetra {
 namespace {
@@ -15,75 +16,109 @@ template <class Number> Number blendOf(Number first, Number second, double part)
     return static_cast<Number>(first + (second - first) * part);
 }
 
-TransferFunction withMovedPoints(const TransferFunction& first, const TransferFunction& second, double part)
+ColourPoint blendOf(const ColourPoint& first, const ColourPoint& second, double part)
 {
-    TransferFunction result = first;
-    result.unitDistance = blendOf(first.unitDistance, second.unitDistance, part);
-    for (std::size_t i = 0; i < result.points.size(); ++i) {
-        TransferPoint& point = result.points[i];
-        const TransferPoint& other = second.points[i];
-        point.value = blendOf(point.value, other.value, part);
-        point.opacity = blendOf(point.opacity, other.opacity, part);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            point.colour[channel] = blendOf(point.colour[channel], other.colour[channel], part);
-    }
+    ColourPoint point = first;
+    point.value = blendOf(first.value, second.value, part);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        point.colour[channel] = blendOf(first.colour[channel], second.colour[channel], part);
+    return point;
+}
+
+OpacityPoint blendOf(const OpacityPoint& first, const OpacityPoint& second, double part)
+{
+    OpacityPoint point = first;
+    point.value = blendOf(first.value, second.value, part);
+    point.opacity = blendOf(first.opacity, second.opacity, part);
+    return point;
+}
+
+/// Points that wander, each to the one of the same number.
+template <class Point>
+std::vector<Point> withMovedPoints(const std::vector<Point>& first, const std::vector<Point>& second, double part)
+{
+    std::vector<Point> result;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        result.push_back(blendOf(first[i], second[i], part));
     return result;
 }
 
-/// The values of the points of both, each once.
-std::vector<double> valuesOf(const TransferFunction& first, const TransferFunction& second)
+template <class Point> bool hasStep(const std::vector<Point>& points, double value)
+{
+    return std::ranges::count(points, value, &Point::value) > 1;
+}
+
+/// Points at the values of both curves, each as `between(value)`; at a step of either one more that is what
+/// `between(value)` is just below.
+template <class Point, class Between> std::vector<Point>
+withPointsOfBoth(const std::vector<Point>& first, const std::vector<Point>& second, const Between& between)
 {
     std::vector<double> values;
-    for (const TransferFunction* function : {&first, &second})
-        for (const TransferPoint& point : function->points)
+    for (const auto* points : {&first, &second})
+        for (const Point& point : *points)
             values.push_back(point.value);
     std::ranges::sort(values);
     const auto repeated = std::ranges::unique(values);
     values.erase(repeated.begin(), repeated.end());
-    return values;
-}
-
-bool hasStep(const TransferFunction& function, double value)
-{
-    return std::ranges::count(function.points, value, &TransferPoint::value) > 1;
-}
-
-/// What a value looks like seen from below: where there is a step its lower side.
-TransferSample sampleBelow(const TransferFunction& function, double value)
-{
-    if (!hasStep(function, value))
-        return evaluate(function, value);
-    const auto lower = std::ranges::find(function.points, value, &TransferPoint::value);
-    return {{lower->colour[0], lower->colour[1], lower->colour[2]},
-            extinctionOf(lower->opacity, function.unitDistance)};
-}
-
-TransferPoint pointBetween(double value, const TransferSample& first, const TransferSample& second, double part,
-                           double unitDistance)
-{
-    TransferPoint point;
-    point.value = value;
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        point.colour[channel] =
-            static_cast<float>(std::clamp(blendOf(first.colour[channel], second.colour[channel], part), 0.0, 1.0));
-    const double extinction = blendOf(first.extinction, second.extinction, part);
-    point.opacity = static_cast<float>(std::clamp(-std::expm1(-extinction * unitDistance), 0.0, 1.0));
-    return point;
-}
-
-TransferFunction withPointsOfBoth(const TransferFunction& first, const TransferFunction& second, double part)
-{
-    TransferFunction result;
-    result.unitDistance = blendOf(first.unitDistance, second.unitDistance, part);
-    for (const double value : valuesOf(first, second)) {
-        if (hasStep(first, value) || hasStep(second, value))
-            result.points.push_back(
-                pointBetween(value, sampleBelow(first, value), sampleBelow(second, value), part, result.unitDistance));
-        result.points.push_back(
-            pointBetween(value, evaluate(first, value), evaluate(second, value), part, result.unitDistance));
+    std::vector<Point> result;
+    for (const double value : values) {
+        if (hasStep(first, value) || hasStep(second, value)) {
+            result.push_back(between(std::nextafter(value, -std::numeric_limits<double>::infinity())));
+            result.back().value = value;
+        }
+        result.push_back(between(value));
     }
     return result;
 }
+
+/// A function between two.
+class Blend {
+public:
+    Blend(const TransferFunction& first, const TransferFunction& second, double part)
+        : first_(first), second_(second), part_(part),
+          unitDistance_(blendOf(first.unitDistance, second.unitDistance, part))
+    {
+    }
+
+    TransferFunction function() const
+    {
+        TransferFunction result;
+        result.unitDistance = unitDistance_;
+        const bool wander =
+            first_.colours.size() == second_.colours.size() && first_.opacities.size() == second_.opacities.size();
+        if (wander)
+            result.mask = first_.mask;
+        result.colours = wander ? withMovedPoints(first_.colours, second_.colours, part_)
+                                : withPointsOfBoth(first_.colours, second_.colours,
+                                                   [this](double value) { return colourAt(value); });
+        result.opacities = wander ? withMovedPoints(first_.opacities, second_.opacities, part_)
+                                  : withPointsOfBoth(first_.opacities, second_.opacities,
+                                                     [this](double value) { return opacityAt(value); });
+        return result;
+    }
+
+private:
+    ColourPoint colourAt(double value) const
+    {
+        const TransferSample first = evaluateUnmasked(first_, value), second = evaluateUnmasked(second_, value);
+        ColourPoint point{value};
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            point.colour[channel] =
+                static_cast<float>(std::clamp(blendOf(first.colour[channel], second.colour[channel], part_), 0.0, 1.0));
+        return point;
+    }
+    OpacityPoint opacityAt(double value) const
+    {
+        const double extinction =
+            blendOf(evaluate(first_, value).extinction, evaluate(second_, value).extinction, part_);
+        return {value, static_cast<float>(std::clamp(-std::expm1(-extinction * unitDistance_), 0.0, 1.0))};
+    }
+
+    const TransferFunction& first_;
+    const TransferFunction& second_;
+    double part_;
+    double unitDistance_;
+};
 
 float seenOpacity(const Isovalue* isovalue)
 {
@@ -108,9 +143,7 @@ TransferFunction blended(const TransferFunction& first, const TransferFunction& 
         return first;
     if (part >= 1)
         return second;
-    if (first.points.size() == second.points.size())
-        return withMovedPoints(first, second, part);
-    return withPointsOfBoth(first, second, part);
+    return Blend(first, second, part).function();
 }
 
 std::vector<Isovalue> blended(const std::vector<Isovalue>& first, const std::vector<Isovalue>& second, double part)

@@ -19,7 +19,7 @@ Look lookOf(const SessionDocument& document, const std::vector<Provided<Renderer
 {
     if (rendererOf(modes, document.look.mode) != nullptr)
         look.mode = document.look.mode;
-    if (!document.look.transfer.points.empty())
+    if (!document.look.transfer.opacities.empty())
         look.transfer = document.look.transfer;
     look.settings = document.look.settings;
     return look;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/transfer_drag.h"
 
-#include "plugins/widgets/curves/reshaping.h"
+#include "plugins/widgets/curves/whole_function.h"
 #include "ui/viewport/viewport.h"
 
 #include <QMouseEvent>
@@ -18,9 +18,10 @@ constexpr double doublings = 4;
 
 TransferFunction draggedTransfer(const TransferFunction& function, QPointF pixels, QSizeF size, ValueRange range)
 {
-    if (function.points.empty() || size.isEmpty())
+    const auto extent = extentOf(function);
+    if (!extent || size.isEmpty())
         return function;
-    const double middle = (function.points.front().value + function.points.back().value) / 2;
+    const double middle = (extent->least + extent->largest) / 2;
     const double factor = std::exp2(-doublings * pixels.y() / size.height());
     return shifted(widened(function, middle, factor), pixels.x() / size.width() * (range.maximum - range.minimum));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/pick_actions.h"
 
+#include "plugins/widgets/curves/joined_function.h"
 #include "ui/session/session.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/window/palette_commands.h"
@@ -50,8 +51,8 @@ void PickActions::addPoint()
 {
     if (!pick_.picked())
         return;
-    if (const auto added = withPoint(session_.view().look().transfer, pick_.picked()->value))
-        session_.setTransfer(added->function);
+    if (const auto added = withPoint(joined(session_.view().look().transfer), pick_.picked()->value))
+        session_.setTransfer(separated(added->function));
 }
 
 void PickActions::follow()

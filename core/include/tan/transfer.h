@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// tan/transfer.h: the transfer function, which says what a value of the field looks like; its edits, its text form,
-/// and those of other programs.
+/// tan/transfer.h: the transfer function, which says what a value of the field looks like; its text form, and those
+/// of other programs.
 ///
 /// ~~~{.cpp}
 /// /// Blue and faint where values are small, yellow and dense where they are large, as JSON.
 /// tetra::Result<std::string> blueToYellow(double least, double largest, double thickness)
 /// {
 ///     tetra::TransferFunction function;
-///     function.points = {{least, {0.1f, 0.2f, 0.8f}, 0.02f}, {largest, {1, 0.9f, 0.3f}, 0.6f}};
+///     function.colours = {{least, {0.1f, 0.2f, 0.8f}}, {largest, {1, 0.9f, 0.3f}}};
+///     function.opacities = {{least, 0.02f}, {largest, 0.6f}};
 ///     function.unitDistance = thickness; // a layer so thick has these opacities
 ///     if (const tetra::Status usable = tetra::checkTransferFunction(function); !usable)
 ///         return usable.error();
@@ -20,8 +21,8 @@
 #include <tan/base.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,13 +31,20 @@
 
 namespace tetra {
 
-/// A control point of a transfer function.
-struct TransferPoint {
+/// A control point of the colours.
+struct ColourPoint {
     double value = 0;                     ///< of the field
     std::array<float, 3> colour{1, 1, 1}; ///< sRGB, each channel in [0, 1]
-    float opacity = 0;                    ///< in [0, 1], of the unit distance
     std::optional<int> group{};           ///< 0 to 9: a label for the editor, which changes nothing of the look
-    bool operator==(const TransferPoint&) const = default;
+    bool operator==(const ColourPoint&) const = default;
+};
+
+/// A control point of the opacities.
+struct OpacityPoint {
+    double value = 0;           ///< of the field
+    float opacity = 0;          ///< in [0, 1], of the unit distance
+    std::optional<int> group{}; ///< as of a colour
+    bool operator==(const OpacityPoint&) const = default;
 };
 
 /// The closed range of values that is shown.
@@ -48,21 +56,43 @@ struct TransferMask {
 
 inline constexpr int largestTransferGroup = 9;
 
-/// What a value of the field looks like (R18): colour and extinction, linear between the control points and constant
-/// beyond the first and the last. A value with value semantics.
+/// What a value of the field looks like (R18): two curves over one axis of values, colour and extinction, each linear
+/// between its own control points and constant beyond its first and its last. A value with value semantics.
 ///
-/// Points are in ascending order of value. Two points of one value are a step (R22): the first ends what lies below,
-/// the second begins what lies above, and the value itself belongs to the upper side, as it does for isosurfaces (S16).
+/// The points of a curve are in ascending order of value. Two points of one value are a step (R22): the first ends what
+/// lies below, the second begins what lies above, and the value itself belongs to the upper side, as it does for
+/// isosurfaces (S16).
 ///
 /// Opacity is what a layer of `unitDistance` would have if the value did not change in it; the extinction there is
 /// -ln(1 - opacity) / unitDistance. It is the extinction that is linear between the points, so that the optical depth
 /// of a slab is exact in closed form (S15). An opacity of 1 counts as `largestOpacity`.
 struct TransferFunction {
-    std::vector<TransferPoint> points;  ///< none: everything is transparent
-    double unitDistance = 1;            ///< in the units of the dataset
-    std::optional<TransferMask> mask{}; ///< what lies outside of it is transparent, whatever the points say
+    std::vector<ColourPoint> colours;    ///< none: everything is white
+    std::vector<OpacityPoint> opacities; ///< none: everything is transparent
+    double unitDistance = 1;             ///< in the units of the dataset
+    std::optional<TransferMask> mask{};  ///< what lies outside of it is transparent, whatever the opacities say
     bool operator==(const TransferFunction&) const = default;
 };
+
+/// A point of both curves: many functions have a colour and an opacity at the same values.
+struct TransferPoint {
+    double value = 0;
+    std::array<float, 3> colour{1, 1, 1};
+    float opacity = 0;
+    std::optional<int> group{};
+    bool operator==(const TransferPoint&) const = default;
+};
+
+/// The function whose curves both have these points.
+TAN_API TransferFunction transferFunctionFromPoints(std::span<const TransferPoint> points, double unitDistance = 1);
+inline TransferFunction transferFunctionFromPoints(std::initializer_list<TransferPoint> points, double unitDistance = 1)
+{
+    return transferFunctionFromPoints(std::span(points.begin(), points.size()), unitDistance);
+}
+
+/// A point at every value at which either curve has one; the other curve's part of it is what that curve is there. Of a
+/// function from points these are the points, to the bit. O(points).
+TAN_API std::vector<TransferPoint> transferPoints(const TransferFunction& function);
 
 /// The largest opacity that is used: one unit distance transmits 2^-24.
 inline constexpr double largestOpacity = 1 - 1.0 / (1 << 24);
@@ -76,8 +106,8 @@ struct TransferSample {
 /// An error if the mask is no range.
 TAN_API Status checkMask(const TransferMask& mask);
 
-/// An error if the points are not in order, more than two have one value, a number is not finite or out of its range,
-/// or the mask is no range.
+/// An error if the points of a curve are not in order, more than two have one value, a number is not finite or out of
+/// its range, or the mask is no range.
 TAN_API Status checkTransferFunction(const TransferFunction& function);
 
 TAN_API double extinctionOf(double opacity, double unitDistance) noexcept;
@@ -101,25 +131,31 @@ struct TransferSegment {
     bool transparent() const noexcept { return atOrigin.extinction == 0 && perValue.extinction == 0; }
 };
 
-/// The segments between the knots of a function that checkTransferFunction() accepts, from minus to plus infinity; one
-/// transparent segment if it has no points, plus one on either side of its mask. O(points).
+/// The segments between the points of both curves of a function that checkTransferFunction() accepts, from minus to
+/// plus infinity, plus one on either side of its mask; one transparent segment if it has no opacities. O(points).
 TAN_API std::vector<TransferSegment> transferSegments(const TransferFunction& function);
 
 /// A transfer function as a JSON text (R18), and back to the same bits:
 ///
 ///     {
 ///       "format": "tan-transfer-function",
-///       "version": 1,
+///       "version": 2,
 ///       "unitDistance": 2.5,
 ///       "mask": {"least": 1, "largest": 6},
-///       "points": [
-///         {"value": 0, "colour": [0, 0.2, 1], "opacity": 0.02},
-///         {"value": 7, "colour": [1, 1, 0.5], "opacity": 0.8, "group": 3}
+///       "colours": [
+///         {"value": 0, "colour": [0, 0.2, 1]},
+///         {"value": 7, "colour": [1, 1, 0.5]}
+///       ],
+///       "opacities": [
+///         {"value": 0, "opacity": 0.02},
+///         {"value": 5, "opacity": 0.8, "group": 3}
 ///       ]
 ///     }
 ///
-/// "format", "version" and "points" must be there; "unitDistance" is 1 if it is not, and there is no mask and no group
-/// where none is written. A member of another name is an error, so that a misspelt name is reported.
+/// "format", "version", "colours" and "opacities" must be there; "unitDistance" is 1 if it is not, and there is no mask
+/// and no group where none is written. A member of another name is an error, so that a misspelt name is reported.
+/// Version 1 is read, too: it has "points" instead of the two lists, each with a value, a colour, an opacity and, if it
+/// has one, a group.
 TAN_API std::string transferFunctionToText(const TransferFunction& function);
 
 /// The error says what is wrong and in which line and column.
@@ -165,54 +201,11 @@ TAN_API TransferFunction divergingTransferFunction(double smallest, double large
 /// diagonal. Without a histogram it is sequentialTransferFunction(). O(parts).
 TAN_API TransferFunction fittedTransferFunction(const ValueHistogram& volumes, double unitDistance);
 
-/// What an editor does to a transfer function (R18), as values: each edit of a function that checkTransferFunction()
-/// accepts gives another one that it accepts. A point is named by its index; one that does not exist changes nothing.
-/// Points keep their groups; the mask stays but where the whole function is mirrored or spread. All O(points).
-
-/// Values that points may be moved to.
+/// A closed range of values.
 struct TransferLimits {
     double least = 0;
     double largest = 1;
 };
-
-/// A function and which of its points the edit was about.
-struct EditedTransfer {
-    TransferFunction function;
-    std::size_t point = 0;
-};
-
-/// Adds a point without changing how values look. Nothing if two points have the value already, or it is not finite.
-TAN_API std::optional<EditedTransfer> withPoint(const TransferFunction& function, double value);
-
-TAN_API TransferFunction withoutPoint(const TransferFunction& function, std::size_t point);
-
-/// Moves a point as near to the value and the opacity as the limits and its neighbours allow, from which it keeps a
-/// small distance. Both sides of a step move along, but each has an opacity of its own.
-TAN_API TransferFunction withMovedPoint(const TransferFunction& function, std::size_t point, double value,
-                                        double opacity, const TransferLimits& limits);
-
-TAN_API TransferFunction withColour(const TransferFunction& function, std::size_t point,
-                                    const std::array<float, 3>& colour);
-
-/// Another unit distance, which changes all extinctions. Ignored unless it is positive.
-TAN_API TransferFunction withUnitDistance(const TransferFunction& function, double unitDistance);
-
-/// Whether the point is a side of a step.
-TAN_API bool isOnStep(const TransferFunction& function, std::size_t point);
-/// Makes the point a step with two equal sides, and names the lower one. A step stays as it is.
-TAN_API EditedTransfer withStep(const TransferFunction& function, std::size_t point);
-/// The step made a point again, which looks as this side did.
-TAN_API EditedTransfer withoutStep(const TransferFunction& function, std::size_t point);
-
-/// All opacities times a factor, at most 1. A factor that is negative or not finite changes nothing.
-TAN_API TransferFunction withScaledOpacity(const TransferFunction& function, double factor);
-
-/// What `value` looked like, limits.least + limits.largest - value looks like, but for the values of steps. Of points
-/// that rounding brings to one value the first and the last stay, here and in what follows.
-TAN_API TransferFunction mirrored(const TransferFunction& function, const TransferLimits& limits);
-
-/// The points spread so that the first and the last lie at the limits. Points of one value only stay.
-TAN_API TransferFunction spreadOver(const TransferFunction& function, const TransferLimits& limits);
 
 /// A colour at a share of the range.
 struct ColourMapNode {
@@ -233,8 +226,8 @@ TAN_API std::span<const ColourMap> colourMaps();
 
 TAN_API std::array<float, 3> colourAt(const ColourMap& map, double share);
 
-/// The function with the map's colours from limits.least to limits.largest, and with the opacities that it has. Limits
-/// that are not a range change nothing.
+/// The function with the map's colours from limits.least to limits.largest in place of its own. Limits that are not a
+/// range change nothing.
 TAN_API TransferFunction withColourMap(const TransferFunction& function, const ColourMap& map,
                                        const TransferLimits& limits);
 

@@ -96,97 +96,75 @@ double opacityAt(std::span<const OpacityNode> nodes, double value)
     return opacityBetween(from, to.opacity, shareOf(value, from.value, to.value, false));
 }
 
-/// What a value looks like, as files say it; masks are no part of it.
-struct Look {
-    SrgbColour colour{};
-    double opacity = 0;
-};
-
-Look lookOf(const TransferFunction& function, double value)
+ColourPoint pointOf(double value, const SrgbColour& colour)
 {
-    const TransferSample sample = evaluateUnmasked(function, value);
-    return {sample.colour, -std::expm1(-sample.extinction * function.unitDistance)};
-}
-
-Look lookOf(const CurvePreset& preset, const TransferFunction& present, double value)
-{
-    Look look = lookOf(present, value);
-    if (!preset.colours.nodes.empty())
-        look.colour = curveColourAt(preset.colours, value);
-    if (!preset.opacities.empty())
-        look.opacity = opacityAt(preset.opacities, value);
-    return look;
-}
-
-bool nearlySame(const Look& left, const Look& right)
-{
-    for (std::size_t channel = 0; channel < left.colour.size(); ++channel)
-        if (!(std::abs(left.colour[channel] - right.colour[channel]) <= tolerance))
-            return false;
-    return std::abs(left.opacity - right.opacity) <= tolerance;
-}
-
-TransferPoint pointOf(double value, const Look& look)
-{
-    TransferPoint point;
-    point.value = value;
+    ColourPoint point{value};
     for (std::size_t channel = 0; channel < 3; ++channel)
-        point.colour[channel] = static_cast<float>(std::clamp(look.colour[channel], 0.0, 1.0));
-    point.opacity = static_cast<float>(std::clamp(look.opacity, 0.0, 1.0));
+        point.colour[channel] = static_cast<float>(std::clamp(colour[channel], 0.0, 1.0));
     return point;
 }
 
-/// Whether two points are one but for rounding: no step.
-bool same(const TransferPoint& left, const TransferPoint& right)
+OpacityPoint pointOf(double value, double opacity)
 {
-    const auto close = [](float a, float b) { return std::abs(a - b) <= 1e-6f; };
-    return left.value == right.value && close(left.opacity, right.opacity) &&
-           std::ranges::equal(left.colour, right.colour, close);
+    return {value, static_cast<float>(std::clamp(opacity, 0.0, 1.0))};
 }
 
-/// Where either curve has a node, each value once.
-std::vector<double> valuesOfNodes(const CurvePreset& preset, const TransferFunction& present)
+/// What our curves are between two points: colours go straight, opacities as extinctions do.
+SrgbColour lookBetween(const ColourPoint& from, const ColourPoint& to, double share)
+{
+    SrgbColour colour{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        colour[channel] = std::lerp(double{from.colour[channel]}, double{to.colour[channel]}, share);
+    return colour;
+}
+
+double lookBetween(const OpacityPoint& from, const OpacityPoint& to, double share)
+{
+    return -std::expm1(-std::lerp(extinctionOf(from.opacity, 1), extinctionOf(to.opacity, 1), share));
+}
+
+bool near(double left, double right, double allowed)
+{
+    return std::abs(left - right) <= allowed;
+}
+
+bool near(const SrgbColour& left, const SrgbColour& right, double allowed)
+{
+    return std::ranges::equal(left, right, [&](double a, double b) { return near(a, b, allowed); });
+}
+
+/// Whether two points are one but for rounding: no step.
+template <class Point> bool same(const Point& left, const Point& right)
+{
+    return left.value == right.value && near(lookBetween(left, left, 0), lookBetween(right, right, 0), 1e-6);
+}
+
+/// The nodes' values, each once.
+template <class Node> std::vector<double> valuesOf(const std::vector<Node>& nodes)
 {
     std::vector<double> values;
-    for (const ColourNode& node : preset.colours.nodes)
+    for (const Node& node : nodes)
         values.push_back(node.value);
-    for (const OpacityNode& node : preset.opacities)
-        values.push_back(node.value);
-    if (preset.colours.nodes.empty() || preset.opacities.empty())
-        for (const TransferPoint& point : present.points)
-            values.push_back(point.value);
-    // A sharp opacity steps at its midpoint.
-    for (std::size_t node = 0; node + 1 < preset.opacities.size(); ++node)
-        if (preset.opacities[node].sharpness > 0.99)
-            values.push_back(std::lerp(preset.opacities[node].value, preset.opacities[node + 1].value,
-                                       preset.opacities[node].midpoint));
-    std::ranges::sort(values);
     values.erase(std::ranges::unique(values).begin(), values.end());
     return values;
 }
 
-} // namespace
-
-TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFunction& present)
+/// The points of a curve of ours that is near to `look` everywhere. That has its kinks and steps at `values` alone,
+/// which ascend; those that are no farther apart than `narrow` are the sides of a step.
+template <class Point, class Look>
+std::vector<Point> sampled(const std::vector<double>& values, double narrow, const Look& look)
 {
-    TransferFunction function;
-    function.unitDistance = present.unitDistance;
-    if (preset.opacities.empty())
-        function.mask = present.mask;
-    const std::vector<double> values = valuesOfNodes(preset, present);
-    const auto look = [&](double value) { return lookOf(preset, present, value); };
-    const auto add = [&function](const TransferPoint& point) {
-        if (function.points.empty() || !same(function.points.back(), point))
-            function.points.push_back(point);
-    };
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    // So near each other are the sides of a step, as ParaView has it.
-    const double narrow = values.empty() ? 0 : 2e-9 * (values.back() - values.front());
+    std::vector<Point> points;
+    const auto add = [&points](const Point& point) {
+        if (points.empty() || !same(points.back(), point))
+            points.push_back(point);
+    };
     if (!values.empty())
         add(pointOf(values.front(), look(std::nextafter(values.front(), -infinity))));
     for (std::size_t stretch = 0; stretch + 1 < values.size(); ++stretch) {
         const double from = values[stretch], to = values[stretch + 1];
-        // Just inside: at the ends themselves the curves may step.
+        // Just inside: at the ends themselves the curve may step.
         const double first = std::nextafter(from, to), last = std::nextafter(to, from);
         const auto pointAt = [&](double share) {
             const double value = share <= 0 ? from : share >= 1 ? to : std::lerp(from, to, share);
@@ -194,7 +172,6 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
         };
         if (to - from <= narrow) {
             add(pointAt(0));
-            auto& points = function.points;
             // The upper side of a step stays where it is.
             if (points.size() > 1 && points[points.size() - 2].value == from)
                 points.push_back(points.back());
@@ -202,102 +179,140 @@ TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFun
             continue;
         }
         const auto matches = [&](double a, double b, double place) {
-            const TransferFunction straight{{pointAt(a), pointAt(b)}, function.unitDistance};
             const double value = std::lerp(from, to, place);
-            return nearlySame(lookOf(straight, value), look(std::clamp(value, first, last)));
+            return near(lookBetween(pointAt(a), pointAt(b), (place - a) / (b - a)),
+                        look(std::clamp(value, first, last)), tolerance);
         };
         for (const double share : adaptivePoints(matches))
             add(pointAt(share));
     }
     if (!values.empty())
         add(pointOf(values.back(), look(std::nextafter(values.back(), infinity))));
+    return points;
+}
+
+std::vector<ColourPoint> coloursOf(const ColourCurve& curve, double narrow)
+{
+    return sampled<ColourPoint>(valuesOf(curve.nodes), narrow,
+                                [&curve](double value) { return curveColourAt(curve, value); });
+}
+
+std::vector<OpacityPoint> opacitiesOf(const std::vector<OpacityNode>& nodes, double narrow)
+{
+    std::vector<double> values = valuesOf(nodes);
+    // A sharp opacity steps at its midpoint.
+    for (std::size_t node = 0; node + 1 < nodes.size(); ++node)
+        if (nodes[node].sharpness > 0.99)
+            values.push_back(std::lerp(nodes[node].value, nodes[node + 1].value, nodes[node].midpoint));
+    std::ranges::sort(values);
+    values.erase(std::ranges::unique(values).begin(), values.end());
+    return sampled<OpacityPoint>(values, narrow, [&nodes](double value) { return opacityAt(nodes, value); });
+}
+
+/// The largest distance of two values that are the sides of a step, as ParaView has it.
+template <class Node> double narrowOf(const std::vector<Node>& nodes)
+{
+    return nodes.empty() ? 0 : 2e-9 * (nodes.back().value - nodes.front().value);
+}
+
+} // namespace
+
+TransferFunction transferFunctionOf(const CurvePreset& preset, const TransferFunction& present)
+{
+    TransferFunction function = present;
+    const double narrow = std::max(narrowOf(preset.colours.nodes), narrowOf(preset.opacities));
+    if (!preset.colours.nodes.empty())
+        function.colours = coloursOf(preset.colours, narrow);
+    if (!preset.opacities.empty()) {
+        function.opacities = opacitiesOf(preset.opacities, narrow);
+        function.mask.reset();
+    }
     return function;
 }
 
 namespace {
 
-TransferFunction withPointAt(const TransferFunction& function, double value)
-{
-    const auto has = std::ranges::find(function.points, value, &TransferPoint::value) != function.points.end();
-    const auto added = has ? std::nullopt : withPoint(function, value);
-    return added ? added->function : function;
-}
-
-TransferPoint transparent(TransferPoint point, double value)
-{
-    point.value = value;
-    point.opacity = 0;
-    return point;
-}
-
 /// The least distance of two values of the function that ParaView keeps in order: a billionth of the range.
 double leastApart(const TransferFunction& function)
 {
-    if (function.points.empty())
+    const std::vector<TransferPoint> points = transferPoints(function);
+    if (points.empty())
         return 0;
-    const double first = function.points.front().value, last = function.points.back().value;
+    const double first = points.front().value, last = points.back().value;
     return 1e-9 * (last > first ? last - first : std::max(1.0, std::abs(first)));
 }
 
-/// A function without a mask that looks as the one with it: what the mask hides has points of opacity 0. The mask's
-/// largest value is still seen, so the step there is leastApart() above it.
-TransferFunction withMaskAsSteps(const TransferFunction& function)
+void addPointAt(const TransferFunction& function, double value, std::vector<OpacityPoint>& opacities)
 {
-    if (!function.mask || function.points.empty())
-        return {function.points, function.unitDistance};
-    const TransferMask mask = *function.mask;
-    TransferFunction steps = withPointAt(withPointAt(function, mask.least), mask.largest);
-    steps.mask.reset();
-    auto& points = steps.points;
-    const double apart = leastApart(steps);
+    const auto after = std::ranges::upper_bound(opacities, value, {}, &OpacityPoint::value);
+    if (after == opacities.begin() || after[-1].value != value)
+        opacities.insert(
+            after, pointOf(value, -std::expm1(-evaluateUnmasked(function, value).extinction * function.unitDistance)));
+}
 
-    const auto above = std::ranges::upper_bound(points, mask.largest, {}, &TransferPoint::value);
+/// Opacities without a mask that look as those with it: what the mask hides has the opacity 0. The mask's largest value
+/// is still seen, so the step there is `apart` above it.
+std::vector<OpacityPoint> opacitiesWithMask(const TransferFunction& function, double apart)
+{
+    std::vector<OpacityPoint> points = function.opacities;
+    if (!function.mask || points.empty())
+        return points;
+    const TransferMask mask = *function.mask;
+    addPointAt(function, mask.least, points);
+    addPointAt(function, mask.largest, points);
+
+    const auto above = std::ranges::upper_bound(points, mask.largest, {}, &OpacityPoint::value);
     for (auto point = above; point != points.end(); ++point)
         point->opacity = 0;
     double hidden = mask.largest + apart;
     if (above != points.end())
         hidden = std::min(hidden, std::midpoint(mask.largest, above->value));
-    points.insert(above, transparent(above[-1], hidden));
+    points.insert(above, OpacityPoint{hidden});
 
-    const auto first = std::ranges::lower_bound(points, mask.least, {}, &TransferPoint::value);
+    const auto first = std::ranges::lower_bound(points, mask.least, {}, &OpacityPoint::value);
     for (auto point = points.begin(); point != first; ++point)
         point->opacity = 0;
-    if (std::ranges::count(points, mask.least, &TransferPoint::value) > 1)
+    if (std::ranges::count(points, mask.least, &OpacityPoint::value) > 1)
         first->opacity = 0;
     else
-        points.insert(first, transparent(*first, mask.least));
-    return steps;
+        points.insert(first, OpacityPoint{mask.least});
+    return points;
+}
+
+/// Whether the point is the lower side of a step.
+template <class Point> bool endsBelow(const std::vector<Point>& points, std::size_t point)
+{
+    return point + 1 < points.size() && points[point + 1].value == points[point].value;
 }
 
 } // namespace
 
-CurvePreset curvesOf(const TransferFunction& masked, const std::string& name)
+CurvePreset curvesOf(const TransferFunction& function, const std::string& name)
 {
-    const TransferFunction function = withMaskAsSteps(masked);
     CurvePreset preset;
     preset.name = name;
-    const std::vector<TransferPoint>& points = function.points;
     const double apart = leastApart(function);
-    for (std::size_t point = 0; point < points.size(); ++point) {
-        const bool endsBelow = point + 1 < points.size() && points[point + 1].value == points[point].value;
-        const double value = points[point].value - (endsBelow ? apart : 0);
-        const auto& colour = points[point].colour;
-        preset.colours.nodes.push_back({value, {colour[0], colour[1], colour[2]}});
-        preset.opacities.push_back({value, points[point].opacity});
-        if (endsBelow || point + 1 == points.size())
+    const auto& colours = function.colours;
+    for (std::size_t point = 0; point < colours.size(); ++point) {
+        const auto& [red, green, blue] = colours[point].colour;
+        preset.colours.nodes.push_back(
+            {colours[point].value - (endsBelow(colours, point) ? apart : 0), {red, green, blue}});
+    }
+    const std::vector<OpacityPoint> opacities = opacitiesWithMask(function, apart);
+    for (std::size_t point = 0; point < opacities.size(); ++point) {
+        const OpacityPoint& from = opacities[point];
+        const bool isLower = endsBelow(opacities, point);
+        preset.opacities.push_back({from.value - (isLower ? apart : 0), from.opacity});
+        if (isLower || point + 1 == opacities.size())
             continue;
-        const double to = points[point + 1].value;
-        const auto opacity = [&](double share) {
-            return share >= 1 ? points[point + 1].opacity
-                              : lookOf(function, std::lerp(points[point].value, to, share)).opacity;
-        };
+        const OpacityPoint& to = opacities[point + 1];
+        const auto opacity = [&](double share) { return lookBetween(from, to, share); };
         const auto matches = [&](double a, double b, double place) {
-            const double line = std::lerp(opacity(a), opacity(b), (place - a) / (b - a));
-            return std::abs(line - opacity(place)) <= tolerance;
+            return near(std::lerp(opacity(a), opacity(b), (place - a) / (b - a)), opacity(place), tolerance);
         };
         for (const double share : adaptivePoints(matches))
             if (share > 0 && share < 1)
-                preset.opacities.push_back({std::lerp(points[point].value, to, share), opacity(share)});
+                preset.opacities.push_back({std::lerp(from.value, to.value, share), opacity(share)});
     }
     return preset;
 }

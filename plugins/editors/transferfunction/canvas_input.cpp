@@ -86,7 +86,7 @@ void TransferCanvas::pressPoint(std::size_t point, QPointF place, Qt::KeyboardMo
 bool TransferCanvas::addOnCurve(QPointF place)
 {
     const TransferPlot there = plot();
-    if (!there.isOnCurve(function(), place))
+    if (!there.isOnCurve(state_.function(), place))
         return false;
     const auto added = withPoint(function(), there.valueAt(place.x()));
     if (!added)
@@ -211,7 +211,7 @@ void TransferCanvas::showCursorFor(QPointF place)
     case EditorItem::Kind::MaskLeast:
     case EditorItem::Kind::MaskLargest: return setCursor(Qt::SizeHorCursor);
     case EditorItem::Kind::None:
-        return setCursor(plot().isOnCurve(function(), place) ? Qt::CrossCursor : Qt::ArrowCursor);
+        return setCursor(plot().isOnCurve(state_.function(), place) ? Qt::CrossCursor : Qt::ArrowCursor);
     }
 }
 

@@ -53,7 +53,7 @@ void paintMask(QPainter& painter, const CanvasScene& scene)
 QPolygonF curveOf(const CanvasScene& scene)
 {
     const TransferPlot& plot = scene.plot;
-    const TransferFunction& function = scene.function();
+    const JoinedFunction& function = scene.function();
     std::vector<double> stops;
     for (double x = plot.area.left(); x < plot.area.right(); x += 2)
         stops.push_back(plot.valueAt(x));
@@ -65,7 +65,7 @@ QPolygonF curveOf(const CanvasScene& scene)
     for (const double value : stops) {
         for (; next < function.points.size() && function.points[next].value <= value; ++next)
             line.append({plot.x(function.points[next].value), plot.y(function.points[next].opacity)});
-        line.append({plot.x(value), plot.y(opacityOf(function, value))});
+        line.append({plot.x(value), plot.y(opacityOf(scene.state.function(), value))});
     }
     return line;
 }
@@ -90,7 +90,7 @@ void paintColours(QPainter& painter, const CanvasScene& scene)
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (double x = strip.left(); x < strip.right(); x += 1)
         painter.fillRect(QRectF(x, strip.top(), std::min(1.0, strip.right() - x), strip.height()),
-                         colourAt(scene.function(), plot.valueAt(x + 0.5)));
+                         colourAt(scene.state.function(), plot.valueAt(x + 0.5)));
     painter.setRenderHint(QPainter::Antialiasing, true);
 }
 
@@ -111,7 +111,7 @@ QPainterPath markOf(QPointF place, double radius, int side)
 
 void paintPoints(QPainter& painter, const CanvasScene& scene)
 {
-    const TransferFunction& function = scene.function();
+    const JoinedFunction& function = scene.function();
     const QColor highlight = scene.palette.color(QPalette::Highlight);
     for (std::size_t i = 0; i < function.points.size(); ++i) {
         const TransferPoint& point = function.points[i];
@@ -191,8 +191,7 @@ std::shared_ptr<const ValueHistogram> histogramOn(ValueAxis axis, const EditorHo
     return axis == ValueAxis::Logarithmic ? host.logarithmicHistogram() : host.histogram();
 }
 
-QRectF groupLabel(const TransferPlot& plot, const TransferFunction& function, std::size_t point,
-                  const QFontMetrics& font)
+QRectF groupLabel(const TransferPlot& plot, const JoinedFunction& function, std::size_t point, const QFontMetrics& font)
 {
     const QPointF place = plot.place(function, point);
     QRectF label(0, 0, font.horizontalAdvance("0") + 4, font.height());

@@ -21,7 +21,7 @@ struct CanvasScene {
     bool hasFocus = false;
     std::optional<QRectF> band{}; ///< the frame that is being drawn around points
 
-    const TransferFunction& function() const { return state.function(); }
+    const JoinedFunction& function() const { return state.joinedFunction(); }
 };
 
 /// The plot's area in a canvas of this size: room for the handles above it, the opacities on its left, and below it
@@ -41,7 +41,7 @@ void paintMarkers(QPainter& painter, const CanvasScene& scene);
 void paintPicked(QPainter& painter, const CanvasScene& scene);
 
 /// Where the group of a point is written: above it on the right, elsewhere where there is no room.
-QRectF groupLabel(const TransferPlot& plot, const TransferFunction& function, std::size_t point,
+QRectF groupLabel(const TransferPlot& plot, const JoinedFunction& function, std::size_t point,
                   const QFontMetrics& font);
 
 /// How often the values occur, in equal parts of the axis; its ends are places on it. None before the first mesh.

@@ -4,6 +4,7 @@
 #include "plugins/editors/transferfunction/point_clipboard.h"
 #include "plugins/widgets/curves/arranging.h"
 #include "plugins/widgets/curves/reshaping.h"
+#include "plugins/widgets/curves/whole_function.h"
 
 #include <QActionGroup>
 
@@ -51,7 +52,7 @@ QAction* EditMenu::add(QMenu& menu, const char* name, const QString& text, const
 void EditMenu::addEdit(QMenu& menu, const char* name, const QString& text, std::size_t points, const Change& change)
 {
     QAction* action =
-        add(menu, name, text, [this, change] { state_.apply(change(state_.function(), state_.selection())); });
+        add(menu, name, text, [this, change] { state_.apply(change(state_.joinedFunction(), state_.selection())); });
     needing_.push_back({action, points});
 }
 
@@ -65,9 +66,9 @@ void EditMenu::addWhole()
     whole("thinner", tr("&Less opaque"),
           [](const TransferFunction& old) { return withScaledOpacity(old, 1 / opacityFactor); });
     whole("mirror", tr("Swap &ends"), [this](const TransferFunction& old) { return mirrored(old, state_.range()); });
-    const auto middle = [](const TransferFunction& f) { return (f.points.front().value + f.points.back().value) / 2; };
-    const auto wider = [middle](const TransferFunction& old, double factor) {
-        return old.points.empty() ? old : widened(old, middle(old), factor);
+    const auto wider = [](const TransferFunction& old, double factor) {
+        const auto extent = extentOf(old);
+        return extent ? widened(old, (extent->least + extent->largest) / 2, factor) : old;
     };
     whole("widen", tr("&Wider"), [wider](const TransferFunction& old) { return wider(old, widening); });
     whole("narrow", tr("Na&rrower"), [wider](const TransferFunction& old) { return wider(old, 1 / widening); });
@@ -83,7 +84,8 @@ void EditMenu::addSelecting()
         action->setShortcutContext(Qt::WidgetShortcut);
         return action;
     };
-    keys(add(*this, "selectAll", tr("Select &all points"), [this] { state_.select(allPoints(state_.function())); }),
+    keys(add(*this, "selectAll", tr("Select &all points"),
+             [this] { state_.select(allPoints(state_.joinedFunction())); }),
          QKeySequence::SelectAll);
     needing_.push_back({keys(add(*this, "copy", tr("&Copy points"), [this] { copyPoints(state_); }), //
                              QKeySequence::Copy),
@@ -92,15 +94,16 @@ void EditMenu::addSelecting()
     needing_.push_back({keys(add(*this, "duplicate", tr("D&uplicate points"), [this] { duplicatePoints(state_); }),
                              Qt::CTRL | Qt::Key_D),
                         1});
-    needing_.push_back({keys(add(*this, "delete", tr("&Remove points"),
-                                 [this] { state_.apply(withoutSelected(state_.function(), state_.selection())); }),
-                             QKeySequence::Delete),
-                        1});
+    needing_.push_back(
+        {keys(add(*this, "delete", tr("&Remove points"),
+                  [this] { state_.apply(withoutSelected(state_.joinedFunction(), state_.selection())); }),
+              QKeySequence::Delete),
+         1});
 }
 
 void EditMenu::addArranging()
 {
-    using Function = TransferFunction;
+    using Function = JoinedFunction;
     using Selection = TransferSelection;
     addEdit(*this, "distribute", tr("&Distribute values evenly"), 3,
             [this](const Function& f, const Selection& s) { return distributeValues(f, s, state_.limits()); });
@@ -115,8 +118,8 @@ void EditMenu::addArranging()
     add(*this, "peak", tr("Add a pea&k"), [this] {
         const TransferLimits seen = state_.shown();
         const double opacity = std::max(peakOpacity, opacityOf(state_.function(), place()));
-        state_.apply(
-            withPeak(state_.function(), {place(), peakWidth * (seen.largest - seen.least), opacity}, state_.limits()));
+        state_.apply(withPeak(state_.joinedFunction(), {place(), peakWidth * (seen.largest - seen.least), opacity},
+                              state_.limits()));
     });
 }
 
@@ -124,7 +127,7 @@ void EditMenu::addAligning()
 {
     QMenu& menu = *addMenu(tr("Ali&gn"));
     const auto align = [&](const char* name, const QString& text, Alignment alignment) {
-        addEdit(menu, name, text, 2, [alignment](const TransferFunction& f, const TransferSelection& s) {
+        addEdit(menu, name, text, 2, [alignment](const JoinedFunction& f, const TransferSelection& s) {
             return alignOpacities(f, s, alignment);
         });
     };
@@ -134,7 +137,7 @@ void EditMenu::addAligning()
     align("align.largest", tr("Opacities to the l&argest"), Alignment::Largest);
     menu.addSeparator();
     addEdit(menu, "align.values", tr("&Values of two neighbours: a step"), 2,
-            [](const TransferFunction& f, const TransferSelection& s) { return alignValues(f, s, Alignment::Mean); });
+            [](const JoinedFunction& f, const TransferSelection& s) { return alignValues(f, s, Alignment::Mean); });
 }
 
 void EditMenu::addGroups()
@@ -146,12 +149,12 @@ void EditMenu::addGroups()
         const QString name = tr("Group &%1").arg(group) + '\t';
         const QKeySequence keys(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + group));
         addEdit(assign, "group.assign." + number, name + keys.toString(QKeySequence::NativeText), 1,
-                [group](const TransferFunction& f, const TransferSelection& s) { return withGroup(f, s, group); });
+                [group](const JoinedFunction& f, const TransferSelection& s) { return withGroup(f, s, group); });
         add(select, "group.select." + number, name + number,
-            [this, group] { state_.select(pointsOfGroup(state_.function(), group)); });
+            [this, group] { state_.select(pointsOfGroup(state_.joinedFunction(), group)); });
     }
     addEdit(assign, "group.none", tr("&No group"), 1,
-            [](const TransferFunction& f, const TransferSelection& s) { return withGroup(f, s, std::nullopt); });
+            [](const JoinedFunction& f, const TransferSelection& s) { return withGroup(f, s, std::nullopt); });
 }
 
 void EditMenu::addRules()
@@ -207,12 +210,12 @@ void EditMenu::enableWhatIsPossible()
         needing.action->setEnabled(state_.selection().size() >= needing.points);
     for (QAction* action : needingPicked_)
         action->setEnabled(pickedValue(state_).has_value());
-    mask_->setChecked(state_.function().mask.has_value());
+    mask_->setChecked(state_.joinedFunction().mask.has_value());
 }
 
 void setMasked(EditorState& state, bool on)
 {
-    const auto& points = state.function().points;
+    const auto& points = state.joinedFunction().points;
     const TransferSelection& selection = state.selection();
     const TransferLimits seen = state.shown();
     const double inset = maskInset * (seen.largest - seen.least);

@@ -22,7 +22,7 @@ public:
     void enableWhatIsPossible();
 
 private:
-    using Change = std::function<EditedSelection(const TransferFunction&, const TransferSelection&)>;
+    using Change = std::function<EditedSelection(const JoinedFunction&, const TransferSelection&)>;
 
     QAction* add(QMenu& menu, const char* name, const QString& text, const std::function<void()>& run);
     /// Greyed out with fewer selected points than `points`.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/editor_state.h"
 
-#include "plugins/widgets/curves/reshaping.h"
+#include "plugins/widgets/curves/whole_function.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,15 @@ TransferLimits within(const TransferLimits& part, const TransferLimits& whole)
 
 EditorState::EditorState(EditorHost& host, QObject* parent) : QObject(parent), host_(host) {}
 
+const JoinedFunction& EditorState::joinedFunction() const
+{
+    if (lastSeen_ != host_.function()) {
+        lastSeen_ = host_.function();
+        joined_ = joined(lastSeen_);
+    }
+    return joined_;
+}
+
 TransferLimits EditorState::range() const
 {
     return {host_.range().minimum, host_.range().maximum};
@@ -40,9 +49,9 @@ TransferLimits EditorState::range() const
 TransferLimits EditorState::limits() const
 {
     TransferLimits limits = range();
-    if (!function().points.empty()) {
-        limits.least = std::min(limits.least, function().points.front().value);
-        limits.largest = std::max(limits.largest, function().points.back().value);
+    if (const auto extent = extentOf(function())) {
+        limits.least = std::min(limits.least, extent->least);
+        limits.largest = std::max(limits.largest, extent->largest);
     }
     return limits;
 }
@@ -60,7 +69,7 @@ std::optional<std::size_t> EditorState::currentPoint() const
 std::vector<EditorItem> EditorState::items() const
 {
     std::vector<EditorItem> items;
-    for (std::size_t i = 0; i < function().points.size(); ++i)
+    for (std::size_t i = 0; i < joinedFunction().points.size(); ++i)
         items.push_back({EditorItem::Kind::Point, i});
     for (std::size_t i = 0; i < host_.isovalues().size(); ++i)
         items.push_back({EditorItem::Kind::Isovalue, i});
@@ -79,7 +88,7 @@ std::optional<double> EditorState::valueOf(const EditorItem& item) const
     const auto& mask = function().mask;
     switch (item.kind) {
     case EditorItem::Kind::None: break;
-    case EditorItem::Kind::Point: return valueAt(function().points);
+    case EditorItem::Kind::Point: return valueAt(joinedFunction().points);
     case EditorItem::Kind::Isovalue: return valueAt(host_.isovalues());
     case EditorItem::Kind::MaskLeast: return mask ? std::optional(mask->least) : std::nullopt;
     case EditorItem::Kind::MaskLargest: return mask ? std::optional(mask->largest) : std::nullopt;
@@ -90,7 +99,7 @@ std::optional<double> EditorState::valueOf(const EditorItem& item) const
 void EditorState::select(TransferSelection selection)
 {
     const auto point = currentPoint();
-    selection_ = selectionOf(function(), std::move(selection));
+    selection_ = selectionOf(joinedFunction(), std::move(selection));
     if (!point || std::ranges::find(selection_, *point) == selection_.end())
         current_ = selection_.empty() ? EditorItem{} : EditorItem{EditorItem::Kind::Point, selection_.front()};
     emit selectionChanged();
@@ -115,7 +124,7 @@ void EditorState::addToSelection(std::size_t point)
 
 void EditorState::forgetWhatIsGone()
 {
-    selection_ = selectionOf(function(), std::move(selection_));
+    selection_ = selectionOf(joinedFunction(), std::move(selection_));
     const auto all = items();
     if (std::ranges::find(all, current_) == all.end())
         current_ = selection_.empty() ? EditorItem{} : EditorItem{EditorItem::Kind::Point, selection_.front()};
@@ -124,7 +133,8 @@ void EditorState::forgetWhatIsGone()
 
 void EditorState::apply(const EditedSelection& edited)
 {
-    host_.setFunction(edited.function);
+    if (edited.function != joinedFunction())
+        host_.setFunction(separated(edited.function));
     select(edited.selection);
 }
 
@@ -134,9 +144,9 @@ void EditorState::setCurrentValue(double value)
     switch (current_.kind) {
     case EditorItem::Kind::None: return;
     case EditorItem::Kind::Point: {
-        const double from = function().points[current_.index].value;
-        const double first = function().points[selection_.front()].value;
-        return apply(withValue(function(), selection_, first + value - from, rule_, limits()));
+        const double from = joinedFunction().points[current_.index].value;
+        const double first = joinedFunction().points[selection_.front()].value;
+        return apply(withValue(joinedFunction(), selection_, first + value - from, rule_, limits()));
     }
     case EditorItem::Kind::Isovalue: {
         Isovalue isovalue = host_.isovalues()[current_.index];
@@ -154,7 +164,7 @@ void EditorState::removeCurrent()
 {
     switch (current_.kind) {
     case EditorItem::Kind::None: return;
-    case EditorItem::Kind::Point: return apply(withoutSelected(function(), selection_));
+    case EditorItem::Kind::Point: return apply(withoutSelected(joinedFunction(), selection_));
     case EditorItem::Kind::Isovalue: return host_.removeIsovalue(current_.index);
     case EditorItem::Kind::MaskLeast:
     case EditorItem::Kind::MaskLargest: return host_.setFunction(withoutMask(function()));
@@ -191,13 +201,14 @@ std::optional<double> pickedValue(const EditorState& state)
 void addPoint(EditorState& state, std::optional<double> value)
 {
     const auto [least, largest] = state.shown();
-    const auto& points = state.function().points;
+    const auto& points = state.joinedFunction().points;
     if (const auto point = state.currentPoint(); point && !value) {
         const double from = points[*point].value;
         const auto next = std::ranges::upper_bound(points, from, {}, &TransferPoint::value);
         value = middleOf(from, next != points.end() ? next->value : largest, state.valueAxis());
     }
-    if (const auto added = withPoint(state.function(), value.value_or(middleOf(least, largest, state.valueAxis()))))
+    if (const auto added =
+            withPoint(state.joinedFunction(), value.value_or(middleOf(least, largest, state.valueAxis()))))
         state.apply({added->function, {added->point}});
 }
 

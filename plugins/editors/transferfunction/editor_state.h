@@ -3,6 +3,7 @@
 
 #include "plugins/api/editor.h"
 #include "plugins/widgets/curves/axes.h"
+#include "plugins/widgets/curves/joined_function.h"
 #include "plugins/widgets/curves/moving.h"
 #include "plugins/widgets/curves/selection.h"
 
@@ -37,6 +38,8 @@ public:
 
     EditorHost& host() const noexcept { return host_; }
     const TransferFunction& function() const { return host_.function(); }
+    /// The same with its curves as one, whose points are shown and edited.
+    const JoinedFunction& joinedFunction() const;
     /// Of the data.
     TransferLimits range() const;
     /// Of the data and of what of the function reaches beyond: nothing acts unseen.
@@ -81,6 +84,8 @@ signals:
 
 private:
     EditorHost& host_;
+    mutable TransferFunction lastSeen_; ///< of which joined_ was made
+    mutable JoinedFunction joined_;
     TransferSelection selection_;
     EditorItem current_;
     EditorView view_;

@@ -43,11 +43,13 @@ Error failed(const QString& path, const QString& why)
 
 TransferFunction spread(TransferFunction function, const TransferLimits& range, double unitDistance)
 {
-    for (TransferPoint& point : function.points)
-        point.value = std::lerp(range.least, range.largest, point.value);
-    if (function.mask)
-        function.mask = TransferMask{std::lerp(range.least, range.largest, function.mask->least),
-                                     std::lerp(range.least, range.largest, function.mask->largest)};
+    const auto valueAt = [&range](double share) { return std::lerp(range.least, range.largest, share); };
+    for (ColourPoint& point : function.colours)
+        point.value = valueAt(point.value);
+    for (OpacityPoint& point : function.opacities)
+        point.value = valueAt(point.value);
+    if (auto& mask = function.mask)
+        mask = {valueAt(mask->least), valueAt(mask->largest)};
     function.unitDistance = unitDistance;
     return function;
 }

@@ -46,8 +46,8 @@ void TransferPanel::fillViewMenu()
     look("selection", tr("Zoom to the &selected points"), [this](EditorView& view) {
         const TransferSelection& selection = state_.selection();
         if (selection.size() >= 2)
-            view.values = TransferLimits{state_.function().points[selection.front()].value,
-                                         state_.function().points[selection.back()].value};
+            view.values = TransferLimits{state_.joinedFunction().points[selection.front()].value,
+                                         state_.joinedFunction().points[selection.back()].value};
     });
     look("data", tr("Zoom to the &values of the data"), [this](EditorView& view) { view.values = state_.range(); });
     QAction* all = look("all", tr("Show &all"), [](EditorView& view) {
@@ -92,7 +92,8 @@ void TransferPanel::setStep(bool on)
     const auto point = state_.currentPoint();
     if (!point)
         return;
-    const EditedTransfer changed = on ? withStep(state_.function(), *point) : withoutStep(state_.function(), *point);
+    const EditedPoint changed =
+        on ? withStep(state_.joinedFunction(), *point) : withoutStep(state_.joinedFunction(), *point);
     state_.apply({changed.function, {changed.point}});
 }
 

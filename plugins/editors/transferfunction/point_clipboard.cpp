@@ -22,13 +22,13 @@ void copyPoints(const EditorState& state)
 {
     if (!state.selection().empty())
         QGuiApplication::clipboard()->setText(
-            QString::fromStdString(copyOfSelected(state.function(), state.selection())));
+            QString::fromStdString(copyOfSelected(state.joinedFunction(), state.selection())));
 }
 
 void pastePoints(EditorState& state, std::optional<double> at)
 {
     const std::string text = QGuiApplication::clipboard()->text().toStdString();
-    if (const auto edited = pasted(state.function(), text, at, state.limits()))
+    if (const auto edited = pasted(state.joinedFunction(), text, at, state.limits()))
         state.apply(*edited);
     else
         state.host().tell(PointClipboard::tr("The clipboard holds no points of a transfer function. Copy some here or "
@@ -39,7 +39,7 @@ void pastePoints(EditorState& state, std::optional<double> at)
 void duplicatePoints(EditorState& state)
 {
     const TransferLimits seen = state.shown();
-    state.apply(duplicated(state.function(), state.selection(), duplicateDistance * (seen.largest - seen.least),
+    state.apply(duplicated(state.joinedFunction(), state.selection(), duplicateDistance * (seen.largest - seen.least),
                            state.limits()));
 }
 

@@ -2,6 +2,7 @@
 #include "plugins/editors/transferfunction/point_numbers.h"
 
 #include "plugins/widgets/colour_button.h"
+#include "plugins/widgets/curves/whole_function.h"
 #include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/value_box.h"
@@ -100,7 +101,7 @@ void PointNumbers::setOpacity(double percent)
         isovalue.opacity = static_cast<float>(percent / 100);
         return state_.host().setIsovalue(state_.current().index, isovalue);
     }
-    state_.apply(withOpacity(state_.function(), state_.selection(), percent / 100));
+    state_.apply(withOpacity(state_.joinedFunction(), state_.selection(), percent / 100));
 }
 
 void PointNumbers::setColour(const QColor& colour)
@@ -114,7 +115,7 @@ void PointNumbers::setColour(const QColor& colour)
         isovalue.blue = channels[2];
         return state_.host().setIsovalue(state_.current().index, isovalue);
     }
-    state_.apply(withColour(state_.function(), state_.selection(), channels));
+    state_.apply(withColour(state_.joinedFunction(), state_.selection(), channels));
 }
 
 void PointNumbers::showModel()
@@ -143,7 +144,7 @@ void PointNumbers::showSelection()
     if (!hasColour)
         colour_->setColour(palette().color(QPalette::Button));
     if (current.kind == EditorItem::Kind::Point) {
-        const TransferPoint& point = state_.function().points[current.index];
+        const TransferPoint& point = state_.joinedFunction().points[current.index];
         showNumber(*opacity_, 100.0 * point.opacity);
         colour_->setColour(QColor::fromRgbF(point.colour[0], point.colour[1], point.colour[2]));
     } else if (current.kind == EditorItem::Kind::Isovalue) {

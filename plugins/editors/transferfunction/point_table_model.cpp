@@ -28,7 +28,7 @@ PointTableModel::PointTableModel(EditorState& state, QObject* parent) : QAbstrac
 
 void PointTableModel::refresh()
 {
-    const int rows = state_.host().hasModel() ? static_cast<int>(state_.function().points.size()) : 0;
+    const int rows = state_.host().hasModel() ? static_cast<int>(state_.joinedFunction().points.size()) : 0;
     if (rows > rows_) {
         beginInsertRows({}, rows_, rows - 1);
         rows_ = rows;
@@ -66,9 +66,9 @@ QString PointTableModel::textOf(const TransferPoint& point, int column) const
 QVariant PointTableModel::data(const QModelIndex& index, int role) const
 {
     const auto row = static_cast<std::size_t>(index.row());
-    if (!index.isValid() || row >= state_.function().points.size())
+    if (!index.isValid() || row >= state_.joinedFunction().points.size())
         return {};
-    const TransferPoint& point = state_.function().points[row];
+    const TransferPoint& point = state_.joinedFunction().points[row];
     switch (role) {
     case Qt::DisplayRole:
         if (index.column() == Value)
@@ -107,15 +107,15 @@ Qt::ItemFlags PointTableModel::flags(const QModelIndex& index) const
 bool PointTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
     const auto point = static_cast<std::size_t>(index.row());
-    if (role != Qt::EditRole || !index.isValid() || point >= state_.function().points.size() ||
-        value.toString() == textOf(state_.function().points[point], index.column()))
+    if (role != Qt::EditRole || !index.isValid() || point >= state_.joinedFunction().points.size() ||
+        value.toString() == textOf(state_.joinedFunction().points[point], index.column()))
         return false;
     return edit(point, index.column(), value.toString());
 }
 
 bool PointTableModel::edit(std::size_t point, int column, const QString& text)
 {
-    const TransferFunction& before = state_.function();
+    const JoinedFunction& before = state_.joinedFunction();
     EditedSelection edited{before, {point}};
     if (column == Value) {
         if (const auto number = numberIn(text))

@@ -30,37 +30,13 @@ QString colourMapName(const std::string& id)
     return QString::fromStdString(id);
 }
 
+/// Opaque everywhere.
 TransferFunction functionOf(const ColourMap& map, const TransferLimits& range, double unitDistance)
 {
-    TransferFunction function{{}, unitDistance};
-    for (const ColourMapNode& node : map.nodes)
-        function.points.push_back({std::lerp(range.least, range.largest, node.share), node.colour, 1});
-    return function;
-}
-
-/// The colours of a function whose first and last value differ.
-ColourMap mapOf(const TransferFunction& function)
-{
-    ColourMap map;
-    const double least = function.points.front().value;
-    const double extent = function.points.back().value - least;
-    for (const TransferPoint& point : function.points)
-        map.nodes.push_back({(point.value - least) / extent, point.colour});
-    return map;
-}
-
-/// The opacities of one function with the colours of another one.
-TransferFunction joined(const TransferFunction& opacities, const TransferFunction& colours)
-{
-    if (colours.points.empty())
-        return opacities;
-    const TransferLimits limits{colours.points.front().value, colours.points.back().value};
-    if (limits.least < limits.largest)
-        return withColourMap(opacities, mapOf(colours), limits);
-    TransferFunction result = opacities;
-    for (TransferPoint& point : result.points)
-        point.colour = colours.points.front().colour;
-    return result;
+    TransferFunction function;
+    function.opacities = {{range.least, 1}};
+    function.unitDistance = unitDistance;
+    return withColourMap(function, map, range);
 }
 
 QPixmap previewOf(const TransferFunction& function, QSize size, qreal scale)
@@ -109,11 +85,16 @@ TransferFunction withPreset(const TransferFunction& function, const Preset& pres
     if (!(range.least < range.largest) || (part == PresetPart::Opacities && !preset.hasOpacities))
         return function;
     TransferFunction made = preset.make(range, function.unitDistance);
-    if (part == PresetPart::Colours || !preset.hasOpacities)
-        return joined(function, made);
+    if (part == PresetPart::Colours || !preset.hasOpacities) {
+        TransferFunction coloured = function;
+        coloured.colours = made.colours;
+        return coloured;
+    }
     if (preset.unitDistance && diagonal > 0)
         made.unitDistance = *preset.unitDistance * diagonal;
-    return part == PresetPart::Both ? made : joined(made, function);
+    if (part == PresetPart::Opacities)
+        made.colours = function.colours;
+    return made;
 }
 
 QIcon presetIcon(const Preset& preset, QSize size)
@@ -129,10 +110,12 @@ TransferFunction presetOf(const TransferFunction& function, const TransferLimits
 {
     const auto share = [&range](double value) { return (value - range.least) / (range.largest - range.least); };
     TransferFunction preset = function;
-    for (TransferPoint& point : preset.points)
+    for (ColourPoint& point : preset.colours)
         point.value = share(point.value);
-    if (preset.mask)
-        preset.mask = TransferMask{share(preset.mask->least), share(preset.mask->largest)};
+    for (OpacityPoint& point : preset.opacities)
+        point.value = share(point.value);
+    if (auto& mask = preset.mask)
+        mask = {share(mask->least), share(mask->largest)};
     if (diagonal > 0)
         preset.unitDistance /= diagonal;
     return preset;

@@ -69,7 +69,7 @@ EditorItem TransferCanvas::itemAt(QPointF place) const
         return {EditorItem::Kind::Point, *point};
     const bool onHandle = place.y() < there.area.top();
     if (!there.area.adjusted(-handleGrab, -there.area.top(), handleGrab, 0).contains(place) ||
-        (!onHandle && there.isOnCurve(function(), place)))
+        (!onHandle && there.isOnCurve(state_.function(), place)))
         return {};
     EditorItem nearest;
     double least = onHandle ? handleGrab : lineGrab;

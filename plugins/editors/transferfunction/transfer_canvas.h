@@ -55,13 +55,13 @@ private:
         QPointF to;
         TransferPlot plot;
         TransferLimits limits;
-        TransferFunction function;
+        JoinedFunction function;
         TransferSelection selection;
         EditorView view;
         bool moved = false;
     };
 
-    const TransferFunction& function() const { return state_.function(); }
+    const JoinedFunction& function() const { return state_.joinedFunction(); }
     CanvasScene scene() const;
     void describeCurrent();
     void point(std::optional<double> value);

@@ -176,7 +176,7 @@ void TransferPanel::showFunction()
 {
     state_.forgetWhatIsGone();
     table_->refresh();
-    mask_->setChecked(state_.function().mask.has_value());
+    mask_->setChecked(state_.joinedFunction().mask.has_value());
     canvas_->update();
 }
 
@@ -184,7 +184,7 @@ void TransferPanel::showSelection()
 {
     const auto point = state_.currentPoint();
     step_->setEnabled(point.has_value());
-    step_->setChecked(point && isOnStep(state_.function(), *point));
+    step_->setChecked(point && isOnStep(state_.joinedFunction(), *point));
     remove_->setEnabled(state_.current().kind != EditorItem::Kind::None);
     numbers_->showSelection();
     showReadOut();

@@ -71,13 +71,13 @@ double TransferPlot::opacityAt(double y) const
     return opacityAtHeight(heightAt(y), axis);
 }
 
-QPointF TransferPlot::place(const TransferFunction& function, std::size_t point) const
+QPointF TransferPlot::place(const JoinedFunction& function, std::size_t point) const
 {
     const TransferPoint& there = function.points[point];
     return {x(there.value) + sideOf(function, point) * sideDistance, y(there.opacity)};
 }
 
-std::optional<std::size_t> TransferPlot::pointAt(const TransferFunction& function, QPointF pointer) const
+std::optional<std::size_t> TransferPlot::pointAt(const JoinedFunction& function, QPointF pointer) const
 {
     std::optional<std::size_t> nearest;
     double least = grabDistance;
@@ -92,7 +92,7 @@ std::optional<std::size_t> TransferPlot::pointAt(const TransferFunction& functio
 /// A steep part of the curve is as wide to the pointer as a flat one.
 bool TransferPlot::isOnCurve(const TransferFunction& function, QPointF pointer) const
 {
-    if (function.points.empty() || !area.contains(pointer))
+    if (function.opacities.empty() || !area.contains(pointer))
         return false;
     for (double aside = -curveDistance; aside <= curveDistance; ++aside) {
         const double near = pointer.x() + aside;
@@ -102,7 +102,7 @@ bool TransferPlot::isOnCurve(const TransferFunction& function, QPointF pointer) 
     return false;
 }
 
-std::vector<std::size_t> TransferPlot::pointsIn(const TransferFunction& function, const QRectF& rectangle) const
+std::vector<std::size_t> TransferPlot::pointsIn(const JoinedFunction& function, const QRectF& rectangle) const
 {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < function.points.size(); ++i)
@@ -111,7 +111,7 @@ std::vector<std::size_t> TransferPlot::pointsIn(const TransferFunction& function
     return found;
 }
 
-int sideOf(const TransferFunction& function, std::size_t point)
+int sideOf(const JoinedFunction& function, std::size_t point)
 {
     const auto& points = function.points;
     if (point + 1 < points.size() && points[point + 1].value == points[point].value)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/widgets/curves/axes.h"
+#include "plugins/widgets/curves/joined_function.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -34,16 +35,16 @@ struct TransferPlot {
     double heightAt(double y) const;
     double opacityAt(double y) const;
     /// The two sides of a step lie beside each other, so that both can be grabbed.
-    QPointF place(const TransferFunction& function, std::size_t point) const;
+    QPointF place(const JoinedFunction& function, std::size_t point) const;
     /// The point under the pointer; of several the nearest one.
-    std::optional<std::size_t> pointAt(const TransferFunction& function, QPointF place) const;
+    std::optional<std::size_t> pointAt(const JoinedFunction& function, QPointF place) const;
     /// Whether the pointer is on the curve.
     bool isOnCurve(const TransferFunction& function, QPointF place) const;
     /// The points in a rectangle of the plot.
-    std::vector<std::size_t> pointsIn(const TransferFunction& function, const QRectF& rectangle) const;
+    std::vector<std::size_t> pointsIn(const JoinedFunction& function, const QRectF& rectangle) const;
 };
 
 /// -1 for the lower side of a step, 1 for the upper one, 0 for a point.
-int sideOf(const TransferFunction& function, std::size_t point);
+int sideOf(const JoinedFunction& function, std::size_t point);
 
 } // namespace tetra

@@ -24,7 +24,7 @@ double alignedTo(const std::vector<double>& numbers, Alignment alignment)
 }
 
 /// Those that exist.
-TransferSelection existing(const TransferFunction& function, const TransferSelection& selection)
+TransferSelection existing(const JoinedFunction& function, const TransferSelection& selection)
 {
     return selectionOf(function, selection);
 }
@@ -36,7 +36,7 @@ struct Columns {
     std::vector<std::size_t> selected;
 };
 
-Columns columnsFor(const TransferFunction& function, const TransferSelection& selection)
+Columns columnsFor(const JoinedFunction& function, const TransferSelection& selection)
 {
     Columns columns{columnsOf(function, selection), {}, {}};
     for (std::size_t i = 0; i < columns.all.size(); ++i) {
@@ -48,7 +48,7 @@ Columns columnsFor(const TransferFunction& function, const TransferSelection& se
 }
 
 /// The sides of steps that are selected change places.
-EditedSelection withSidesChanged(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection withSidesChanged(const JoinedFunction& function, const TransferSelection& selection,
                                  std::span<const PointColumn> columns)
 {
     EditedSelection edited{function, selection};
@@ -67,8 +67,7 @@ EditedSelection withSidesChanged(const TransferFunction& function, const Transfe
 
 } // namespace
 
-EditedSelection alignOpacities(const TransferFunction& function, const TransferSelection& selection,
-                               Alignment alignment)
+EditedSelection alignOpacities(const JoinedFunction& function, const TransferSelection& selection, Alignment alignment)
 {
     std::vector<double> opacities;
     for (const std::size_t i : existing(function, selection))
@@ -78,7 +77,7 @@ EditedSelection alignOpacities(const TransferFunction& function, const TransferS
     return withOpacity(function, selection, alignedTo(opacities, alignment));
 }
 
-EditedSelection alignValues(const TransferFunction& function, const TransferSelection& selection, Alignment alignment)
+EditedSelection alignValues(const JoinedFunction& function, const TransferSelection& selection, Alignment alignment)
 {
     const bool neighbours = selection.size() == 2 && selection[1] == selection[0] + 1 &&
                             selection[1] < function.points.size() && !isOnStep(function, selection[0]) &&
@@ -93,7 +92,7 @@ EditedSelection alignValues(const TransferFunction& function, const TransferSele
     return edited;
 }
 
-EditedSelection distributeValues(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection distributeValues(const JoinedFunction& function, const TransferSelection& selection,
                                  const TransferLimits& limits)
 {
     Columns columns = columnsFor(function, selection);
@@ -106,7 +105,7 @@ EditedSelection distributeValues(const TransferFunction& function, const Transfe
     return withColumnsAt(function, selection, columns.all, std::move(columns.values), limits);
 }
 
-EditedSelection flipValues(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection flipValues(const JoinedFunction& function, const TransferSelection& selection,
                            const TransferLimits& limits)
 {
     Columns columns = columnsFor(function, selection);
@@ -121,7 +120,7 @@ EditedSelection flipValues(const TransferFunction& function, const TransferSelec
     return std::isfinite(sum) ? flipped : EditedSelection{function, selection};
 }
 
-EditedSelection invertOpacities(const TransferFunction& function, const TransferSelection& selection)
+EditedSelection invertOpacities(const JoinedFunction& function, const TransferSelection& selection)
 {
     EditedSelection edited{function, selection};
     for (const std::size_t i : existing(function, selection))
@@ -129,7 +128,7 @@ EditedSelection invertOpacities(const TransferFunction& function, const Transfer
     return edited;
 }
 
-EditedSelection rampOpacities(const TransferFunction& function, const TransferSelection& selection)
+EditedSelection rampOpacities(const JoinedFunction& function, const TransferSelection& selection)
 {
     EditedSelection edited{function, selection};
     const TransferSelection points = existing(function, selection);

@@ -10,15 +10,15 @@
 namespace tetra {
 namespace {
 
-TransferFunction onlySelected(const TransferFunction& function, const TransferSelection& selection)
+JoinedFunction onlySelected(const JoinedFunction& function, const TransferSelection& selection)
 {
-    TransferFunction copy{{}, function.unitDistance};
+    JoinedFunction copy{{}, function.unitDistance};
     for (const std::size_t i : selectionOf(function, selection))
         copy.points.push_back(function.points[i]);
     return copy;
 }
 
-EditedSelection withCopies(const TransferFunction& function, TransferFunction copies, double by,
+EditedSelection withCopies(const JoinedFunction& function, JoinedFunction copies, double by,
                            const TransferLimits& limits)
 {
     for (TransferPoint& point : copies.points) {
@@ -34,22 +34,23 @@ EditedSelection withCopies(const TransferFunction& function, TransferFunction co
 
 } // namespace
 
-std::string copyOfSelected(const TransferFunction& function, const TransferSelection& selection)
+std::string copyOfSelected(const JoinedFunction& function, const TransferSelection& selection)
 {
-    return transferFunctionToText(onlySelected(function, selection));
+    return transferFunctionToText(separated(onlySelected(function, selection)));
 }
 
-Result<EditedSelection> pasted(const TransferFunction& function, std::string_view text, std::optional<double> at,
+Result<EditedSelection> pasted(const JoinedFunction& function, std::string_view text, std::optional<double> at,
                                const TransferLimits& limits)
 {
-    Result<TransferFunction> copies = transferFunctionFromText(text);
-    if (!copies)
-        return copies.error();
-    const double by = at && !copies->points.empty() ? *at - copies->points.front().value : 0;
-    return withCopies(function, *std::move(copies), by, limits);
+    const Result<TransferFunction> copied = transferFunctionFromText(text);
+    if (!copied)
+        return copied.error();
+    JoinedFunction copies = joined(*copied);
+    const double by = at && !copies.points.empty() ? *at - copies.points.front().value : 0;
+    return withCopies(function, std::move(copies), by, limits);
 }
 
-EditedSelection duplicated(const TransferFunction& function, const TransferSelection& selection, double farther,
+EditedSelection duplicated(const JoinedFunction& function, const TransferSelection& selection, double farther,
                            const TransferLimits& limits)
 {
     return withCopies(function, onlySelected(function, selection), farther, limits);

@@ -27,7 +27,7 @@ struct Way {
     double gap(std::size_t column) const { return std::min(distance, value(column + 1) - value(column)); }
 };
 
-Way wayOf(const TransferFunction& function, const TransferSelection& selection, double by, const TransferLimits& limits)
+Way wayOf(const JoinedFunction& function, const TransferSelection& selection, double by, const TransferLimits& limits)
 {
     Way way{columnsOf(function, selection), by < 0 ? -limits.least : limits.largest, by < 0 ? -1.0 : 1.0,
             leastDistanceIn(limits)};
@@ -73,7 +73,7 @@ std::vector<double> valuesAfter(const Way& way, double by, NeighbourRule rule)
     return values;
 }
 
-TransferFunction withHeights(TransferFunction function, const TransferSelection& selection, const SelectionMove& move)
+JoinedFunction withHeights(JoinedFunction function, const TransferSelection& selection, const SelectionMove& move)
 {
     if (move.height == 0 || !std::isfinite(move.height))
         return function;
@@ -87,12 +87,12 @@ TransferFunction withHeights(TransferFunction function, const TransferSelection&
 }
 
 /// The function with its values' logarithms moved instead. What has not moved keeps its value to the last bit.
-EditedSelection movedByFactor(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection movedByFactor(const JoinedFunction& function, const TransferSelection& selection,
                               const SelectionMove& move, NeighbourRule rule, const TransferLimits& limits)
 {
     if (!(limits.least > 0) || (!function.points.empty() && !(function.points.front().value > 0)))
         return {function, selection};
-    TransferFunction logarithms = function;
+    JoinedFunction logarithms = function;
     std::map<double, double> values; // by their logarithms
     for (TransferPoint& point : logarithms.points) {
         const double value = point.value;
@@ -108,15 +108,15 @@ EditedSelection movedByFactor(const TransferFunction& function, const TransferSe
             if (std::abs(point.value - limit) <= rounding * limit)
                 point.value = limit;
     }
-    return checkTransferFunction(edited.function) ? edited : EditedSelection{function, selection};
+    return checkTransferFunction(separated(edited.function)) ? edited : EditedSelection{function, selection};
 }
 
 } // namespace
 
-EditedSelection moveSelected(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection moveSelected(const JoinedFunction& function, const TransferSelection& selection,
                              const SelectionMove& move, NeighbourRule rule, const TransferLimits& limits)
 {
-    const TransferFunction higher = withHeights(function, selection, move);
+    const JoinedFunction higher = withHeights(function, selection, move);
     if (move.value == 0 || !std::isfinite(move.value) || selection.empty())
         return {higher, selection};
     if (move.valueAxis == ValueAxis::Logarithmic)
@@ -135,7 +135,7 @@ EditedSelection moveSelected(const TransferFunction& function, const TransferSel
     return withColumnsAt(higher, selection, way.columns, std::move(values), limits);
 }
 
-EditedSelection withValue(const TransferFunction& function, const TransferSelection& selection, double value,
+EditedSelection withValue(const JoinedFunction& function, const TransferSelection& selection, double value,
                           NeighbourRule rule, const TransferLimits& limits)
 {
     if (selection.empty() || selection.front() >= function.points.size())

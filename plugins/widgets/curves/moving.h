@@ -30,11 +30,11 @@ struct SelectionMove {
 ///
 /// A drag is made of moves of the function as it was when the drag began, so that what stopped on the way does not add
 /// up.
-EditedSelection moveSelected(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection moveSelected(const JoinedFunction& function, const TransferSelection& selection,
                              const SelectionMove& move, NeighbourRule rule, const TransferLimits& limits);
 
 /// Moved so that the first selected point has this value, the others by as much.
-EditedSelection withValue(const TransferFunction& function, const TransferSelection& selection, double value,
+EditedSelection withValue(const JoinedFunction& function, const TransferSelection& selection, double value,
                           NeighbourRule rule, const TransferLimits& limits);
 
 } // namespace tetra

@@ -10,7 +10,7 @@ namespace tetra {
 namespace {
 
 /// With a point at the value, unless there is one.
-TransferFunction withFoot(const TransferFunction& function, double value)
+JoinedFunction withFoot(const JoinedFunction& function, double value)
 {
     const bool there = std::ranges::find(function.points, value, &TransferPoint::value) != function.points.end();
     const auto added = there ? std::nullopt : withPoint(function, value);
@@ -19,7 +19,7 @@ TransferFunction withFoot(const TransferFunction& function, double value)
 
 } // namespace
 
-EditedSelection withPeak(const TransferFunction& function, const OpacityPeak& peak, const TransferLimits& limits)
+EditedSelection withPeak(const JoinedFunction& function, const OpacityPeak& peak, const TransferLimits& limits)
 {
     const bool inside = peak.value >= limits.least && peak.value <= limits.largest;
     const double left = std::max(peak.value - peak.width / 2, limits.least);
@@ -32,7 +32,7 @@ EditedSelection withPeak(const TransferFunction& function, const OpacityPeak& pe
     top.value = peak.value;
     top.opacity = static_cast<float>(std::clamp(peak.opacity, 0.0, 1.0));
     top.group.reset();
-    const TransferSample look = evaluateUnmasked(edited.function, peak.value);
+    const TransferSample look = evaluateUnmasked(separated(edited.function), peak.value);
     for (std::size_t channel = 0; channel < 3; ++channel)
         top.colour[channel] = std::clamp(static_cast<float>(look.colour[channel]), 0.0F, 1.0F);
     std::erase_if(points, [&](const TransferPoint& point) { return point.value > left && point.value < right; });
@@ -72,7 +72,7 @@ struct Stretch {
 
 class Simplifier {
 public:
-    Simplifier(const TransferFunction& function, const TransferSelection& selection, const LookTolerance& tolerance)
+    Simplifier(const JoinedFunction& function, const TransferSelection& selection, const LookTolerance& tolerance)
         : points_(function.points), unit_(function.unitDistance), tolerance_(tolerance), mayGo_(points_.size())
     {
         for (const TransferPoint& point : points_)
@@ -173,7 +173,7 @@ private:
 
 } // namespace
 
-EditedSelection simplified(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection simplified(const JoinedFunction& function, const TransferSelection& selection,
                            const LookTolerance& tolerance)
 {
     const TransferSelection kept = Simplifier(function, selection, tolerance).kept();
@@ -234,7 +234,7 @@ TransferPoint pointBetween(const TransferPoint& from, const TransferPoint& to, d
 
 } // namespace
 
-EditedSelection withLogarithmicCourse(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection withLogarithmicCourse(const JoinedFunction& function, const TransferSelection& selection,
                                       const LookTolerance& tolerance)
 {
     EditedSelection edited{function, {}};
@@ -259,54 +259,6 @@ EditedSelection withLogarithmicCourse(const TransferFunction& function, const Tr
             edited.selection.push_back(points.size());
         points.push_back(to);
     }
-    return edited;
-}
-
-namespace {
-
-/// With all values elsewhere; as it was if that is no function. The order of values must stay.
-template <class Where> TransferFunction moved(const TransferFunction& function, const Where& where)
-{
-    TransferFunction edited{{}, function.unitDistance};
-    auto& points = edited.points;
-    for (TransferPoint point : function.points) {
-        point.value = where(point.value);
-        const auto count = points.size();
-        if (count >= 2 && points[count - 1].value == point.value && points[count - 2].value == point.value)
-            points.pop_back();
-        points.push_back(point);
-    }
-    if (const auto& mask = function.mask)
-        edited.mask = {where(mask->least), where(mask->largest)};
-    return checkTransferFunction(edited) ? edited : function;
-}
-
-} // namespace
-
-TransferFunction shifted(const TransferFunction& function, double by)
-{
-    return moved(function, [by](double value) { return value + by; });
-}
-
-TransferFunction widened(const TransferFunction& function, double centre, double factor)
-{
-    if (!(factor > 0) || !std::isfinite(factor) || !std::isfinite(centre))
-        return function;
-    return moved(function, [=](double value) { return centre + (value - centre) * factor; });
-}
-
-TransferFunction withMask(const TransferFunction& function, const TransferMask& mask)
-{
-    TransferFunction edited = function;
-    if (checkMask(mask))
-        edited.mask = mask;
-    return edited;
-}
-
-TransferFunction withoutMask(const TransferFunction& function)
-{
-    TransferFunction edited = function;
-    edited.mask.reset();
     return edited;
 }
 

@@ -17,7 +17,7 @@ struct OpacityPeak {
 /// With a tent whose feet look as before, cut at the limits; what points were between the feet are gone. The colour of
 /// the top is the one that was there. Selected are the feet and the top. A peak that is not finite, has no width or
 /// lies outside of the limits changes nothing. O(points).
-EditedSelection withPeak(const TransferFunction& function, const OpacityPeak& peak, const TransferLimits& limits);
+EditedSelection withPeak(const JoinedFunction& function, const OpacityPeak& peak, const TransferLimits& limits);
 
 /// How much of a look may be lost: the largest difference, at any value.
 struct LookTolerance {
@@ -27,7 +27,7 @@ struct LookTolerance {
 
 /// The fewest points that look the same within the tolerance, of those that are there: what stays, stays as it is, and
 /// only selected ones go. Selected is what is left of the selection. O(points^2) as a rule.
-EditedSelection simplified(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection simplified(const JoinedFunction& function, const TransferSelection& selection,
                            const LookTolerance& tolerance);
 
 /// Between each two neighbouring selected points as many points more that colour and extinction go with the logarithm
@@ -38,21 +38,7 @@ EditedSelection simplified(const TransferFunction& function, const TransferSelec
 /// Over a factor r between two points, n pieces of equal factors q = r^(1/n) deviate by at most e(q) / n of the change,
 /// e(q) = ln(x) / ln(q) - (x - 1) / (q - 1) with x = (q - 1) / ln(q); of an opacity not by more than of its optical
 /// depth. Points whose values are not positive change nothing between them. O(points).
-EditedSelection withLogarithmicCourse(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection withLogarithmicCourse(const JoinedFunction& function, const TransferSelection& selection,
                                       const LookTolerance& tolerance);
-
-/// Edits of the whole function and its mask, as by dragging in the picture; O(points). Of points that rounding brings
-/// to one value the first and the last stay.
-
-/// What `value` looked like, value + by looks like. A shift that is not finite, or leads there, changes nothing.
-TransferFunction shifted(const TransferFunction& function, double by);
-
-/// What lies at a distance from the centre lies `factor` times as far from it. A factor that is not above zero, or
-/// leads to values that are not finite, changes nothing.
-TransferFunction widened(const TransferFunction& function, double centre, double factor);
-
-/// With only values of the mask shown. One that is no range changes nothing.
-TransferFunction withMask(const TransferFunction& function, const TransferMask& mask);
-TransferFunction withoutMask(const TransferFunction& function);
 
 } // namespace tetra

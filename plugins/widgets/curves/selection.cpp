@@ -11,7 +11,7 @@ namespace tetra {
 
 namespace {
 
-template <class Wanted> TransferSelection pointsThat(const TransferFunction& function, const Wanted& wanted)
+template <class Wanted> TransferSelection pointsThat(const JoinedFunction& function, const Wanted& wanted)
 {
     TransferSelection selection;
     for (std::size_t i = 0; i < function.points.size(); ++i)
@@ -21,7 +21,7 @@ template <class Wanted> TransferSelection pointsThat(const TransferFunction& fun
 }
 
 template <class Change>
-EditedSelection changed(const TransferFunction& function, const TransferSelection& selection, const Change& change)
+EditedSelection changed(const JoinedFunction& function, const TransferSelection& selection, const Change& change)
 {
     EditedSelection edited{function, selection};
     for (const std::size_t i : selection)
@@ -32,7 +32,7 @@ EditedSelection changed(const TransferFunction& function, const TransferSelectio
 
 } // namespace
 
-TransferSelection selectionOf(const TransferFunction& function, std::vector<std::size_t> points)
+TransferSelection selectionOf(const JoinedFunction& function, std::vector<std::size_t> points)
 {
     std::erase_if(points, [&](std::size_t point) { return point >= function.points.size(); });
     std::ranges::sort(points);
@@ -40,14 +40,14 @@ TransferSelection selectionOf(const TransferFunction& function, std::vector<std:
     return points;
 }
 
-TransferSelection allPoints(const TransferFunction& function)
+TransferSelection allPoints(const JoinedFunction& function)
 {
     TransferSelection selection(function.points.size());
     std::iota(selection.begin(), selection.end(), std::size_t(0));
     return selection;
 }
 
-TransferSelection pointsWithin(const TransferFunction& function, const TransferLimits& values,
+TransferSelection pointsWithin(const JoinedFunction& function, const TransferLimits& values,
                                const TransferLimits& opacities)
 {
     return pointsThat(function, [&](const TransferPoint& point) {
@@ -56,7 +56,7 @@ TransferSelection pointsWithin(const TransferFunction& function, const TransferL
     });
 }
 
-TransferSelection pointsOfGroup(const TransferFunction& function, int group)
+TransferSelection pointsOfGroup(const JoinedFunction& function, int group)
 {
     return pointsThat(function, [group](const TransferPoint& point) { return point.group == group; });
 }
@@ -72,7 +72,7 @@ TransferSelection toggled(const TransferSelection& selection, std::size_t point)
     return result;
 }
 
-EditedSelection withoutSelected(const TransferFunction& function, const TransferSelection& selection)
+EditedSelection withoutSelected(const JoinedFunction& function, const TransferSelection& selection)
 {
     EditedSelection edited{function, {}};
     edited.function.points.clear();
@@ -82,7 +82,7 @@ EditedSelection withoutSelected(const TransferFunction& function, const Transfer
     return edited;
 }
 
-EditedSelection withColour(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection withColour(const JoinedFunction& function, const TransferSelection& selection,
                            const std::array<float, 3>& colour)
 {
     if (!std::ranges::all_of(colour, [](float channel) { return channel >= 0 && channel <= 1; }))
@@ -90,7 +90,7 @@ EditedSelection withColour(const TransferFunction& function, const TransferSelec
     return changed(function, selection, [&](TransferPoint& point) { point.colour = colour; });
 }
 
-EditedSelection withOpacity(const TransferFunction& function, const TransferSelection& selection, double opacity)
+EditedSelection withOpacity(const JoinedFunction& function, const TransferSelection& selection, double opacity)
 {
     if (!std::isfinite(opacity))
         return {function, selection};
@@ -98,8 +98,7 @@ EditedSelection withOpacity(const TransferFunction& function, const TransferSele
     return changed(function, selection, [&](TransferPoint& point) { point.opacity = cut; });
 }
 
-EditedSelection withGroup(const TransferFunction& function, const TransferSelection& selection,
-                          std::optional<int> group)
+EditedSelection withGroup(const JoinedFunction& function, const TransferSelection& selection, std::optional<int> group)
 {
     if (group && (*group < 0 || *group > largestTransferGroup))
         return {function, selection};
@@ -114,7 +113,7 @@ struct MarkedPoint {
 };
 
 /// In order, and of points of one value the first and the last. What the function was before if that is no function.
-EditedSelection settled(const TransferFunction& before, const TransferSelection& selectionBefore,
+EditedSelection settled(const JoinedFunction& before, const TransferSelection& selectionBefore,
                         std::vector<MarkedPoint> marked)
 {
     const auto valueOf = [](const MarkedPoint& one) { return one.point.value; };
@@ -131,7 +130,7 @@ EditedSelection settled(const TransferFunction& before, const TransferSelection&
             edited.selection.push_back(points.size());
         points.push_back(marked[i].point);
     }
-    return checkTransferFunction(edited.function) ? edited : EditedSelection{before, selectionBefore};
+    return checkTransferFunction(separated(edited.function)) ? edited : EditedSelection{before, selectionBefore};
 }
 
 /// The nearest to `value` that is not taken, going away from the limits' ends.
@@ -148,7 +147,7 @@ double freeValue(const std::set<double>& taken, double value, const TransferLimi
 
 } // namespace
 
-std::vector<PointColumn> columnsOf(const TransferFunction& function, const TransferSelection& selection)
+std::vector<PointColumn> columnsOf(const JoinedFunction& function, const TransferSelection& selection)
 {
     std::vector<PointColumn> columns;
     for (std::size_t i = 0; i < function.points.size(); ++i) {
@@ -169,7 +168,7 @@ double leastDistanceIn(const TransferLimits& limits) noexcept
     return std::isfinite(distance) ? std::max(distance, 0.0) : 0;
 }
 
-EditedSelection withColumnsAt(const TransferFunction& function, const TransferSelection& selection,
+EditedSelection withColumnsAt(const JoinedFunction& function, const TransferSelection& selection,
                               std::span<const PointColumn> columns, std::vector<double> values,
                               const TransferLimits& limits)
 {
@@ -190,7 +189,7 @@ EditedSelection withColumnsAt(const TransferFunction& function, const TransferSe
     return settled(function, selection, std::move(marked));
 }
 
-EditedSelection withMorePoints(const TransferFunction& function, std::vector<TransferPoint> points,
+EditedSelection withMorePoints(const JoinedFunction& function, std::vector<TransferPoint> points,
                                const TransferLimits& limits)
 {
     std::set<double> taken;

@@ -159,7 +159,7 @@ private slots:
         for (const float opacity : {0.0f, -1.0f, 1.5f, std::numeric_limits<float>::quiet_NaN()})
             QCOMPARE(maker.plain({.opacity = opacity}).error().kind, ErrorKind::WrongUsage);
         TransferFunction wrong = ramps();
-        std::swap(wrong.points[0], wrong.points[1]);
+        std::swap(wrong.colours[0], wrong.colours[1]);
         QVERIFY(!maker.coloured(wrong, {}));
     }
 };

@@ -28,9 +28,10 @@ TransferFunction randomFunction(std::mt19937& random)
     double value = -1;
     for (std::size_t point = random() % 8; point > 0; --point) {
         value += double(unit(random));
-        function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
-        if (random() % 4 == 0)
-            function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
+        for (auto sides = random() % 4 == 0 ? 2 : 1; sides > 0; --sides) {
+            function.colours.push_back({value + 0.1, {unit(random), unit(random), unit(random)}});
+            function.opacities.push_back({value, unit(random)});
+        }
     }
     return function;
 }

@@ -77,8 +77,8 @@ private slots:
     void equallyFrequentValuesRise()
     {
         const TransferFunction function = fittedTransferFunction({0, 1, std::vector<std::uint64_t>(parts, 9)}, 1);
-        for (std::size_t point = 1; point < function.points.size(); ++point)
-            QVERIFY(function.points[point].opacity > function.points[point - 1].opacity);
+        for (std::size_t point = 1; point < function.opacities.size(); ++point)
+            QVERIFY(function.opacities[point].opacity > function.opacities[point - 1].opacity);
     }
 
     /// Points over the whole range in order, nothing that hides all that is behind, something to see.
@@ -91,10 +91,10 @@ private slots:
             const TransferFunction function = fittedTransferFunction(histogram, unitDistance);
             QVERIFY(checkTransferFunction(function).ok());
             QCOMPARE(function.unitDistance, unitDistance);
-            QCOMPARE(function.points.front().value, histogram.least);
-            QCOMPARE(function.points.back().value, histogram.largest);
-            QVERIFY(std::ranges::any_of(function.points, [](const auto& point) { return point.opacity > 0.02f; }));
-            QVERIFY(std::ranges::none_of(function.points, [](const auto& point) { return point.opacity > 0.91f; }));
+            QCOMPARE(function.opacities.front().value, histogram.least);
+            QCOMPARE(function.opacities.back().value, histogram.largest);
+            QVERIFY(std::ranges::any_of(function.opacities, [](const auto& point) { return point.opacity > 0.02f; }));
+            QVERIFY(std::ranges::none_of(function.opacities, [](const auto& point) { return point.opacity > 0.91f; }));
             if (histogram.counts.size() > 32)
                 QVERIFY(meanDepth(histogram, function, 20 * unitDistance) < 8);
         }
@@ -110,10 +110,10 @@ private slots:
         histogram.least = 1e6;
         histogram.largest = 3e6;
         const TransferFunction other = fittedTransferFunction(histogram, 7);
-        QCOMPARE(other.points.size(), one.points.size());
-        for (std::size_t point = 0; point < one.points.size(); ++point) {
-            QVERIFY(std::abs(other.points[point].opacity - one.points[point].opacity) < 1e-6f);
-            QVERIFY(std::abs(other.points[point].value - (1e6 + 2e6 * one.points[point].value)) < 1e-3);
+        QCOMPARE(other.opacities.size(), one.opacities.size());
+        for (std::size_t point = 0; point < one.opacities.size(); ++point) {
+            QVERIFY(std::abs(other.opacities[point].opacity - one.opacities[point].opacity) < 1e-6f);
+            QVERIFY(std::abs(other.opacities[point].value - (1e6 + 2e6 * one.opacities[point].value)) < 1e-3);
         }
     }
 

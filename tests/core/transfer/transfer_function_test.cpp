@@ -18,7 +18,8 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 TransferFunction stepAtFive()
 {
-    return {{{0, {0, 0, 0}, 0}, {5, {1, 0, 0}, 0.5f}, {5, {0, 0, 1}, 0.25f}, {10, {0, 1, 1}, 0}}, 2};
+    return transferFunctionFromPoints(
+        {{0, {0, 0, 0}, 0}, {5, {1, 0, 0}, 0.5f}, {5, {0, 0, 1}, 0.25f}, {10, {0, 1, 1}, 0}}, 2);
 }
 
 TransferFunction randomFunction(std::mt19937& random)
@@ -26,13 +27,17 @@ TransferFunction randomFunction(std::mt19937& random)
     std::uniform_real_distribution<float> unit(0, 1);
     TransferFunction function;
     function.unitDistance = 0.1 + unit(random);
-    const int count = static_cast<int>(random() % 8);
-    for (int i = 0; i < count; ++i) {
-        const double value = std::round(20 * unit(random)) - 10;
-        if (std::ranges::count(function.points, value, &TransferPoint::value) < 2)
-            function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
-    }
-    std::ranges::stable_sort(function.points, {}, &TransferPoint::value);
+    const auto fill = [&](auto& points, const auto& pointAt) {
+        for (auto count = random() % 8; count > 0; --count)
+            if (const double value = std::round(20 * unit(random)) - 10;
+                std::ranges::count(points, value, [](const auto& point) { return point.value; }) < 2)
+                points.push_back(pointAt(value));
+        std::ranges::stable_sort(points, {}, [](const auto& point) { return point.value; });
+    };
+    fill(function.colours, [&](double value) {
+        return ColourPoint{value, {unit(random), unit(random), unit(random)}};
+    });
+    fill(function.opacities, [&](double value) { return OpacityPoint{value, unit(random)}; });
     return function;
 }
 
@@ -108,7 +113,55 @@ private slots:
                 const auto segment = std::ranges::find_if(
                     segments, [&](const TransferSegment& one) { return at >= one.begin && at < one.end; });
                 QVERIFY(segment != segments.end());
-                QVERIFY(largestDifference(inSegment(*segment, at), evaluate(function, at)) < 1e-11);
+                const TransferSample look = evaluate(function, at);
+                QVERIFY(std::abs(inSegment(*segment, at).extinction - look.extinction) < 1e-11);
+                if (!function.opacities.empty())
+                    QVERIFY(largestDifference(inSegment(*segment, at), look) < 1e-11);
+            }
+        }
+    }
+
+    /// Colours have their steps where opacities have none.
+    void theCurvesAreTheirOwn()
+    {
+        const TransferFunction function{
+            {{0, {0, 0, 0}}, {2, {1, 0, 0}}, {2, {0, 1, 0}}}, {{1, 0}, {3, 0.75f}, {4, 0.25f}}, 0.5};
+        QCOMPARE(evaluate(function, 1).colour[0], 0.5);
+        QCOMPARE(evaluate(function, 1).extinction, 0.0);
+        QCOMPARE(evaluate(function, 2).colour[1], 1.0);
+        QCOMPARE(evaluate(function, 2).extinction, extinctionOf(0.75, 0.5) / 2);
+        QCOMPARE(evaluate(function, 9).extinction, extinctionOf(0.25, 0.5));
+        const auto segments = transferSegments(function);
+        QCOMPARE(segments.size(), std::size_t(6));
+        QCOMPARE(segments[3].begin, 2.0);
+        QCOMPARE(segments[3].end, 3.0);
+        QCOMPARE(segments[3].perValue.colour[1], 0.0);
+        // What either curve has alone changes nothing of the other's.
+        QCOMPARE(evaluate({{{1, {0, 1, 0}}}, {}}, 1).extinction, 0.0);
+        QCOMPARE(evaluate({{}, {{1, 0.5f}}}, 1).colour, (std::array{1.0, 1.0, 1.0}));
+    }
+
+    void pointsOfBothCurves()
+    {
+        const std::vector<TransferPoint> points{
+            {0, {0, 0, 0}, 0}, {5, {1, 0, 0}, 0.5f}, {5, {0, 0, 1}, 0.25f, 3}, {10, {0, 1, 1}, 0}};
+        QCOMPARE(transferPoints(transferFunctionFromPoints(points, 2)), points);
+        QVERIFY(transferPoints({}).empty());
+        std::mt19937 random(6);
+        std::uniform_real_distribution<double> value(-12, 12);
+        for (int round = 0; round < 200; ++round) {
+            const TransferFunction function = randomFunction(random);
+            const auto joined = transferFunctionFromPoints(transferPoints(function), function.unitDistance);
+            QVERIFY(checkTransferFunction(joined).ok());
+            for (int i = 0; i < 20; ++i) {
+                const double at = i % 4 == 0 ? std::round(value(random)) : value(random);
+                const auto opacity = [&](const TransferFunction& of) {
+                    return -std::expm1(-evaluate(of, at).extinction * of.unitDistance);
+                };
+                QVERIFY(std::abs(opacity(joined) - opacity(function)) < 1e-5);
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    QVERIFY(std::abs(evaluate(joined, at).colour[channel] - evaluate(function, at).colour[channel]) <
+                            1e-6);
             }
         }
     }
@@ -122,15 +175,19 @@ void TransferFunctionTest::refusesWhatIsNoFunction_data()
 {
     QTest::addColumn<TransferFunction>("function");
     QTest::addColumn<QString>("word");
-    QTest::newRow("order") << TransferFunction{{{1, {}, 0}, {0, {}, 0}}, 1} << "ascending";
-    QTest::newRow("three of one value") << TransferFunction{{{1, {}, 0}, {1, {}, 0}, {1, {}, 0}}, 1} << "third";
-    QTest::newRow("NaN value") << TransferFunction{{{notANumber, {}, 0}}, 1} << "finite";
-    QTest::newRow("infinite value") << TransferFunction{{{infinity, {}, 0}}, 1} << "finite";
-    QTest::newRow("colour") << TransferFunction{{{1, {0, 2, 0}, 0}}, 1} << "colour";
-    QTest::newRow("opacity") << TransferFunction{{{1, {}, -0.1f}}, 1} << "opacity";
-    QTest::newRow("NaN opacity") << TransferFunction{{{1, {}, std::nanf("")}}, 1} << "opacity";
-    QTest::newRow("unit distance") << TransferFunction{{}, 0} << "unit distance";
-    QTest::newRow("infinite unit distance") << TransferFunction{{}, infinity} << "unit distance";
+    QTest::newRow("order") << transferFunctionFromPoints({{1, {}, 0}, {0, {}, 0}}, 1) << "ascending";
+    QTest::newRow("three of one value") << transferFunctionFromPoints({{1, {}, 0}, {1, {}, 0}, {1, {}, 0}}, 1)
+                                        << "third";
+    QTest::newRow("NaN value") << transferFunctionFromPoints({{notANumber, {}, 0}}, 1) << "finite";
+    QTest::newRow("infinite value") << transferFunctionFromPoints({{infinity, {}, 0}}, 1) << "finite";
+    QTest::newRow("colour") << transferFunctionFromPoints({{1, {0, 2, 0}, 0}}, 1)
+                            << "Colour 1 of the transfer function has a channel";
+    QTest::newRow("opacity") << transferFunctionFromPoints({{1, {}, -0.1f}}, 1)
+                             << "Opacity 1 of the transfer function is outside";
+    QTest::newRow("NaN opacity") << transferFunctionFromPoints({{1, {}, std::nanf("")}}, 1)
+                                 << "Opacity 1 of the transfer function is outside";
+    QTest::newRow("unit distance") << TransferFunction{.unitDistance = 0} << "unit distance";
+    QTest::newRow("infinite unit distance") << TransferFunction{.unitDistance = infinity} << "unit distance";
 }
 
 void TransferFunctionTest::refusesWhatIsNoFunction()
@@ -147,18 +204,18 @@ void TransferFunctionTest::defaultsCoverTheRange()
     for (const auto make : {sequentialTransferFunction, divergingTransferFunction}) {
         const TransferFunction function = make(-3, 17, 0.5);
         QVERIFY(checkTransferFunction(function).ok());
-        QCOMPARE(function.points.front().value, -3.0);
-        QCOMPARE(function.points.back().value, 17.0);
+        QCOMPARE(transferPoints(function).front().value, -3.0);
+        QCOMPARE(transferPoints(function).back().value, 17.0);
         QCOMPARE(function.unitDistance, 0.5);
         for (const auto& [smallest, largest] : {std::pair{4.0, 4.0}, {infinity, -infinity}, {notANumber, 1.0}})
             QVERIFY(checkTransferFunction(make(smallest, largest, 1)).ok());
     }
     // Lightness rises with the value, so that the order of the colours is seen without telling hues apart.
     const TransferFunction function = sequentialTransferFunction(0, 1, 1);
-    const auto lightness = [](const TransferPoint& point) {
+    const auto lightness = [](const ColourPoint& point) {
         return 0.2126f * point.colour[0] + 0.7152f * point.colour[1] + 0.0722f * point.colour[2];
     };
-    QVERIFY(std::ranges::is_sorted(function.points, {}, lightness));
+    QVERIFY(std::ranges::is_sorted(function.colours, {}, lightness));
 }
 
 QTEST_GUILESS_MAIN(TransferFunctionTest)

@@ -32,7 +32,9 @@ private slots:
             function.unitDistance = std::ldexp(1 + double(random() % 1000000007) / 1e9, int(random() % 400) - 200);
             double value = -std::ldexp(1 + unit(random), int(random() % 40) - 20);
             for (auto i = random() % 12; i > 0; --i, value += unit(random) / 3)
-                function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
+                function.colours.push_back({value, {unit(random), unit(random), unit(random)}});
+            for (auto i = random() % 12; i > 0; --i, value += unit(random) / 3)
+                function.opacities.push_back({value, unit(random)});
             const auto back = transferFunctionFromText(transferFunctionToText(function));
             QVERIFY2(back.ok(), back.ok() ? "" : back.error().text().c_str());
             QVERIFY(*back == function);
@@ -41,8 +43,21 @@ private slots:
 
     void stepsComeBack()
     {
-        const TransferFunction function{{{1, {0, 0, 0}, 0}, {1, {1, 1, 1}, 1}}, 1};
+        const TransferFunction function = transferFunctionFromPoints({{1, {0, 0, 0}, 0}, {1, {1, 1, 1}, 1}}, 1);
         QVERIFY(transferFunctionFromText(transferFunctionToText(function)).value() == function);
+    }
+
+    void theFirstVersionHadPointsOfBothCurves()
+    {
+        const auto function =
+            transferFunctionFromText((start + "\"unitDistance\": 3, \"mask\": {\"least\": 1, \"largest\": 2},"
+                                              "\"points\": [{\"value\": 1, \"colour\": [0, 0.5, 1], \"opacity\": 0.25},"
+                                              "{\"value\": 2, \"colour\": [1, 1, 1], \"opacity\": 1, \"group\": 4}]}")
+                                         .toStdString());
+        QVERIFY2(function.ok(), function.ok() ? "" : function.error().text().c_str());
+        TransferFunction expected = transferFunctionFromPoints({{1, {0, 0.5f, 1}, 0.25f}, {2, {1, 1, 1}, 1, 4}}, 3);
+        expected.mask = {1, 2};
+        QCOMPARE(*function, expected);
     }
 
     void unitDistanceMayBeLeftOut()
@@ -67,14 +82,22 @@ private slots:
         row("after the end", start + "\"points\": []}\n!", "line 3, column 1");
         row("twice", start + "\"points\": [], \"points\": []}", "twice");
         row("other format", "{\"format\": \"x\", \"version\": 1, \"points\": []}", "\"format\" is not");
-        row("other version", "{\"format\": \"tan-transfer-function\", \"version\": 2, \"points\": []}",
+        const QByteArray second = "{\"format\": \"tan-transfer-function\", \"version\": 2,\n";
+        row("points in the second version", second + "\"points\": []}", "no \"colours\"");
+        row("no opacities", second + "\"colours\": []}", "no \"opacities\"");
+        row("a colour with an opacity", second + "\"opacities\": [], \"colours\": [" + point + "0}]}", "\"opacity\"");
+        row("an opacity without", second + "\"colours\": [], \"opacities\": [{\"value\": 1}]}", "no \"opacity\"");
+        row("colours are no list", second + "\"colours\": 3, \"opacities\": []}", "line 2, column 12");
+        row("no list at all", "[]", "in braces");
+        row("other version", "{\"format\": \"tan-transfer-function\", \"version\": 3, \"points\": []}",
             "line 1, column 48");
         row("no points", start + "\"unitDistance\": 1}", "no \"points\"");
         row("points are no list", start + "\"points\": {}}", "line 2, column 11");
         row("unknown member", start + "\"colours\": 1, \"points\": []}", "\"colours\"");
         row("opacity is a string", start + "\"points\": [" + point + "\"1\"}]}", "line 2, column 57");
         row("number too large", start + "\"points\": [" + point + "1e999}]}", "a number that fits");
-        row("opacity out of range", start + "\"points\": [" + point + "1.5}]}", "opacity outside 0 to 1");
+        row("opacity out of range", start + "\"points\": [" + point + "1.5}]}",
+            "Opacity 1 of the transfer function is outside 0 to 1");
         row("two channels", start + "\"points\": [{\"value\": 1, \"colour\": [0, 0], \"opacity\": 0}]}",
             "three numbers");
         row("not in order", start + "\"points\": [" + point + "0}, " + QByteArray(point).replace("1,", "0,") + "0}]}",
@@ -113,7 +136,7 @@ private slots:
     void anyDamageIsAnError()
     {
         std::mt19937 random(11);
-        const TransferFunction function{{{1, {0, .5f, 0}, 0}, {2, {1, 1, 1}, 1}}, 3};
+        const TransferFunction function = transferFunctionFromPoints({{1, {0, .5f, 0}, 0}, {2, {1, 1, 1}, 1}}, 3);
         const std::string good = transferFunctionToText(function);
         for (int round = 0; round < 2000; ++round) {
             std::string text = good;

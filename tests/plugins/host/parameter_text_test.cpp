@@ -30,14 +30,15 @@ private slots:
     {
         Isovalue isovalue{.value = -1.25, .red = 1, .green = 0.5f, .blue = 0, .opacity = 0.25f};
         isovalue.green = 128.0f / 255.0f;
-        const std::vector<ParameterValue> values = {true,
-                                                    false,
-                                                    std::int64_t(-9'007'199'254'740'993),
-                                                    0.1,
-                                                    1e300,
-                                                    std::string("a text"),
-                                                    TransferFunction{{{0.1, {0, 0.5f, 1}, 0.25f}, {3, {}, 1}}, 2.5},
-                                                    std::vector{isovalue, isovalue}};
+        const std::vector<ParameterValue> values = {
+            true,
+            false,
+            std::int64_t(-9'007'199'254'740'993),
+            0.1,
+            1e300,
+            std::string("a text"),
+            transferFunctionFromPoints({{0.1, {0, 0.5f, 1}, 0.25f}, {3, {}, 1}}, 2.5),
+            std::vector{isovalue, isovalue}};
         for (const ParameterValue& value : values) {
             const auto read = parseParameter(described(value), parameterText(value));
             QVERIFY2(read, parameterText(value).c_str());

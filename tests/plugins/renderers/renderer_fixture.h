@@ -40,7 +40,7 @@ inline void checkBoundary(const Renderer& renderer, std::size_t before)
     QVERIFY(faint.mesh);
     QCOMPARE(faint.mesh->triangles.size(), std::size_t(6 * 4 * 4 * 2));
     QVERIFY(faint.opacity == 0.4f && !faint.backFacesOnly && faint.mesh->colours.empty());
-    const TransferFunction red{{{0, {1, 0, 0}, 0.5f}, {1, {1, 0, 0}, 0.5f}}, 1};
+    const TransferFunction red = transferFunctionFromPoints({{0, {1, 0, 0}, 0.5f}, {1, {1, 0, 0}, 0.5f}}, 1);
     const Surface coloured = boundaryOf({{"boundary", std::string("values")},
                                          {"boundary-far-side", true},
                                          {"transfer", red},

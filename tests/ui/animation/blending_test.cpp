@@ -20,12 +20,16 @@ TransferFunction randomFunction(std::mt19937& random, std::size_t points)
     std::uniform_real_distribution<float> channel(0, 1);
     TransferFunction function;
     function.unitDistance = distance(random);
-    for (std::size_t i = 0; i < points; ++i)
-        function.points.push_back(
-            {value(random), {channel(random), channel(random), channel(random)}, 0.99F * channel(random)});
-    std::ranges::sort(function.points, {}, &TransferPoint::value);
-    for (std::size_t i = 2; i + 1 < points; i += 3) // steps
-        function.points[i].value = function.points[i - 1].value;
+    for (std::size_t i = 0; i < points; ++i) {
+        function.colours.push_back({value(random), {channel(random), channel(random), channel(random)}});
+        function.opacities.push_back({value(random), 0.99F * channel(random)});
+    }
+    std::ranges::sort(function.colours, {}, &ColourPoint::value);
+    std::ranges::sort(function.opacities, {}, &OpacityPoint::value);
+    for (std::size_t i = 2; i + 1 < points; i += 3) { // steps
+        function.colours[i].value = function.colours[i - 1].value;
+        function.opacities[i].value = function.opacities[i - 1].value;
+    }
     return function;
 }
 
@@ -124,9 +128,10 @@ void BlendingTest::functionsChangeContinuously()
         const auto before = blended(first, second, part);
         const auto after = blended(first, second, std::min(part + 1e-7, 1.0));
         QVERIFY(std::abs(before.unitDistance - after.unitDistance) < 1e-4);
-        for (std::size_t i = 0; i < before.points.size(); ++i) {
-            QVERIFY(std::abs(before.points[i].value - after.points[i].value) < 1e-4);
-            QVERIFY(std::abs(before.points[i].opacity - after.points[i].opacity) < 1e-4);
+        for (std::size_t i = 0; i < before.opacities.size(); ++i) {
+            QVERIFY(std::abs(before.colours[i].value - after.colours[i].value) < 1e-4);
+            QVERIFY(std::abs(before.opacities[i].value - after.opacities[i].value) < 1e-4);
+            QVERIFY(std::abs(before.opacities[i].opacity - after.opacities[i].opacity) < 1e-4);
         }
     }
 }

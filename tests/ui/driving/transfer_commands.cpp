@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions of the editor of transfer functions are driven: its menus and its presets.
+#include "plugins/widgets/curves/joined_function.h"
 #include "plugins/widgets/curves/moving.h"
 #include "tests/ui/driving/driver.h"
 
@@ -21,12 +22,12 @@ const TransferFunction& transferOf(const DrivenWindow& window)
 void beginUneven(DrivenWindow& window)
 {
     window.choose("volume");
-    TransferFunction uneven = transferOf(window);
+    JoinedFunction uneven = joined(transferOf(window));
     for (std::size_t i = 0; i < uneven.points.size(); ++i)
         uneven.points[i].opacity = 0.1F + 0.07F * static_cast<float>((i * 5) % 9);
     if (uneven.points.size() > 3)
         uneven.points[1].value += 0.3 * (uneven.points[2].value - uneven.points[1].value);
-    window.session().setTransfer(uneven);
+    window.session().setTransfer(separated(uneven));
     window.raise("dock.transfer");
 }
 

@@ -121,7 +121,7 @@ void SeenPlaceTest::aFallingValueIsFound()
 {
     // The value falls along the line, and only a thin range of it is seen.
     const auto falling = [](const Eigen::Vector3d& place) { return 1 - 0.1 * place.y(); };
-    const TransferFunction thin{{{0.39, {}, 0}, {0.4, {}, 0.9F}, {0.41, {}, 0}}, 1};
+    const TransferFunction thin = transferFunctionFromPoints({{0.39, {}, 0}, {0.4, {}, 0.9F}, {0.41, {}, 0}}, 1);
     Scene scene;
     scene.volume = volumeOf(latticeMesh(3, extent, Split::Six, falling), thin);
     const auto seen = seenPlace(scene, alongY(3.3, 4.4));
@@ -139,7 +139,7 @@ void SeenPlaceTest::clipPlanesCutVolumeAndSurface()
     QVERIFY(seen && seen->surface == std::optional<std::size_t>(1));
     QVERIFY(std::abs(seen->place.y() - 7) < 1e-9);
     scene.surfaces.clear();
-    const TransferFunction opaque{{{0, {}, 0.999F}}, 1};
+    const TransferFunction opaque = transferFunctionFromPoints({{0, {}, 0.999F}}, 1);
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), opaque);
     seen = seenPlace(scene, alongY(1, 1));
     QVERIFY(seen && std::abs(seen->place.y() - 5) < 1e-9);
@@ -212,7 +212,7 @@ void SeenPlaceTest::theFocusIsLookedAtInItsPart()
 {
     const auto coarse = [](const Eigen::Vector3d&) { return 0.2; };
     const auto fine = [](const Eigen::Vector3d&) { return 0.8; };
-    const TransferFunction function{{{0.2, {}, 0.01F}, {0.8, {}, 0.9F}}, 1};
+    const TransferFunction function = transferFunctionFromPoints({{0.2, {}, 0.01F}, {0.8, {}, 0.9F}}, 1);
     Scene scene;
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, coarse), function);
     scene.focus = FocusVolume{volumeOf(latticeMesh(2, extent, Split::Five, fine), function), Sphere{{5, 5, 5}, 2}, 1};

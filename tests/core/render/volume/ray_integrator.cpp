@@ -37,7 +37,7 @@ RayIntegrator::RayIntegrator(const TetrahedralMesh& mesh, const TransferFunction
       bounds_(boundsOf(mesh).merged(scene_.bounds))
 {
     worldFromClip_ = (projectionMatrix(camera, double(width) / height, bounds_) * viewMatrix(camera)).inverse();
-    for (const TransferPoint& point : function_.points) {
+    for (const OpacityPoint& point : function_.opacities) {
         extinctions_.push_back(extinctionOf(point.opacity, function_.unitDistance));
         mostExtinction_ = std::max(mostExtinction_, extinctions_.back());
     }
@@ -133,22 +133,39 @@ bool RayIntegrator::clip(const Ray& ray, Piece& piece) const
     return piece.enter < piece.leave;
 }
 
-/// As evaluate(), with the logarithms taken once.
-TransferSample RayIntegrator::look(double value) const
+namespace {
+
+/// A value's place between two points of a curve.
+struct Between {
+    std::size_t first;
+    std::size_t second;
+    double share;
+};
+
+template <class Point> Between between(const std::vector<Point>& points, double value)
 {
-    const auto& points = function_.points;
-    if (points.empty())
-        return {};
     std::size_t after = 0;
     while (after < points.size() && points[after].value <= value)
         ++after;
     const std::size_t first = after == 0 ? 0 : after - 1, second = std::min(after, points.size() - 1);
     const double width = points[second].value - points[first].value;
-    const double share = width > 0 ? (value - points[first].value) / width : 0;
+    return {first, second, width > 0 ? (value - points[first].value) / width : 0};
+}
+
+} // namespace
+
+/// As evaluate(), with the logarithms taken once.
+TransferSample RayIntegrator::look(double value) const
+{
+    const auto& [colours, opacities, unitDistance, mask] = function_;
+    if (colours.empty() || opacities.empty())
+        return {};
     TransferSample sample;
+    const Between colour = between(colours, value), opacity = between(opacities, value);
     for (std::size_t channel = 0; channel < 3; ++channel)
-        sample.colour[channel] = std::lerp(points[first].colour[channel], points[second].colour[channel], share);
-    sample.extinction = std::lerp(extinctions_[first], extinctions_[second], share);
+        sample.colour[channel] =
+            std::lerp(colours[colour.first].colour[channel], colours[colour.second].colour[channel], colour.share);
+    sample.extinction = std::lerp(extinctions_[opacity.first], extinctions_[opacity.second], opacity.share);
     return sample;
 }
 
@@ -156,9 +173,9 @@ TransferSample RayIntegrator::look(double value) const
 void RayIntegrator::step(Light& light, double length, double valueIn, double valueOut, double cosine, double at,
                          int halvings) const
 {
-    bool crosses = false;
-    for (const TransferPoint& point : function_.points)
-        crosses |= (point.value - valueIn) * (point.value - valueOut) < 0;
+    const auto isCrossed = [&](const auto& point) { return (point.value - valueIn) * (point.value - valueOut) < 0; };
+    const bool crosses =
+        std::ranges::any_of(function_.colours, isCrossed) || std::ranges::any_of(function_.opacities, isCrossed);
     if (halvings > 0 && crosses) {
         const double middle = (valueIn + valueOut) / 2;
         step(light, length / 2, valueIn, middle, cosine, at, halvings - 1);

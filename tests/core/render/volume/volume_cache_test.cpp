@@ -55,7 +55,7 @@ private slots:
     {
         VolumeCache maker(std::make_shared<const TetrahedralMesh>(testing::oneCell()));
         TransferFunction descending = ramp(0.5f);
-        std::swap(descending.points[0], descending.points[1]);
+        std::swap(descending.opacities[0], descending.opacities[1]);
         for (int turn = 0; turn < 2; ++turn)
             QVERIFY(!maker.update(descending, false).ok());
         QCOMPARE(made(maker, ramp(0.5f)).transfer->segments.size(), std::size_t(3));

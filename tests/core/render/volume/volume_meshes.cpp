@@ -127,7 +127,18 @@ std::vector<NamedFunction> volumeFunctions(double smallest, double largest, doub
     const auto make = [&](std::vector<TransferPoint> points) {
         for (TransferPoint& point : points)
             point.value = std::lerp(smallest, largest, point.value);
-        return TransferFunction{points, unitDistance};
+        return transferFunctionFromPoints(points, unitDistance);
+    };
+    // The knots of the colours lie elsewhere than those of the opacities, and so do their steps.
+    const auto twoCurves = [&] {
+        TransferFunction function{{{0.1, {0, 0, 1}}, {0.45, {0, 1, 0}}, {0.45, {1, 1, 0}}, {0.8, {1, 0, 0.5f}}},
+                                  {{0.2, 0}, {0.4, 0.5f}, {0.6, 0.1f}, {0.6, 0.4f}, {0.95, 0.02f}},
+                                  unitDistance};
+        for (ColourPoint& point : function.colours)
+            point.value = std::lerp(smallest, largest, point.value);
+        for (OpacityPoint& point : function.opacities)
+            point.value = std::lerp(smallest, largest, point.value);
+        return function;
     };
     return {
         {"ramp", make({{0, {0, 0, 1}, 0}, {1, {1, 0.5f, 0}, 0.6f}})},
@@ -158,6 +169,7 @@ std::vector<NamedFunction> volumeFunctions(double smallest, double largest, doub
                {0.55, {0.9f, 0.3f, 0.1f}, 1},
                {0.8, {0.2f, 0.7f, 0.1f}, 1}}),
          true},
+        {"two curves", twoCurves()},
     };
 }
 

@@ -211,8 +211,8 @@ void VolumePictureTest::constantFields()
     TetrahedralMesh mesh = meshNamed("refined lattice");
     std::ranges::fill(mesh.values, 0.5f);
     const double unit = boundsOf(mesh).diagonal().norm() / 10;
-    const TransferFunction step{{{0.5, {1, 0, 0}, 0.9f}, {0.5, {0, 1, 0}, 0.2f}}, unit};
-    const TransferFunction constant{{{0.5, {0.3f, 0.6f, 0.9f}, 0.4f}}, unit};
+    const TransferFunction step = transferFunctionFromPoints({{0.5, {1, 0, 0}, 0.9f}, {0.5, {0, 1, 0}, 0.2f}}, unit);
+    const TransferFunction constant = transferFunctionFromPoints({{0.5, {0.3f, 0.6f, 0.9f}, 0.4f}}, unit);
     for (const TransferFunction& function : {step, constant, volumeFunctions(0, 1, unit)[1].function}) {
         const Camera camera = cameraFor(mesh, true);
         const auto picture = drawn(mesh, function, camera);
@@ -227,7 +227,7 @@ void VolumePictureTest::emptyFunctions()
 {
     const TetrahedralMesh& mesh = meshNamed("refined lattice");
     const auto [low, high] = std::ranges::minmax(mesh.values);
-    const TransferFunction clear{{{low, {1, 1, 1}, 0}, {high, {1, 0, 0}, 0}}, 1};
+    const TransferFunction clear = transferFunctionFromPoints({{low, {1, 1, 1}, 0}, {high, {1, 0, 0}, 0}}, 1);
     for (const TransferFunction& function : {TransferFunction(), clear}) {
         const auto picture = drawn(mesh, function, cameraFor(mesh, true));
         QCOMPARE(picture.drawnCells, std::size_t(0));
@@ -288,7 +288,8 @@ void VolumePictureTest::depthIsWhereHalfIsHidden()
 {
     // A cube of half a unit of optical depth a unit of length: half is hidden after 2 ln 2.
     const TetrahedralMesh mesh = latticeMesh(4, 4, Split::Six, [](const Vector3d&) { return 0.5; });
-    const TransferFunction function{{{0, {1, 1, 1}, static_cast<float>(1 - std::exp(-0.5))}}, 1};
+    const TransferFunction function =
+        transferFunctionFromPoints({{0, {1, 1, 1}, static_cast<float>(1 - std::exp(-0.5))}}, 1);
     for (const bool perspective : {true, false}) {
         Camera camera;
         camera.perspective = perspective;
@@ -323,7 +324,7 @@ void VolumePictureTest::theLargestPicturesAreWhole()
     const Eigen::AlignedBox3d bounds = boundsOf(mesh);
     Camera camera = withEyeAt(cameraFor(mesh, true), bounds.center() + 0.013 * bounds.sizes());
     camera.fieldOfView = 0.003; // across one sample
-    const TransferFunction black{{{0, {0, 0, 0}, 1}}, bounds.diagonal().norm() / 1000};
+    const TransferFunction black = transferFunctionFromPoints({{0, {0, 0, 0}, 1}}, bounds.diagonal().norm() / 1000);
     for (const auto& [columns, rows] : {std::pair{largestPictureSide, 1}, {1, largestPictureSide}})
         for (const auto& sample : drawn(mesh, black, camera, {columns, rows}).samples)
             QVERIFY(sample[3] > 0.9f);

@@ -73,19 +73,24 @@ inline double worstDifference(const TransferFunction& function, const std::vecto
     return worst;
 }
 
-/// Two to seven points from -3 upwards, some of them steps.
+/// Two to seven points of each curve from -3 upwards, some of them steps.
 inline TransferFunction randomFunctionInParaview(std::mt19937& random)
 {
     std::uniform_real_distribution<float> unit(0, 1);
     TransferFunction function;
     function.unitDistance = 0.5 + unit(random);
-    double value = -3;
-    for (std::size_t point = 2 + random() % 6; point > 0; --point) {
-        function.points.push_back({value, {unit(random), unit(random), unit(random)}, unit(random)});
-        if (random() % 4 != 0 || function.points.size() < 2 ||
-            function.points[function.points.size() - 2].value == value)
-            value += 0.1 + double(unit(random));
-    }
+    const auto fill = [&](auto& points, const auto& pointAt) {
+        double value = -3;
+        for (std::size_t point = 2 + random() % 6; point > 0; --point) {
+            points.push_back(pointAt(value));
+            if (random() % 4 != 0 || points.size() < 2 || points[points.size() - 2].value == value)
+                value += 0.1 + double(unit(random));
+        }
+    };
+    fill(function.colours, [&](double value) {
+        return ColourPoint{value, {unit(random), unit(random), unit(random)}};
+    });
+    fill(function.opacities, [&](double value) { return OpacityPoint{value, unit(random)}; });
     return function;
 }
 

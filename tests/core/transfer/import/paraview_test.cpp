@@ -2,7 +2,7 @@
 // Presets that ParaView 5.11 writes look here as they do there, and ours look there as they do here: within a 255th at
 // 256 values. What ParaView wrote and saw is in paraview_5_11.json, made by in_paraview.py; where pvpython is
 // installed, it is asked anew.
-#include "plugins/widgets/curves/reshaping.h"
+#include "plugins/widgets/curves/whole_function.h"
 #include "tests/core/transfer/import/looks.h"
 
 #include <tan/transfer.h>
@@ -105,7 +105,8 @@ void ParaviewTest::functionsLookTheSameInParaview()
         if (round % 3 == 0)
             function = withMask(function, {-2.5 + 0.01 * double(random() % 100), 0.01 * double(random() % 300) - 1.5});
         functions.push_back(function);
-        values.push_back(valuesOver(function.points.front().value - 0.3, function.points.back().value + 0.301));
+        values.push_back(
+            valuesOver(transferPoints(function).front().value - 0.3, transferPoints(function).back().value + 0.301));
         requests.append(request(transferFunctionToParaview(function, "ours " + std::to_string(round)), values.back()));
     }
     const auto theirs = askParaview("looks", requests);

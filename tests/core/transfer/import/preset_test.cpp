@@ -77,8 +77,8 @@ void PresetTest::presetsLookAsInVtk()
         QVERIFY2(presets, presets ? "" : presets.error().text().c_str());
         functions.push_back(transferFunctionOf(presets->front(), {}));
         QVERIFY(checkTransferFunction(functions.back()));
-        values.push_back(
-            valuesOver(functions.back().points.front().value - 0.05, functions.back().points.back().value + 0.05));
+        values.push_back(valuesOver(transferPoints(functions.back()).front().value - 0.05,
+                                    transferPoints(functions.back()).back().value + 0.05));
         requests.append(request(file, values.back()));
     }
     const auto theirs =
@@ -100,8 +100,8 @@ void PresetTest::functionsLookTheSameInVtk()
     for (int round = 0; round < 100; ++round) {
         functions.push_back(randomFunctionInParaview(random));
         QVERIFY(checkTransferFunction(functions.back()));
-        values.push_back(
-            valuesOver(functions.back().points.front().value + 1e-3, functions.back().points.back().value + 0.1));
+        values.push_back(valuesOver(transferPoints(functions.back()).front().value + 1e-3,
+                                    transferPoints(functions.back()).back().value + 0.1));
         requests.append(request(presetToJson(curvesOf(functions.back(), "ours")), values.back()));
     }
     const auto theirs =
@@ -165,7 +165,8 @@ void PresetTest::whatAPresetLacksIsKept()
 /// Colours alone leave opacities and mask as they are.
 void PresetTest::opacitiesReplaceTheMask()
 {
-    const TransferFunction present{{{0, {1, 0, 0}, 0.5F}, {1, {0, 1, 0}, 0.5F}}, 1, TransferMask{0.25, 0.75}};
+    const TransferFunction present{
+        {{0, {1, 0, 0}}, {1, {0, 1, 0}}}, {{0, 0.5F}, {1, 0.5F}}, 1, TransferMask{0.25, 0.75}};
     CurvePreset colours;
     colours.colours.nodes = {{0, {0, 0, 0}}, {1, {1, 1, 1}}};
     QVERIFY(transferFunctionOf(colours, present).mask == present.mask);

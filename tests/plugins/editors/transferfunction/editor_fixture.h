@@ -28,7 +28,9 @@ public:
     }
 
     Session& session() const { return workbench.session(); }
-    const TransferFunction& function() const { return session().view().look().transfer; }
+    const TransferFunction& transfer() const { return session().view().look().transfer; }
+    /// As the editor shows it.
+    JoinedFunction function() const { return joined(transfer()); }
     int undoSteps() const { return session().undoStack().index(); }
     void undo() const { find<QAction>("action.undo").trigger(); }
     /// The plugin has the class's meta-object twice, so that qobject_cast knows only its own: the name tells.

@@ -31,7 +31,7 @@ private slots:
 
 private:
     TransferPlot plot() const { return editor_->canvas().plot(); }
-    const TransferFunction& function() const { return editor_->function(); }
+    JoinedFunction function() const { return editor_->function(); }
 
     QTemporaryDir folder_;
     QString model_;
@@ -154,9 +154,9 @@ void TransferAxisTest::newPointsLieInTheMiddleOfTheAxis()
 
 void TransferAxisTest::dataWithoutPlacesKeepALinearAxis()
 {
-    TransferFunction below = function();
+    JoinedFunction below = function();
     below.points.front().value = -1;
-    editor_->session().setTransfer(below);
+    editor_->session().setTransfer(separated(below));
     QCOMPARE(editor_->state().valueAxis(), ValueAxis::Linear);
     QVERIFY(editor_->find<QAction>("transfer.valueAxis.linear").isChecked());
     QVERIFY(!editor_->canvas().grab().isNull());
@@ -171,7 +171,7 @@ void TransferAxisTest::dataWithoutPlacesKeepALinearAxis()
 
 void TransferAxisTest::theFunctionFollowsTheLogarithm()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     QVERIFY(!editor_->find<QAction>("transfer.change.logarithm").isEnabled());
     editor_->state().select({1, 2, 3});

@@ -32,7 +32,7 @@ private:
 
 void TransferEditorTest::aDragIsOneStepAndThePictureFollows()
 {
-    const TransferFunction before = editor_->function();
+    const JoinedFunction before = editor_->function();
     const int steps = editor_->undoSteps();
     const auto scene = editor_->viewport().scene();
     const QPoint from = editor_->placeOf(4);
@@ -123,10 +123,10 @@ void TransferEditorTest::aPointIsMadeAStep()
 
 void TransferEditorTest::allPointsAreChanged()
 {
-    const TransferFunction before = editor_->function();
+    const JoinedFunction before = editor_->function();
     const ValueRange range = editor_->session().range();
     editor_->find<QAction>("transfer.preset.diverging").trigger();
-    QCOMPARE(editor_->function(), divergingTransferFunction(range.minimum, range.maximum, before.unitDistance));
+    QCOMPARE(editor_->transfer(), divergingTransferFunction(range.minimum, range.maximum, before.unitDistance));
     editor_->undo();
     editor_->find<QAction>("transfer.change.mirror").trigger();
     QCOMPARE(editor_->function().points.front().opacity, before.points.back().opacity);

@@ -182,7 +182,7 @@ void TransferFilesTest::aColourMapChangesTheColoursAlone()
         QVERIFY(!action.icon().isNull());
         action.trigger();
         compareLooks(before, function(), false);
-        QCOMPARE(function().points.front().colour, map.nodes.front().colour);
+        QCOMPARE(function().colours.front().colour, map.nodes.front().colour);
     }
 }
 

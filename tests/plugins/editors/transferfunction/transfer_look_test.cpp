@@ -51,7 +51,7 @@ private:
     QTemporaryDir folder_;
     QString model_;
     std::unique_ptr<EditorFixture> editor_;
-    TransferFunction before_;
+    JoinedFunction before_;
     int steps_ = 0;
 };
 

@@ -30,7 +30,7 @@ private slots:
     void theMaskIsMadeAroundTheSelectedPoints();
 
 private:
-    const TransferFunction& function() const { return editor_->function(); }
+    JoinedFunction function() const { return editor_->function(); }
     const std::vector<Isovalue>& isovalues() const { return editor_->session().view().isovalues(); }
     double atShare(double share) const
     {
@@ -56,7 +56,7 @@ private:
 void TransferMarkersTest::anIsovalueIsDragged()
 {
     const std::vector<Isovalue> before = isovalues();
-    const TransferFunction transfer = function();
+    const JoinedFunction transfer = function();
     const int steps = editor_->undoSteps();
     const QPoint from = handleAt(before[0].value);
     QVERIFY(editor_->canvas().itemAt(from) == (EditorItem{EditorItem::Kind::Isovalue, 0}));
@@ -106,7 +106,7 @@ void TransferMarkersTest::anIsovalueIsAddedFromTheMenu()
 
 void TransferMarkersTest::theMaskIsMadeDraggedAndRemoved()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     auto& button = editor_->find<QToolButton>("transfer.mask");
     button.click();
     QVERIFY(function().mask.has_value());

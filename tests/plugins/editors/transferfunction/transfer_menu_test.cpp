@@ -30,9 +30,9 @@ private slots:
     void theMenuOpensInThePlot();
 
 private:
-    using Change = std::function<EditedSelection(const TransferFunction&, const TransferSelection&, TransferLimits)>;
+    using Change = std::function<EditedSelection(const JoinedFunction&, const TransferSelection&, TransferLimits)>;
 
-    const TransferFunction& function() const { return editor_->function(); }
+    JoinedFunction function() const { return editor_->function(); }
     TransferSelection selection() const { return editor_->state().selection(); }
     QAction& action(const QString& name) const { return editor_->find<QAction>("transfer.change." + name); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const
@@ -46,7 +46,7 @@ private:
     std::unique_ptr<EditorFixture> editor_;
 };
 
-Q_DECLARE_METATYPE(std::function<tetra::EditedSelection(const tetra::TransferFunction&, const tetra::TransferSelection&,
+Q_DECLARE_METATYPE(std::function<tetra::EditedSelection(const tetra::JoinedFunction&, const tetra::TransferSelection&,
                                                         tetra::TransferLimits)>)
 
 void TransferMenuTest::everyActionIsOneStep_data()
@@ -80,13 +80,14 @@ void TransferMenuTest::everyActionIsOneStep()
 {
     QFETCH(TransferSelection, selected);
     QFETCH(Change, change);
-    TransferFunction uneven = function(); // so that each edit has something to do
+    JoinedFunction uneven = function(); // so that each edit has something to do
     for (std::size_t i = 0; i < uneven.points.size(); ++i)
         uneven.points[i].opacity = 0.1F + 0.07F * static_cast<float>((i * 5) % 9);
-    editor_->session().setTransfer(
-        withMovedPoint(uneven, 2, uneven.points[2].value + 0.01, 0.3, editor_->state().limits()));
+    uneven.points[2].value += 0.01;
+    uneven.points[2].opacity = 0.3F;
+    editor_->session().setTransfer(separated(uneven));
     editor_->state().select(selected);
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     const EditedSelection expected = change(before, selected, editor_->state().limits());
     QVERIFY(expected.function != before);
@@ -113,7 +114,7 @@ void TransferMenuTest::actionsNeedASelection()
 
 void TransferMenuTest::pointsAreCopiedAndPasted()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     editor_->state().select({2, 3});
     press(Qt::Key_C, Qt::ControlModifier);
     const std::string text = QGuiApplication::clipboard()->text().toStdString();
@@ -130,7 +131,7 @@ void TransferMenuTest::pointsAreCopiedAndPasted()
 
 void TransferMenuTest::whatIsNoPointsIsTold()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     QGuiApplication::clipboard()->setText("a shopping list");
     action("paste").trigger();
     QCOMPARE(function(), before);
@@ -139,7 +140,7 @@ void TransferMenuTest::whatIsNoPointsIsTold()
 
 void TransferMenuTest::aPeakIsAdded()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     action("peak").trigger();
     QCOMPARE(selection().size(), std::size_t{3});

@@ -86,7 +86,7 @@ void TransferPickTest::theMarkIsSeenInLightAndDark()
 void TransferPickTest::insertAddsAPointThere()
 {
     pick();
-    const TransferFunction before = editor_->function();
+    const JoinedFunction before = editor_->function();
     const int steps = editor_->undoSteps();
     editor_->canvas().setFocus();
     QTest::keyClick(&editor_->canvas(), Qt::Key_Insert);
@@ -105,7 +105,7 @@ void TransferPickTest::theMenuAddsPointAndIsovalue()
     const double value = picked()->value;
     const int steps = editor_->undoSteps();
     const int isovalues = editor_->session().view().isovalueCount();
-    const TransferFunction before = editor_->function();
+    const JoinedFunction before = editor_->function();
     action("point").trigger();
     QCOMPARE(editor_->function(), withPoint(before, value)->function);
     action("isovalue").trigger();

@@ -49,7 +49,7 @@ private:
     {
         return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/transfer-functions";
     }
-    const TransferFunction& function() const { return editor_->function(); }
+    JoinedFunction function() const { return editor_->function(); }
     QListWidget& list() const { return editor_->find<QListWidget>("transfer.presetPopup.list"); }
     QStringList shownNames() const
     {
@@ -106,7 +106,7 @@ void TransferPresetsTest::theListIsSearched()
 
 void TransferPresetsTest::coloursAreTakenAlone()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     take("diverging", 1);
     const TransferFunction whole =
@@ -114,10 +114,11 @@ void TransferPresetsTest::coloursAreTakenAlone()
     for (int sample = 0; sample <= 64; ++sample) {
         const double value =
             std::lerp(editor_->session().range().minimum, editor_->session().range().maximum, sample / 64.0);
-        QVERIFY(std::abs(evaluate(function(), value).extinction - evaluate(before, value).extinction) < 1e-5);
+        QVERIFY(std::abs(evaluate(editor_->transfer(), value).extinction -
+                         evaluate(separated(before), value).extinction) < 1e-5);
         for (std::size_t channel = 0; channel < 3; ++channel)
-            QVERIFY(std::abs(evaluate(function(), value).colour[channel] - evaluate(whole, value).colour[channel]) <
-                    0.01);
+            QVERIFY(std::abs(evaluate(editor_->transfer(), value).colour[channel] -
+                             evaluate(whole, value).colour[channel]) < 0.01);
     }
     QCOMPARE(editor_->undoSteps(), steps + 1);
     editor_->undo();
@@ -126,9 +127,9 @@ void TransferPresetsTest::coloursAreTakenAlone()
 
 void TransferPresetsTest::opacitiesAreTakenAlone()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     take("diverging", 2);
-    QVERIFY(std::abs(function().points.front().opacity - divergingTransferFunction(0, 1, 1).points.front().opacity) <
+    QVERIFY(std::abs(function().points.front().opacity - divergingTransferFunction(0, 1, 1).opacities.front().opacity) <
             1e-6);
     QCOMPARE(function().points.front().colour, before.points.front().colour);
     QCOMPARE(function().points.back().colour, before.points.back().colour);
@@ -136,9 +137,11 @@ void TransferPresetsTest::opacitiesAreTakenAlone()
 
 void TransferPresetsTest::anOwnPresetIsSavedTakenAndDeleted()
 {
-    editor_->session().setTransfer(
-        withMovedPoint(function(), 4, function().points[4].value + 0.5, 0.77, editor_->state().limits()));
-    const TransferFunction kept = function();
+    JoinedFunction moved = function();
+    moved.points[4].value += 0.5;
+    moved.points[4].opacity = 0.77F;
+    editor_->session().setTransfer(separated(moved));
+    const JoinedFunction kept = function();
     save("My & clouds/1");
     editor_->find<QAction>("transfer.preset.diverging").trigger();
     QVERIFY(function() != kept);
@@ -184,18 +187,18 @@ void TransferPresetsTest::presetsOfEarlierProgramsAreOpened()
     QVERIFY(copy("with_groups.json", "H%C3%B6he 50 %25%3A a%2Fb.json"));
     QVERIFY(copy("with_groups.json", "Scan 1.2.json"));
     QVERIFY(copy("first.json", "first.json"));
-    const TransferFunction groups{{{0, {0.25F, 0.5F, 1}, 0},
-                                   {0.25, {0.25F, 0.5F, 1}, 0.125F, 3},
-                                   {0.25, {1, 0.75F, 0}, 0.5F, 3},
-                                   {1, {1, 0, 0}, 0.875F}},
-                                  0.05};
+    const TransferFunction groups = transferFunctionFromPoints({{0, {0.25F, 0.5F, 1}, 0},
+                                                                {0.25, {0.25F, 0.5F, 1}, 0.125F, 3},
+                                                                {0.25, {1, 0.75F, 0}, 0.5F, 3},
+                                                                {1, {1, 0, 0}, 0.875F}},
+                                                               0.05);
     TransferFunction mask = groups;
     mask.mask = TransferMask{0.125, 0.9};
-    const TransferFunction first{{{40, {0.25F, 0.5F, 1}, 0},
-                                  {90, {0.25F, 0.5F, 1}, 0.125F},
-                                  {90, {1, 0.75F, 0}, 0.5F},
-                                  {190, {1, 0, 0}, 0.875F}},
-                                 0.4};
+    const TransferFunction first = transferFunctionFromPoints({{40, {0.25F, 0.5F, 1}, 0},
+                                                               {90, {0.25F, 0.5F, 1}, 0.125F},
+                                                               {90, {1, 0.75F, 0}, 0.5F},
+                                                               {190, {1, 0, 0}, 0.875F}},
+                                                              0.4);
     const std::map<QString, TransferFunction> expected = {
         {"Bone and skin", mask}, {QString::fromUtf8("Höhe 50 %: a/b"), groups}, {"Scan 1.2", groups}, {"first", first}};
     QCOMPARE(ownPresets().size(), expected.size());

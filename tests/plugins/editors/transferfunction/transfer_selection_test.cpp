@@ -28,7 +28,7 @@ private slots:
     void undoKeepsTheSelectionThatFits();
 
 private:
-    const TransferFunction& function() const { return editor_->function(); }
+    JoinedFunction function() const { return editor_->function(); }
     TransferSelection selection() const { return editor_->state().selection(); }
     void click(std::size_t point, Qt::KeyboardModifiers modifiers = {}) const
     {
@@ -95,7 +95,7 @@ void TransferSelectionTest::aClickOnOneOfManySelectsIt()
 void TransferSelectionTest::manyAreDraggedInOneStep()
 {
     frame(3, 4);
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     const QPoint from = editor_->placeOf(3);
     editor_->drag(from, from + QPoint(3, -9));
@@ -113,7 +113,7 @@ void TransferSelectionTest::manyAreDraggedInOneStep()
 void TransferSelectionTest::manyAreMovedByKeys()
 {
     frame(3, 4);
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     editor_->canvas().setFocus();
     QTest::keyClick(&editor_->canvas(), Qt::Key_Up, Qt::ShiftModifier);
@@ -144,7 +144,7 @@ void TransferSelectionTest::neighboursStopArePushedOrPassed()
     QFETCH(QString, rule);
     QFETCH(NeighbourRule, kind);
     editor_->find<QAction>("transfer.change.rule." + rule).trigger();
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const TransferPlot plot = editor_->canvas().plot();
     const QPoint from = editor_->placeOf(3), to(editor_->placeOf(5).x() + 5, from.y());
     editor_->drag(from, to);
@@ -157,15 +157,15 @@ void TransferSelectionTest::neighboursStopArePushedOrPassed()
 
 void TransferSelectionTest::aClickOnTheCurveAddsAPoint()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     const TransferPlot plot = editor_->canvas().plot();
     const double value = std::lerp(before.points[5].value, before.points[6].value, 0.5);
-    const QPoint place = QPointF(plot.x(value), plot.y(opacityOf(before, value))).toPoint();
+    const QPoint place = QPointF(plot.x(value), plot.y(opacityOf(separated(before), value))).toPoint();
     editor_->drag(place, place + QPoint(0, -20));
     QCOMPARE(function().points.size(), before.points.size() + 1);
     QCOMPARE(selection(), TransferSelection{6});
-    QVERIFY(function().points[6].opacity > opacityOf(before, value));
+    QVERIFY(function().points[6].opacity > opacityOf(separated(before), value));
     QCOMPARE(editor_->undoSteps(), steps + 1);
     editor_->undo();
     QCOMPARE(function(), before);
@@ -173,8 +173,8 @@ void TransferSelectionTest::aClickOnTheCurveAddsAPoint()
 
 void TransferSelectionTest::sidesOfAStepAreGrabbedBesideEachOther()
 {
-    editor_->session().setTransfer(withStep(function(), 4).function);
-    const TransferFunction before = function();
+    editor_->session().setTransfer(separated(withStep(function(), 4).function));
+    const JoinedFunction before = function();
     QVERIFY(editor_->placeOf(4).x() < editor_->placeOf(5).x());
     editor_->drag(editor_->placeOf(5), editor_->placeOf(5) + QPoint(0, -25));
     QVERIFY(function().points[5].opacity > before.points[5].opacity);
@@ -187,7 +187,7 @@ void TransferSelectionTest::sidesOfAStepAreGrabbedBesideEachOther()
 
 void TransferSelectionTest::shiftKeepsADragStraight()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const QPoint from = editor_->placeOf(4);
     QTest::mousePress(&editor_->canvas(), Qt::LeftButton, {}, from);
     editor_->dragTo(from + QPoint(3, -20), Qt::ShiftModifier);

@@ -35,7 +35,7 @@ private slots:
 private:
     enum Column { Value, Opacity, Colour, Group };
 
-    const TransferFunction& function() const { return editor_->function(); }
+    JoinedFunction function() const { return editor_->function(); }
     QTableView& table() const { return editor_->find<QTableView>("transfer.table"); }
     QString textAt(int row, int column) const { return table().model()->index(row, column).data().toString(); }
     /// As a user types it into a cell.
@@ -80,7 +80,7 @@ void TransferTableTest::theTableIsSeenInASmallPanel()
 
 void TransferTableTest::cellsAreEdited()
 {
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     const double value = (before.points[3].value + before.points[4].value) / 2;
     type(4, Value, QLocale().toString(value, 'g', 17));
@@ -125,7 +125,7 @@ void TransferTableTest::whatIsWrongChangesNothing()
 {
     QFETCH(int, column);
     QFETCH(QString, text);
-    const TransferFunction before = function();
+    const JoinedFunction before = function();
     const int steps = editor_->undoSteps();
     type(3, column, text);
     QCOMPARE(function(), before);

@@ -12,7 +12,7 @@ using namespace tetra::testing;
 namespace {
 
 const Sphere ball{{0.5, 0.5, 0.5}, 0.25};
-const TransferFunction step{{{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1};
+const TransferFunction step = transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1);
 
 std::size_t cellsOf(const Volume& volume)
 {

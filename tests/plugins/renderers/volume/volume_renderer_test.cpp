@@ -12,7 +12,7 @@ using namespace tetra::testing;
 
 namespace {
 
-const TransferFunction step{{{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1};
+const TransferFunction step = transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.2, {0, 1, 0}, 0.5f}}, 0.1);
 
 } // namespace
 
@@ -27,8 +27,8 @@ private slots:
             QVERIFY(!parameter.id.empty() && !parameter.label.empty() && !parameter.explanation.empty());
         const auto function = parameterValue<TransferFunction>(parameters, {}, "transfer");
         QVERIFY(checkTransferFunction(function).ok());
-        QCOMPARE(function.points.front().value, -10.0);
-        QCOMPARE(function.points.back().value, 30.0);
+        QCOMPARE(function.opacities.front().value, -10.0);
+        QCOMPARE(function.opacities.back().value, 30.0);
         QCOMPARE(function.unitDistance, unitBox.diagonal().norm() / 40);
         QVERIFY(!parameterValue<bool>(parameters, {}, "shaded"));
         QVERIFY(parameterValue<bool>(parameters, {}, "outline"));

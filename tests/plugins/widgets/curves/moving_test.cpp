@@ -14,7 +14,7 @@ constexpr SelectionMove inValue(double by)
     return {by, 0, OpacityAxis::Linear};
 }
 
-std::vector<double> valuesOf(const TransferFunction& function, const TransferSelection& selection, bool selected)
+std::vector<double> valuesOf(const JoinedFunction& function, const TransferSelection& selection, bool selected)
 {
     std::vector<double> values;
     for (std::size_t i = 0; i < function.points.size(); ++i)
@@ -24,7 +24,7 @@ std::vector<double> valuesOf(const TransferFunction& function, const TransferSel
 }
 
 /// With both sides of each step.
-TransferSelection withBothSides(const TransferFunction& function, const TransferSelection& selection)
+TransferSelection withBothSides(const JoinedFunction& function, const TransferSelection& selection)
 {
     std::vector<std::size_t> points;
     for (std::size_t i = 0; i < function.points.size(); ++i)
@@ -64,7 +64,7 @@ void MovingTest::allMoveByTheSame()
     std::mt19937 random(4);
     std::uniform_real_distribution<double> shift(-8, 8);
     for (int round = 0; round < 3000; ++round) {
-        const TransferFunction function = randomFunction(random);
+        const JoinedFunction function = randomFunction(random);
         const TransferSelection selection = withBothSides(function, randomSelection(random, function));
         const double by = shift(random);
         const auto [moved, after] =
@@ -89,37 +89,36 @@ void MovingTest::allMoveByTheSame()
 
 void MovingTest::neighboursStop()
 {
-    const TransferFunction function{{{0, {}, 0}, {2, {}, 0.5F}, {3, {}, 0.25F}, {8, {}, 1}}, 1};
-    const TransferFunction up =
-        moveSelected(function, {1, 2}, inValue(100), NeighbourRule::Stop, randomLimits).function;
+    const JoinedFunction function{{{0, {}, 0}, {2, {}, 0.5F}, {3, {}, 0.25F}, {8, {}, 1}}, 1};
+    const JoinedFunction up = moveSelected(function, {1, 2}, inValue(100), NeighbourRule::Stop, randomLimits).function;
     QVERIFY(up.points[2].value < 8 && up.points[2].value > 7.99);
     QVERIFY(std::abs(up.points[1].value - (up.points[2].value - 1)) < 1e-12);
-    const TransferFunction down =
+    const JoinedFunction down =
         moveSelected(function, {0, 2}, inValue(-100), NeighbourRule::Stop, randomLimits).function;
     QVERIFY(down.points[2].value > 2 && down.points[2].value < 2.01);
-    const TransferFunction out = moveSelected(function, {3}, inValue(100), NeighbourRule::Stop, randomLimits).function;
+    const JoinedFunction out = moveSelected(function, {3}, inValue(100), NeighbourRule::Stop, randomLimits).function;
     QCOMPARE(out.points[3].value, randomLimits.largest);
 }
 
 void MovingTest::neighboursArePushed()
 {
-    const TransferFunction function{{{0, {}, 0}, {2, {}, 0.5F}, {3, {}, 0.25F}, {8, {}, 1}}, 1};
-    const TransferFunction near = moveSelected(function, {1}, inValue(2), NeighbourRule::Push, randomLimits).function;
+    const JoinedFunction function{{{0, {}, 0}, {2, {}, 0.5F}, {3, {}, 0.25F}, {8, {}, 1}}, 1};
+    const JoinedFunction near = moveSelected(function, {1}, inValue(2), NeighbourRule::Push, randomLimits).function;
     QCOMPARE(near.points[1].value, 4.0);
     QVERIFY(near.points[2].value > 4 && near.points[2].value < 4.01);
     QCOMPARE(near.points[3].value, 8.0);
-    const TransferFunction far = moveSelected(function, {1}, inValue(50), NeighbourRule::Push, randomLimits).function;
+    const JoinedFunction far = moveSelected(function, {1}, inValue(50), NeighbourRule::Push, randomLimits).function;
     QCOMPARE(far.points[3].value, randomLimits.largest);
     QVERIFY(far.points[1].value > 9.99 && far.points[1].value < far.points[2].value);
     QVERIFY(far.points[2].value < far.points[3].value);
-    const TransferFunction down = moveSelected(function, {3}, inValue(-9), NeighbourRule::Push, randomLimits).function;
+    const JoinedFunction down = moveSelected(function, {3}, inValue(-9), NeighbourRule::Push, randomLimits).function;
     QCOMPARE(down.points[3].value, -1.0);
     QVERIFY(down.points[0].value > -1.01 && down.points[0].value < down.points[1].value);
 }
 
 void MovingTest::neighboursArePassed()
 {
-    const TransferFunction function{{{0, {}, 0}, {2, {}, 0.5F}, {3, {}, 0.25F}, {8, {}, 1}}, 1};
+    const JoinedFunction function{{{0, {}, 0}, {2, {}, 0.5F}, {3, {}, 0.25F}, {8, {}, 1}}, 1};
     const EditedSelection passed = moveSelected(function, {0, 1}, inValue(4), NeighbourRule::Pass, randomLimits);
     QCOMPARE(passed.selection, (TransferSelection{1, 2}));
     QCOMPARE(passed.function.points[0].opacity, 0.25F);
@@ -131,7 +130,7 @@ void MovingTest::neighboursArePassed()
 
 void MovingTest::stepsStayTogether()
 {
-    const TransferFunction function{{{0, {}, 0}, {4, {}, 0.5F}, {4, {}, 0.25F}, {8, {}, 1}}, 1};
+    const JoinedFunction function{{{0, {}, 0}, {4, {}, 0.5F}, {4, {}, 0.25F}, {8, {}, 1}}, 1};
     const EditedSelection moved =
         moveSelected(function, {2}, {1, 0.125, OpacityAxis::Linear}, NeighbourRule::Stop, randomLimits);
     QCOMPARE(moved.function.points[1].value, 5.0);
@@ -146,7 +145,7 @@ void MovingTest::backIsWhereItBegan()
     std::mt19937 random(5);
     int undone = 0;
     for (int round = 0; round < 3000; ++round) {
-        const TransferFunction function = randomFunction(random);
+        const JoinedFunction function = randomFunction(random);
         const TransferSelection selection = withBothSides(function, randomSelection(random, function));
         const double by = 0.5 * double(int(random() % 33) - 16);
         const auto rule = static_cast<NeighbourRule>(random() % 3);
@@ -182,8 +181,8 @@ void MovingTest::theAxisOfOpacities()
         QCOMPARE(opacityTicks(axis).back(), 1.0);
     }
     QVERIFY(heightOf(0.01, OpacityAxis::Logarithmic) > 0.3);
-    const TransferFunction function{{{0, {}, 0.001F}, {4, {}, 0.999F}}, 1};
-    const TransferFunction higher =
+    const JoinedFunction function{{{0, {}, 0.001F}, {4, {}, 0.999F}}, 1};
+    const JoinedFunction higher =
         moveSelected(function, {0, 1}, {0, 0.1, OpacityAxis::Logarithmic}, NeighbourRule::Stop, randomLimits).function;
     QVERIFY(higher.points[0].opacity > 0.0015F && higher.points[0].opacity < 0.01F);
     QCOMPARE(higher.points[1].opacity, 1.0F);

@@ -14,10 +14,10 @@ inline constexpr TransferLimits randomLimits{-10, 10};
 
 /// Up to 11 points of whole values within the limits, some of them steps, groups and a mask now and then. Opacities are
 /// multiples of 1/256 below 1.
-inline TransferFunction randomFunction(std::mt19937& random)
+inline JoinedFunction randomFunction(std::mt19937& random)
 {
     std::uniform_real_distribution<float> unit(0, 1);
-    TransferFunction function;
+    JoinedFunction function;
     function.unitDistance = 0.1 + double(unit(random));
     for (auto count = random() % 12; count > 0; --count) {
         const double value = std::round(20 * double(unit(random))) - 10;
@@ -36,7 +36,15 @@ inline TransferFunction randomFunction(std::mt19937& random)
     return function;
 }
 
-inline TransferSelection randomSelection(std::mt19937& random, const TransferFunction& function)
+/// The same of a function whose curves have points of their own.
+inline TransferFunction randomCurves(std::mt19937& random)
+{
+    TransferFunction function = separated(randomFunction(random));
+    function.colours = separated(randomFunction(random)).colours;
+    return function;
+}
+
+inline TransferSelection randomSelection(std::mt19937& random, const JoinedFunction& function)
 {
     TransferSelection selection;
     for (std::size_t i = 0; i < function.points.size(); ++i)
@@ -62,6 +70,11 @@ inline double largestDifference(const TransferFunction& a, const TransferFunctio
             largest = std::max(largest, std::abs(one.colour[channel] - other.colour[channel]));
     }
     return largest;
+}
+
+inline double largestDifference(const JoinedFunction& a, const JoinedFunction& b, bool colours = true)
+{
+    return largestDifference(separated(a), separated(b), colours);
 }
 
 } // namespace tetra

@@ -27,7 +27,7 @@ private slots:
 
 namespace {
 
-TransferFunction threePoints()
+JoinedFunction threePoints()
 {
     return {{{1, {1, 0, 0}, 0.1F}, {10, {0, 1, 0}, 0.5F}, {1000, {0, 0, 1}, 0.9F}}, 1};
 }
@@ -63,7 +63,7 @@ void ValueAxisTest::movesAreFactors()
 
 void ValueAxisTest::whatDoesNotMoveKeepsItsBits()
 {
-    TransferFunction function = threePoints();
+    JoinedFunction function = threePoints();
     function.points[0].value = 0.1 + 0.2;
     function.points[2].value = 1234.56789012345;
     const auto moved = moveSelected(function, {1}, byFactor(1.7), NeighbourRule::Stop, {0.1, 5000});
@@ -75,7 +75,7 @@ void ValueAxisTest::whatDoesNotMoveKeepsItsBits()
 void ValueAxisTest::neighboursStopPushAndPass()
 {
     const TransferLimits limits{1, 1000};
-    TransferFunction function = threePoints();
+    JoinedFunction function = threePoints();
     function.points[2].value = 100;
     const auto at = [&](NeighbourRule rule, std::size_t point) {
         return moveSelected(function, {1}, byFactor(20), rule, limits).function.points[point].value;
@@ -88,7 +88,7 @@ void ValueAxisTest::neighboursStopPushAndPass()
 
 void ValueAxisTest::zeroHasNoPlace()
 {
-    TransferFunction function = threePoints();
+    JoinedFunction function = threePoints();
     function.points[0].value = 0;
     QCOMPARE(moveSelected(function, {1}, byFactor(2), NeighbourRule::Stop, {0.5, 1000}).function, function);
     QCOMPARE(moveSelected(threePoints(), {1}, byFactor(2), NeighbourRule::Stop, {0, 1000}).function, threePoints());
@@ -98,7 +98,7 @@ void ValueAxisTest::randomMovesStayValid()
 {
     QRandomGenerator random(5);
     for (int round = 0; round < 3000; ++round) {
-        TransferFunction function;
+        JoinedFunction function;
         double value = 1e-3;
         for (int point = 0; point < 6; ++point) {
             if (point == 0 || random.bounded(4) != 0 ||
@@ -133,7 +133,7 @@ void ValueAxisTest::theCourseIsThatOfTheLogarithm()
 {
     QFETCH(double, largest);
     QFETCH(float, opacity);
-    const TransferFunction ends{{{1, {1, 0, 0.2F}, 0}, {largest, {0, 1, 0.2F}, opacity}}, 2};
+    const JoinedFunction ends{{{1, {1, 0, 0.2F}, 0}, {largest, {0, 1, 0.2F}, opacity}}, 2};
     const LookTolerance tolerance;
     const auto edited = withLogarithmicCourse(ends, {0, 1}, tolerance);
     QVERIFY(checkTransferFunction(edited.function));
@@ -160,7 +160,7 @@ void ValueAxisTest::theCourseIsThatOfTheLogarithm()
 
 void ValueAxisTest::stepsAndValuesBelowZeroStay()
 {
-    const TransferFunction function{
+    const JoinedFunction function{
         {{-5, {1, 0, 0}, 0}, {1, {0, 1, 0}, 0.5F}, {1, {0, 0, 1}, 0.1F}, {1.0000000001, {1, 1, 1}, 0.9F}}, 1};
     const auto edited = withLogarithmicCourse(function, {0, 1, 2}, {});
     QCOMPARE(edited.function, function);
