@@ -76,7 +76,7 @@ inline double valueAt(const TetrahedralMesh& mesh, double share)
 inline Scene fogCube(float opacityOfUnit)
 {
     const TetrahedralMesh mesh = latticeMesh(4, 4, Split::Six, [](const Eigen::Vector3d&) { return 0.5; });
-    return volumeScene(mesh, {{{0, {1, 0.5f, 0}, opacityOfUnit}}, 1});
+    return volumeScene(mesh, transferFunctionFromPoints({{0, {1, 0.5f, 0}, opacityOfUnit}}));
 }
 
 /// From far before its middle, so that all rays through it are as long.

@@ -96,7 +96,7 @@ void KeepSessionTest::edit() const
     session().setError(3.5);
     session().addIsovalue(session().range().minimum + 0.25 * session().range().extent());
     window_->find<QAction>("action.mode.hybrid").trigger();
-    session().setTransfer({{{session().range().minimum, {1, 0, 0}, 0.25F}}, 2});
+    session().setTransfer(transferFunctionFromPoints({{session().range().minimum, {1, 0, 0}, 0.25F}}, 2));
     Camera camera = window_->viewport().camera();
     camera.azimuth = 123;
     window_->viewport().setCamera(camera);

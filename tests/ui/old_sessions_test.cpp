@@ -35,9 +35,11 @@ SessionDocument firstDocument()
     document.query.window = {true, {{{0, 0, 0.5}, {5, 3.75, 5}}, WindowBorder::Clipped}};
     document.query.values = {false, 60, 170};
     document.look.mode = "hybrid";
-    document.look.transfer.unitDistance = 0.4;
-    document.look.transfer.points = {
-        {40, {0.25F, 0.5F, 1}, 0}, {90, {0.25F, 0.5F, 1}, 0.125F}, {90, {1, 0.75F, 0}, 0.5F}, {190, {1, 0, 0}, 0.875F}};
+    document.look.transfer = transferFunctionFromPoints({{40, {0.25F, 0.5F, 1}, 0},
+                                                         {90, {0.25F, 0.5F, 1}, 0.125F},
+                                                         {90, {1, 0.75F, 0}, 0.5F},
+                                                         {190, {1, 0, 0}, 0.875F}},
+                                                        0.4);
     document.look.settings = {{"shaded", true}, {"outline", false}};
     document.isovalues = {{64, 0.5F, 0.75F, 0.25F, 0.5F, true}, {150.5, 1, 0.5F, 0, 1, false}};
     Camera camera;
@@ -59,8 +61,10 @@ SessionDocument documentWithFilm()
 {
     SessionDocument document = firstDocument();
     document.look.transfer.mask = TransferMask{50, 180.5};
-    document.look.transfer.points[1].group = 3;
-    document.look.transfer.points[2].group = 3;
+    for (const std::size_t point : {1, 2}) {
+        document.look.transfer.colours[point].group = 3;
+        document.look.transfer.opacities[point].group = 3;
+    }
     document.annotations[AnnotationKind::ScaleBar] = {true, Corner::TopLeft};
     document.annotations[AnnotationKind::Axes].shown = false;
     document.animation.kind = Animation::Kind::KeyFrames;

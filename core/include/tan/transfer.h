@@ -67,8 +67,8 @@ inline constexpr int largestTransferGroup = 9;
 /// -ln(1 - opacity) / unitDistance. It is the extinction that is linear between the points, so that the optical depth
 /// of a slab is exact in closed form (S15). An opacity of 1 counts as `largestOpacity`.
 struct TransferFunction {
-    std::vector<ColourPoint> colours;    ///< none: everything is white
-    std::vector<OpacityPoint> opacities; ///< none: everything is transparent
+    std::vector<ColourPoint> colours{};    ///< none: everything is white
+    std::vector<OpacityPoint> opacities{}; ///< none: everything is transparent
     double unitDistance = 1;             ///< in the units of the dataset
     std::optional<TransferMask> mask{};  ///< what lies outside of it is transparent, whatever the opacities say
     bool operator==(const TransferFunction&) const = default;

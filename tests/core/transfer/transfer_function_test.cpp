@@ -186,8 +186,8 @@ void TransferFunctionTest::refusesWhatIsNoFunction_data()
                              << "Opacity 1 of the transfer function is outside";
     QTest::newRow("NaN opacity") << transferFunctionFromPoints({{1, {}, std::nanf("")}}, 1)
                                  << "Opacity 1 of the transfer function is outside";
-    QTest::newRow("unit distance") << TransferFunction{.unitDistance = 0} << "unit distance";
-    QTest::newRow("infinite unit distance") << TransferFunction{.unitDistance = infinity} << "unit distance";
+    QTest::newRow("unit distance") << TransferFunction{{}, {}, 0} << "unit distance";
+    QTest::newRow("infinite unit distance") << TransferFunction{{}, {}, infinity} << "unit distance";
 }
 
 void TransferFunctionTest::refusesWhatIsNoFunction()

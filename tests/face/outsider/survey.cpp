@@ -174,7 +174,9 @@ void draw(const std::shared_ptr<const ExtractedMesh>& extracted, const ModelDesc
     auto function = fittedTransferFunction(volumeHistogram(*mesh, about.range.minimum, about.range.maximum, 64),
                                            about.bounds.diagonal().norm() / 40);
     function = taken(transferFunctionFromText(transferFunctionToText(function)), "transfer function");
-    scene.volume = taken(VolumeCache(mesh).update(withScaledOpacity(function, 0.5), true), "volume");
+    for (OpacityPoint& point : function.opacities)
+        point.opacity /= 2;
+    scene.volume = taken(VolumeCache(mesh).update(function, true), "volume");
     const Picture picture =
         taken(makeCpuBackend()->render(scene, fitted({.azimuth = 50}, scene.bounds), {.width = 400, .height = 300}),
               "picture");

@@ -51,7 +51,7 @@ double slanted(const Eigen::Vector3d& place)
 
 TransferFunction peaks()
 {
-    return {{{0.2, {1, 0, 0}, 0}, {0.5, {0, 1, 0}, 0.6F}, {0.52, {0, 0, 1}, 0.1F}, {0.9, {1, 1, 1}, 0.9F}}, 1};
+    return transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.5, {0, 1, 0}, 0.6F}, {0.52, {0, 0, 1}, 0.1F}, {0.9, {1, 1, 1}, 0.9F}}, 1);
 }
 
 Surface wall(double y, float opacity)
@@ -170,12 +170,12 @@ void SeenPlaceTest::aDenseCloudHidesASurface()
     Scene scene;
     scene.surfaces = {wall(5, 1)};
     const auto constant = [](const Eigen::Vector3d&) { return 0.5; };
-    scene.volume = volumeOf(latticeMesh(3, extent, Split::Five, constant), {{{0.5, {}, 0.5F}}, 1});
+    scene.volume = volumeOf(latticeMesh(3, extent, Split::Five, constant), {{}, {{0.5, 0.5F}}});
     auto seen = seenPlace(scene, alongY(3.1, 2.2)); // 1 - 0.5^5 before the wall
     QVERIFY(seen && !seen->surface);
     QVERIFY(std::abs(seen->place.y()) < 1e-5); // the front takes most
     QVERIFY(std::abs(seen->share - (1 - std::pow(0.5, 5))) < 1e-5);
-    scene.volume = volumeOf(latticeMesh(3, extent, Split::Five, constant), {{{0.5, {}, 0.05F}}, 1});
+    scene.volume = volumeOf(latticeMesh(3, extent, Split::Five, constant), {{}, {{0.5, 0.05F}}});
     seen = seenPlace(scene, alongY(3.1, 2.2));
     QVERIFY(seen && seen->surface);
     QVERIFY(std::abs(seen->share - std::pow(0.95, 5)) < 1e-5);
@@ -185,7 +185,7 @@ void SeenPlaceTest::nothingIsSeenOfWhatIsTransparent()
 {
     Scene scene;
     QVERIFY(!seenPlace(scene, alongY(1, 1)));
-    scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), {{{0.5, {}, 0.0001F}}, 1});
+    scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), {{}, {{0.5, 0.0001F}}});
     QVERIFY(!seenPlace(scene, alongY(1, 1)));
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), peaks());
     QVERIFY(!seenPlace(scene, alongY(-1, 1)));
@@ -199,7 +199,7 @@ void SeenPlaceTest::betweenTwoCellsTheLightIsTakenOnce()
 {
     const auto constant = [](const Eigen::Vector3d&) { return 0.5; };
     Scene scene;
-    scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, constant), {{{0.5, {}, 0.01F}}, 1});
+    scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, constant), {{}, {{0.5, 0.01F}}});
     // Within faces between cubes, along their edges, and through corners.
     for (const auto& [x, z] : {std::pair(5.0, 3.0), std::pair(5.0, 5.0), std::pair(2.0, 5.0)}) {
         const auto seen = seenPlace(scene, alongY(x, z));

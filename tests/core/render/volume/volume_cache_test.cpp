@@ -14,7 +14,7 @@ namespace {
 
 TransferFunction ramp(float opacity)
 {
-    return {{{0, {1, 0, 0}, 0}, {1, {0, 0, 1}, opacity}}, 0.5};
+    return transferFunctionFromPoints({{0, {1, 0, 0}, 0}, {1, {0, 0, 1}, opacity}}, 0.5);
 }
 
 Volume made(VolumeCache& maker, const TransferFunction& function, bool shaded = false)

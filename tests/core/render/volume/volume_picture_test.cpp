@@ -358,7 +358,7 @@ void VolumePictureTest::tellsWhatIsWrong()
         QVERIFY(!drawVolume(volume, transfer, order, {}, options).ok());
         QVERIFY(!orderForCamera(volume, {}, options).ok());
     }
-    QVERIFY(!makeVolumeTransfer(*mesh, {{{0, {}, 2}}, 1}).ok());
+    QVERIFY(!makeVolumeTransfer(*mesh, {{}, {{0, 2}}}).ok());
     auto broken = std::make_shared<TetrahedralMesh>(oneCell());
     broken->tetrahedra[0][2] = 4;
     QVERIFY(!makeVolumeMesh(broken).ok());

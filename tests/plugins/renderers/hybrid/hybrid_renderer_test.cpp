@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(order.error().kind, ErrorKind::WrongUsage);
         QVERIFY(order.error().text().find("'random'") != std::string::npos);
         QCOMPARE(session->prepare({{"clip", std::string("0,0,0,0")}}, {}, {}).error().kind, ErrorKind::WrongUsage);
-        QVERIFY(!session->prepare({{"transfer", TransferFunction{.unitDistance = -1}}}, {}, {}).ok());
+        QVERIFY(!session->prepare({{"transfer", TransferFunction{{}, {}, -1}}}, {}, {}).ok());
     }
 
     void reportsBothParts()

@@ -160,7 +160,7 @@ void TransferMaskTest::paraviewGetsSteps()
             continue;
         const auto imported =
             importTransferFunctions(transferFunctionToParaview(function, "masked"),
-                                    {TransferFunction{.unitDistance = function.unitDistance}, std::nullopt});
+                                    {TransferFunction{{}, {}, function.unitDistance}, std::nullopt});
         QVERIFY(imported);
         const TransferFunction& back = imported->front().function;
         for (double value = -12.97; value < 13; value += 0.04)

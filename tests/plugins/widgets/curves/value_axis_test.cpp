@@ -106,13 +106,13 @@ void ValueAxisTest::randomMovesStayValid()
                 value *= 1 + random.bounded(3.0) + 1e-9;
             function.points.push_back({value, {}, static_cast<float>(random.bounded(1.0))});
         }
-        QVERIFY(checkTransferFunction(function));
+        QVERIFY(checkTransferFunction(separated(function)));
         const TransferSelection selection{static_cast<std::size_t>(random.bounded(3)),
                                           3 + static_cast<std::size_t>(random.bounded(3))};
         const auto rule = static_cast<NeighbourRule>(random.bounded(3));
         const TransferLimits limits{1e-3, value * (1 + random.bounded(2.0))};
         const auto moved = moveSelected(function, selection, byFactor(std::exp(random.bounded(6.0) - 3)), rule, limits);
-        QVERIFY(checkTransferFunction(moved.function));
+        QVERIFY(checkTransferFunction(separated(moved.function)));
         QCOMPARE(moved.function.points.size(), function.points.size());
         QVERIFY(moved.function.points.front().value >= limits.least);
         QVERIFY(moved.function.points.back().value <= limits.largest);
@@ -136,15 +136,16 @@ void ValueAxisTest::theCourseIsThatOfTheLogarithm()
     const JoinedFunction ends{{{1, {1, 0, 0.2F}, 0}, {largest, {0, 1, 0.2F}, opacity}}, 2};
     const LookTolerance tolerance;
     const auto edited = withLogarithmicCourse(ends, {0, 1}, tolerance);
-    QVERIFY(checkTransferFunction(edited.function));
+    QVERIFY(checkTransferFunction(separated(edited.function)));
     QCOMPARE(edited.function.points.front(), ends.points.front());
     QCOMPARE(edited.function.points.back(), ends.points.back());
     QCOMPARE(edited.selection, allPoints(edited.function));
-    const TransferSample from = evaluate(ends, 1), to = evaluate(ends, largest);
+    const TransferFunction curves = separated(edited.function);
+    const TransferSample from = evaluate(separated(ends), 1), to = evaluate(separated(ends), largest);
     double farthest = 0;
     for (int step = 0; step <= 20'000; ++step) {
         const double share = step / 20'000.0, value = std::exp(share * std::log(largest));
-        const TransferSample sample = evaluate(edited.function, value);
+        const TransferSample sample = evaluate(curves, value);
         for (std::size_t channel = 0; channel < 3; ++channel)
             farthest = std::max(farthest, std::abs(sample.colour[channel] -
                                                    std::lerp(from.colour[channel], to.colour[channel], share)) /
@@ -165,7 +166,7 @@ void ValueAxisTest::stepsAndValuesBelowZeroStay()
     const auto edited = withLogarithmicCourse(function, {0, 1, 2}, {});
     QCOMPARE(edited.function, function);
     QCOMPARE(edited.selection, (TransferSelection{0, 1, 2}));
-    QVERIFY(checkTransferFunction(withLogarithmicCourse(function, {0, 1, 2, 3}, {}).function));
+    QVERIFY(checkTransferFunction(separated(withLogarithmicCourse(function, {0, 1, 2, 3}, {}).function)));
     QCOMPARE(withLogarithmicCourse(threePoints(), {0, 2}, {}).function, threePoints()); // no neighbours
     const auto part = withLogarithmicCourse(threePoints(), {1, 2}, {});
     QVERIFY(part.function.points.size() > 3);
