@@ -51,9 +51,13 @@ struct Batches {
 /// counts where none before it did.
 std::vector<std::uint16_t> largestOwn(const Model& model, const Batches& batches, std::span<const std::uint16_t> own)
 {
+    std::vector<std::uint64_t> places(1 << 16); // of each bound: where the next tetrahedron that has it goes
+    for (const std::uint16_t bound : own)
+        ++places[bound];
+    std::exclusive_scan(places.rbegin(), places.rend(), places.rbegin(), std::uint64_t(0));
     std::vector<std::uint64_t> falling(own.size());
-    std::iota(falling.begin(), falling.end(), std::uint64_t(0));
-    std::ranges::sort(falling, std::greater(), [own](std::uint64_t number) { return own[number]; });
+    for (std::uint64_t number = 0; number < own.size(); ++number)
+        falling[places[own[number]]++] = number;
     std::vector<std::uint16_t> largest(batches.ends.size());
     std::vector<std::uint32_t> open(batches.ends.size() + 1); // towards the next batch that has none yet
     std::iota(open.begin(), open.end(), 0u);
