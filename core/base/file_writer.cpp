@@ -233,6 +233,22 @@ Status FileWriter::extend(std::uint64_t size)
     return {};
 }
 
+Status FileWriter::read(std::uint64_t offset, std::span<std::byte> bytes)
+{
+    assert(offset <= size_ && bytes.size() <= size_ - offset);
+    if (const Status flushed = flush(); !flushed)
+        return flushed;
+    while (!bytes.empty()) {
+        const ssize_t got =
+            uninterrupted([&] { return ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
+        if (got <= 0)
+            return fail(got < 0 ? errno : EIO);
+        bytes = bytes.subspan(static_cast<std::size_t>(got));
+        offset += static_cast<std::uint64_t>(got);
+    }
+    return {};
+}
+
 Status FileWriter::commit(Durability durability)
 {
     if (const Status flushed = flush(); !flushed)

@@ -41,6 +41,8 @@ public:
     Status extend(std::uint64_t size);
     /// Replaces bytes that were written before: [offset, offset + bytes.size()) lies within size().
     Status overwrite(std::uint64_t offset, std::span<const std::byte> bytes);
+    /// What was written there: [offset, offset + bytes.size()) lies within size().
+    Status read(std::uint64_t offset, std::span<std::byte> bytes);
     /// Syncs the content, renames and syncs the folder. The writer is of no further use.
     Status commit(Durability durability = Durability::Power);
 

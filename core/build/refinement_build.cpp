@@ -114,7 +114,10 @@ Result<FixedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions opti
     if (!made)
         return made.error();
     const ModelFileOpener open = [&](const FixedCounts& counts) {
-        return target.ofFixedSize(counts, {{"block", std::to_string(blocks.cells)}});
+        auto writer = target.ofFixedSize(counts, {{"block", std::to_string(blocks.cells)}});
+        if (writer)
+            (*writer)->setBlocks(options.division.blockCells());
+        return writer;
     };
     return mergeRuns(runs, target.workFolder, open, progress.part(refinedShare, 1));
 }

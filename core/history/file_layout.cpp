@@ -59,6 +59,7 @@ private:
     Status checkCounts() const;
     Status checkPositions() const;
     Status checkSamples() const;
+    Status checkDerived() const;
     std::uint32_t positionBytes() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
@@ -84,9 +85,10 @@ Result<FileLayout> LayoutReader::read()
     for (const auto step : {&LayoutReader::readHeader, &LayoutReader::readTable})
         if (const Status status = (this->*step)(); !status)
             return status.error();
-    for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
-                             &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs,
-                             &LayoutReader::checkCounts, &LayoutReader::checkPositions, &LayoutReader::checkSamples})
+    for (const auto check :
+         {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
+          &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs, &LayoutReader::checkCounts,
+          &LayoutReader::checkPositions, &LayoutReader::checkSamples, &LayoutReader::checkDerived})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);
@@ -279,6 +281,30 @@ Status LayoutReader::checkSamples() const
         if (const Status counted = checkCount({SectionId::SamplePositions, positionBytes()}, points); !counted)
             return counted;
     return checkCount({SectionId::Samples, 0}, points);
+}
+
+/// The sections that follow from the others: each is there or not.
+Status LayoutReader::checkDerived() const
+{
+    const Header& header = layout_.header;
+    const auto countOf = [this](SectionId id, std::uint32_t elementBytes, std::uint64_t most) {
+        return layout_.has(id) ? std::min(layout_.section(id).bytes / elementBytes, most) : 0;
+    };
+    const std::uint64_t batches = countOf(SectionId::BatchEnds, 4, header.siteCount);
+    const std::uint64_t levels = countOf(SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels);
+    const std::uint64_t faults = countOf(SectionId::Faults, sizeof(format::Fault), ~std::uint64_t(0));
+    const std::pair<Expected, std::uint64_t> all[] = {
+        {{SectionId::LevelIndex, sizeof(format::LevelEntry)}, std::max<std::uint64_t>(levels, 1)},
+        {{SectionId::BatchEnds, 4}, std::max<std::uint64_t>(batches, 1)},
+        {{SectionId::BatchErrors, 4}, batches},
+        {{SectionId::BatchWarpings, 4}, batches},
+        {{SectionId::Blocks, 4}, 3},
+        {{SectionId::Faults, sizeof(format::Fault)}, faults}};
+    for (const auto& [expected, count] : all)
+        if (layout_.has(expected.id))
+            if (const Status counted = checkCount(expected, count); !counted)
+                return counted;
+    return {};
 }
 
 Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const

@@ -9,6 +9,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::Text: return "text";
     case SectionId::HistoryKind: return "history kind";
     case SectionId::ChunkSums: return "chunk checksums";
+    case SectionId::LevelIndex: return "level index";
     case SectionId::SitePoints: return "site points";
     case SectionId::SiteValues: return "site values";
     case SectionId::SiteRunningErrors: return "site running errors";
@@ -22,6 +23,11 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::Destroyers: return "destroyers";
     case SectionId::OwnErrors: return "own errors";
     case SectionId::OwnWarpings: return "own warpings";
+    case SectionId::BatchEnds: return "batch ends";
+    case SectionId::BatchErrors: return "batch errors";
+    case SectionId::BatchWarpings: return "batch warpings";
+    case SectionId::Blocks: return "blocks";
+    case SectionId::Faults: return "faults";
     }
     return "unknown";
 }

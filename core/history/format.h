@@ -39,6 +39,7 @@ enum class SectionId : std::uint32_t {
     Text = 1,
     HistoryKind = 2,
     ChunkSums = 3,
+    LevelIndex = 4,
     SitePoints = 16,
     SiteValues = 17,
     SiteRunningErrors = 18,
@@ -52,6 +53,11 @@ enum class SectionId : std::uint32_t {
     Destroyers = 33,
     OwnErrors = 34,
     OwnWarpings = 35,
+    BatchEnds = 48,
+    BatchErrors = 49,
+    BatchWarpings = 50,
+    Blocks = 51,
+    Faults = 52,
 };
 
 /// What the section HistoryKind says; a file without it holds a history of Delaunay meshes.
@@ -104,6 +110,34 @@ struct Header {
 static_assert(sizeof(Header) == 256 && offsetof(Header, checksum) == 248);
 static_assert(offsetof(Header, latticeSize) == 40 && offsetof(Header, spacing) == 64);
 static_assert(offsetof(Header, sourceHash) == 176 && offsetof(Header, warpingWeight) == 192);
+
+/// An entry of the level index: the mesh of the first `sites` sites, which end a batch.
+struct LevelEntry {
+    float key = 0;
+    float error = 0;   ///< bounds, in units of the values and of length
+    float warping = 0; ///< 0 without a warping weight
+    std::uint32_t sites = 0;
+    std::uint32_t tetrahedra = 0; ///< in the mesh
+    std::uint32_t reserved = 0;
+    std::uint64_t created = 0; ///< tetrahedra that the sites created
+};
+static_assert(sizeof(LevelEntry) == 32);
+
+/// The index has room for so many.
+constexpr std::uint64_t mostLevels = 256;
+
+enum class FaultKind : std::uint32_t {
+    FoldedCell = 1,         ///< of the grid
+    CellWithoutVolume = 2,  ///< likewise
+    InvertedTetrahedron = 3 ///< of the mesh of all sites
+};
+
+struct Fault {
+    std::uint32_t kind = 0;
+    std::uint32_t reserved = 0;
+    std::uint64_t number = 0;
+};
+static_assert(sizeof(Fault) == 16);
 
 /// The number of chunks of a section of so many bytes.
 constexpr std::uint64_t chunkCount(std::uint64_t sectionBytes, std::uint64_t chunk = chunkBytes) noexcept

@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/data/dataset_checks.h"
 #include "core/history/batch_builder.h"
+#include "core/history/derived_sections.h"
 #include "core/history/file_layout.h"
 
 #include <algorithm>
@@ -112,8 +113,11 @@ Status ModelFileWriter::begin()
     const Result<std::string> text = textOf(description_, target_);
     if (!text)
         return text.error();
-    const PlannedSection section{SectionId::Text, 1, text->size()};
-    if (const Status planned = sections_.plan({&section, 1}); !planned)
+    // The index takes its place while nobody knows how long it will be.
+    const std::array sections{
+        PlannedSection{SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels, 0, true},
+        PlannedSection{SectionId::Text, 1, text->size()}};
+    if (const Status planned = sections_.plan(sections); !planned)
         return planned;
     return sections_.add(SectionId::Text, std::as_bytes(std::span(*text)));
 }
@@ -122,6 +126,7 @@ void ModelFileWriter::setTraits(const HistoryTraits& traits)
 {
     description_.warpingWeight = traits.warpingWeight;
     description_.delaunay = traits.delaunay;
+    blockCells_ = traits.blockCells;
 }
 
 Status ModelFileWriter::addOtherSites(std::span<const std::array<std::uint32_t, 3>> otherSites)
@@ -241,6 +246,10 @@ Status ModelFileWriter::finish(float finalKey)
         if (!written)
             return written;
     }
+    if (const Status derived =
+            writeDerivedSections(sections_, {dataset_, description_, counts_, finalKey, blockCells_});
+        !derived)
+        return derived;
     format::Header header = headerOf(description_);
     header.siteCount = counts_.sites;
     header.tetrahedronCount = counts_.tetrahedra;
@@ -252,9 +261,10 @@ Status ModelFileWriter::finish(float finalKey)
 
 std::uint64_t ModelFileWriter::expectedBytes(const FixedCounts& counts, SampleType type, std::uint64_t points) noexcept
 {
-    constexpr std::uint64_t frontAndText = 4096;
+    constexpr std::uint64_t frontAndText = 4096 + format::mostLevels * sizeof(format::LevelEntry);
     const bool samples = keepsSamplesOf(DomainClass::RegularLattice, type, 0, points, counts);
-    const std::uint64_t content = arrayBytes(counts, type) + (samples ? points * sampleSize(type) : 0);
+    const std::uint64_t batchEnds = counts.sites * sizeof(std::uint32_t); // at most
+    const std::uint64_t content = arrayBytes(counts, type) + batchEnds + (samples ? points * sampleSize(type) : 0);
     return content + format::chunkCount(content) * sizeof(std::uint64_t) + frontAndText;
 }
 
@@ -288,7 +298,7 @@ public:
     Status finish(float finalError) override;
     Status finishEarly() override;
     std::uint32_t siteCount() const noexcept override { return builder_.siteCount(); }
-    std::uint64_t tetrahedronCount() const noexcept override { return destroyers_.size(); }
+    std::uint64_t tetrahedronCount() const noexcept override { return builder_.storedCount(); }
 
 private:
     Status add(const Batch& batch) override;
@@ -322,6 +332,10 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
         return inconsistent(Message::say("its warping weight is %1", formatNumber(traits.warpingWeight)));
     if (description().domain == DomainClass::Irregular && traits.delaunay)
         return inconsistent(Message::say("meshes of irregular data are not Delaunay ones"));
+    if (const auto& cells = traits.blockCells;
+        cells != std::array<std::uint32_t, 3>{} &&
+        (!isOnLattice(description().domain) || std::ranges::find(cells, 0u) != cells.end()))
+        return inconsistent(Message::say("its blocks have %1 x %2 x %3 cells", cells[0], cells[1], cells[2]));
     file_->setTraits(traits);
     return {};
 }
@@ -427,6 +441,7 @@ Status HistoryFileWriter::writeArrays(float finalError)
           ownWarpings_.size() == 0 ? Status() : ownWarpings_.forEachChunk(asItIs(SectionId::OwnWarpings))})
         if (!written)
             return written;
+    destroyers_ = {}; // what follows needs memory, too
     return file_->finish(finalError);
 }
 

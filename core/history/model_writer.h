@@ -36,6 +36,8 @@ public:
     const std::filesystem::path& target() const noexcept { return target_; }
     /// Comes before announce(); without it there is no warping, and meshes are Delaunay ones.
     void setTraits(const HistoryTraits& traits);
+    /// HistoryTraits::blockCells; before finish().
+    void setBlocks(const std::array<std::uint32_t, 3>& blockCells) { blockCells_ = blockCells; }
 
     // Each appends to a section, never more than was announced.
 
@@ -54,7 +56,8 @@ public:
         return sections_.add(id, std::as_bytes(elements));
     }
 
-    /// `finalKey` bounds the error of the mesh of all sites, in units of the values. Errors: the file's, values that
+    /// Completes the file with what follows from the rest. `finalKey` bounds the error of the mesh of all sites, in
+    /// units of the values. Errors: the file's, values that
     /// changed meanwhile, an Error (BadInput) if there was more or less of anything than was announced.
     Status finish(float finalKey);
 
@@ -75,6 +78,7 @@ private:
     ModelDescription description_;
     FixedCounts counts_;
     FixedCounts added_;
+    std::array<std::uint32_t, 3> blockCells_{};
     bool otherSitesBegun_ = false;
     bool positionsFitFloats_ = false;
     std::vector<std::uint64_t> offsets_;

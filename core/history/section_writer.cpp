@@ -20,10 +20,10 @@ constexpr std::uint64_t frontBytes = sizeof(Header) + mostInTable * sizeof(Secti
 
 } // namespace
 
-Status SectionWriter::grow(SectionId id, std::size_t elementBytes)
+Status SectionWriter::grow(SectionId id, std::size_t elementBytes, std::uint32_t flags)
 {
     std::uint64_t end = std::max(file_.size(), frontBytes);
-    place({id, elementBytes, 0}, end);
+    place({id, elementBytes, 0, flags}, end);
     grows_ = true;
     return file_.extend(end);
 }
@@ -47,6 +47,7 @@ void SectionWriter::place(const PlannedSection& planned, std::uint64_t& end)
     cursor.section.elementBytes = static_cast<std::uint32_t>(planned.elementBytes);
     cursor.section.offset = format::aligned(end);
     cursor.section.bytes = planned.elementBytes * planned.count;
+    cursor.mayBeShorter = planned.mayBeShorter;
     end = cursor.section.offset + cursor.section.bytes;
     cursor.buffer.reserve(std::min<std::uint64_t>(bufferBytes, cursor.section.bytes));
     cursors_.push_back(std::move(cursor));
@@ -71,6 +72,15 @@ Status SectionWriter::add(SectionId id, std::span<const std::byte> bytes)
     return {};
 }
 
+Status SectionWriter::read(SectionId id, std::uint64_t offset, std::span<std::byte> bytes)
+{
+    Cursor& from = cursor(id);
+    assert(offset <= from.written && bytes.size() <= from.written - offset);
+    if (const Status flushed = flush(from); !flushed)
+        return flushed;
+    return file_.read(from.section.offset + offset, bytes);
+}
+
 Status SectionWriter::finish(Header header)
 {
     ChunkSums sums;
@@ -84,6 +94,8 @@ Status SectionWriter::finish(Header header)
         return added;
     std::vector<Section> table;
     for (Cursor& cursor : cursors_) {
+        if (cursor.mayBeShorter)
+            cursor.section.bytes = cursor.written;
         assert(cursor.written == cursor.section.bytes);
         if (const Status flushed = flush(cursor); !flushed)
             return flushed;

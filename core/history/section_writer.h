@@ -16,6 +16,7 @@ struct PlannedSection {
     std::size_t elementBytes = 1;
     std::uint64_t count = 0;
     std::uint32_t flags = format::required; ///< 0 for a section that a reader may do without
+    bool mayBeShorter = false;              ///< the count is the most; what is not filled is no part of the section
 };
 
 /// Writes the sections of a `.tan` file (FORMAT.md): those whose sizes are known all at once, each from its beginning
@@ -26,18 +27,21 @@ public:
     explicit SectionWriter(FileWriter file) : file_(std::move(file)) {}
 
     /// Begins the section that grows: add() appends to it until plan() is called next. Comes first, or after plan().
-    Status grow(format::SectionId id, std::size_t elementBytes);
+    Status grow(format::SectionId id, std::size_t elementBytes, std::uint32_t flags = format::required);
     /// Lays further sections out in this order, behind what there is, and takes their room on the disk. An error tells
     /// a disk that is too full.
     Status plan(std::span<const PlannedSection> sections);
     /// Appends to a section, never beyond the size it was given.
     Status add(format::SectionId id, std::span<const std::byte> bytes);
+    /// What was appended to a section, from a byte of it on.
+    Status read(format::SectionId id, std::uint64_t offset, std::span<std::byte> bytes);
     /// Once every section is full: completes `header` with sizes and checksums, writes it with the table and commits.
     Status finish(format::Header header);
 
 private:
     struct Cursor {
         format::Section section;
+        bool mayBeShorter = false;
         std::uint64_t written = 0; ///< bytes, those in the buffer included
         Buffer<std::byte> buffer;
         SectionSums sums;

@@ -152,30 +152,53 @@ Result<CurvilinearOriginal> CurvilinearOriginal::make(const Dataset& original, b
         rough.add(count[1]);
     }
     CurvilinearOriginal result;
+    result.size_ = original.lattice.size;
     const bool agrees = leftHanded == exact.leftHanded() || leftHanded == rough.leftHanded();
     if (!agrees)
         failures.push_back(std::string("The model takes the grid for a ") + (leftHanded ? "left" : "right") +
                            "-handed one, but most corners of its cells are " +
                            (leftHanded ? "not negative." : "negative."));
     result.hand_ = (agrees ? leftHanded : exact.leftHanded()) ? -1 : 1;
-    if ((result.hand_ > 0 ? exact.negative : exact.positive) == 0)
+    if ((result.hand_ > 0 ? exact.positive : exact.negative) == 8 * original.lattice.cellCount())
         return result;
-    std::vector<std::vector<LatticePoint>> layers(layerCount);
+    struct Faulty {
+        std::vector<LatticePoint> folded, withoutVolume;
+    };
+    std::vector<Faulty> layers(layerCount);
     const Status listed = verifyEach(layerCount, 1, activity, progress.part(0.5, 1), [&](std::size_t layer) {
-        forEachGridCell(original.lattice, layer, [&](const LatticePoint& cell) {
+        forEachGridCell(original.lattice, layer, [&, &found = layers[layer]](const LatticePoint& cell) {
             const GridCell places(original, cell);
+            CornerSigns signs;
             for (unsigned corner = 0; corner < 8; ++corner)
-                if (places.sign(corner, places.roughVolume(corner)) == -result.hand_) {
-                    layers[layer].push_back(cell);
-                    return;
-                }
+                signs.add(places.sign(corner, places.roughVolume(corner)));
+            if ((result.hand_ > 0 ? signs.negative : signs.positive) > 0)
+                found.folded.push_back(cell);
+            if (signs.negative + signs.positive == 0)
+                found.withoutVolume.push_back(cell);
         });
     });
     if (!listed)
         return listed.error();
-    for (const std::vector<LatticePoint>& layer : layers)
-        result.folded_.insert(result.folded_.end(), layer.begin(), layer.end());
+    for (const Faulty& layer : layers) {
+        result.folded_.insert(result.folded_.end(), layer.folded.begin(), layer.folded.end());
+        for (const LatticePoint& cell : layer.withoutVolume)
+            result.withoutVolume_.push_back(result.numberOf(cell));
+    }
     return result;
+}
+
+std::uint64_t CurvilinearOriginal::numberOf(const LatticePoint& cell) const
+{
+    const auto& [z, y, x] = cell;
+    return static_cast<std::uint64_t>((z * (std::int64_t(size_[1]) - 1) + y) * (std::int64_t(size_[0]) - 1) + x);
+}
+
+std::vector<std::uint64_t> CurvilinearOriginal::foldedCellNumbers() const
+{
+    std::vector<std::uint64_t> numbers;
+    for (const LatticePoint& cell : folded_)
+        numbers.push_back(numberOf(cell));
+    return numbers;
 }
 
 /// Cuts the tetrahedron into slices of the grid's layers, these into columns along x, and looks how far the columns

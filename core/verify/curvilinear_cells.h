@@ -27,12 +27,20 @@ public:
     /// The sign of volumes that are not inverted.
     int hand() const noexcept { return hand_; }
     std::uint64_t foldedCells() const noexcept { return folded_.size(); }
+    /// Cells are numbered as they lie, x fastest. In order.
+    std::vector<std::uint64_t> foldedCellNumbers() const;
+    /// Those none of whose corner tetrahedra has volume.
+    const std::vector<std::uint64_t>& cellsWithoutVolume() const noexcept { return withoutVolume_; }
     /// Whether a tetrahedron of these points, positive in computational space, is borne if it is inverted.
     bool bears(const LatticeCorners& corners) const;
 
 private:
+    std::uint64_t numberOf(const LatticePoint& cell) const;
+
     int hand_ = 1;
-    std::vector<LatticePoint> folded_; ///< the first corners of these cells, as z, y, x; sorted
+    std::array<std::uint32_t, 3> size_{}; ///< points along each axis
+    std::vector<LatticePoint> folded_;    ///< the first corners of these cells, as z, y, x; sorted
+    std::vector<std::uint64_t> withoutVolume_;
 };
 
 /// How many tetrahedra are inverted in physical space in each of several meshes, those of the first `sites` sites (S5):

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/history/derived_sections.h"
 #include "core/verify/cell_check.h"
 #include "core/verify/verify_parts.h"
 
@@ -44,10 +45,21 @@ std::uint32_t firstPassage(const Model& model, double asked)
     return sites;
 }
 
-/// What the model claims of the mesh of its first sites.
-double claimedKey(const Model& model, std::uint32_t sites)
+/// What the model claims of the mesh of its first sites, which end a batch: by its key, and where the file tells them
+/// apart by error and warping.
+MeshBounds claimedBounds(const Model& model, std::uint32_t sites)
 {
-    return static_cast<double>(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
+    const double weight = model.description().warpingWeight;
+    double error = static_cast<double>(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
+    double warping = weight > 0 ? error / weight : 0;
+    const DerivedSections derived = derivedSections(model);
+    const auto end = std::ranges::lower_bound(derived.batchEnds, sites - 1);
+    const auto batch = static_cast<std::size_t>(end - derived.batchEnds.begin());
+    if (batch < derived.batchErrors.size())
+        error = std::min(error, static_cast<double>(derived.batchErrors[batch]));
+    if (batch < derived.batchWarpings.size())
+        warping = std::min(warping, static_cast<double>(derived.batchWarpings[batch]));
+    return {error, warping};
 }
 
 /// A model, and what its levels are compared with.
@@ -74,10 +86,7 @@ Result<LevelReport> verifyPrefix(const ModelToVerify& all, std::uint32_t sites, 
 Result<LevelReport> verifyLevel(const ModelToVerify& all, const Accuracy& asked, const Progress& progress)
 {
     const std::uint32_t sites = firstPassage(all.model, keyAsked(all.model, all.original, asked));
-    const double claimed = claimedKey(all.model, sites);
-    const double weight = all.model.description().warpingWeight;
-    Result<LevelReport> verdict =
-        verifyPrefix(all, sites, MeshBounds(claimed, weight > 0 ? claimed / weight : 0), progress);
+    Result<LevelReport> verdict = verifyPrefix(all, sites, claimedBounds(all.model, sites), progress);
     if (verdict)
         verdict->asked = asked;
     return verdict;
@@ -103,6 +112,8 @@ Status verifyWholeHistory(const ModelToVerify& all, std::vector<std::string>& fa
             failures.push_back("The first mesh: " + failure);
     }
     if (const Status done = verifyGroups(all.model, failures, progress.part(historyEnd, 1)); !done)
+        return done;
+    if (const Status done = verifyDerived(all.model, all.original, all.places, failures, silent); !done)
         return done;
     return all.model.description().delaunay ? Status{} : verifyClosure(all.model, failures, silent);
 }

@@ -45,6 +45,12 @@ Status verifyGroups(const Model& model, std::vector<std::string>& failures, cons
 /// on no others, so that a closed set, which has those, has a mesh. For a history whose indices can be followed.
 Status verifyClosure(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
+/// The sections that follow from the others and the dataset (core/history/derived_sections.h), as far as the file has
+/// them: batch ends and what their meshes keep, the level index, blocks and faults. For a history whose indices can be
+/// followed.
+Status verifyDerived(const Model& model, const Original& original, const std::vector<LatticePoint>& places,
+                     std::vector<std::string>& failures, const Progress& progress);
+
 /// The weights that the model's parameters name, for the original's samples. What cannot be read is a failure.
 Result<Weights> weightsOf(const Model& model, const Dataset& original, std::vector<std::string>& failures,
                           const Progress& progress);

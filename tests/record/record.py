@@ -118,7 +118,8 @@ def pictures(bounds, values):
 HEADER_FIELDS = slice(32, 200)  # what FORMAT.md says of the dataset and the mesh; before it sizes, after it checksums
 TEXT, CHECKSUMS = 1, 3
 SECTIONS = {2: "kind", 16: "points", 17: "values", 18: "running errors", 19: "stars", 20: "mesh sizes", 21: "groups", 22: "positions",
-            23: "samples", 24: "sample positions", 32: "other sites", 33: "destroyers", 34: "own errors", 35: "own warpings"}
+            23: "samples", 24: "sample positions", 32: "other sites", 33: "destroyers", 34: "own errors", 35: "own warpings",
+            4: "level index", 48: "batch ends", 49: "batch errors", 50: "batch warpings", 51: "blocks", 52: "faults"}
 
 
 def short_hash(data):

@@ -159,6 +159,9 @@ struct HistoryTraits {
     /// Whether the mesh of every prefix is the Delaunay mesh of its sites, so that any set of sites has a mesh. False
     /// for decimation: there only closed sets have one.
     bool delaunay = true;
+    /// If the mesh of a lattice or a grid was made in blocks: how many cells a block has along each axis; the last
+    /// along an axis may have fewer. No tetrahedron reaches from one block into another. All 0: no blocks.
+    std::array<std::uint32_t, 3> blockCells{};
 };
 
 /// Takes a history while a builder makes it, coarse first. Called from one thread.

@@ -71,7 +71,7 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Bl
                           .largestWarping = options.positionExtent,
                           .stopKey = options.stopKey,
                           .selection = options.selection});
-    if (Status status = sink.begin({options.warpingWeight}); !status)
+    if (Status status = sink.begin({options.warpingWeight, true, blocks.blockCells()}); !status)
         return status.error();
     progress.report(0, "Distributing the points");
     if (Status status = mesh.start(sink); !status)

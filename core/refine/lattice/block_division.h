@@ -29,6 +29,11 @@ public:
         return coordinate % edges_[axis] == 0 || coordinate == size_[axis] - 1;
     }
     const std::array<std::uint32_t, 3>& size() const noexcept { return size_; }
+    /// The cells of a block along each axis, but for the last ones. All 0 if there is but one block: HistoryTraits.
+    std::array<std::uint32_t, 3> blockCells() const noexcept
+    {
+        return count() > 1 ? edges_ : std::array<std::uint32_t, 3>{};
+    }
 
     std::uint32_t count() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
     LatticeBox box(std::uint32_t block) const;

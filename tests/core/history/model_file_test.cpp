@@ -96,7 +96,7 @@ private slots:
         QCOMPARE(valueAt<std::uint64_t>(bytes, 176), dataset.source.hash);
         QCOMPARE(valueAt<float>(bytes, 184), history.finalError);
         const auto sectionCount = valueAt<std::uint32_t>(bytes, 20);
-        QCOMPARE(sectionCount, 12u);
+        QCOMPARE(sectionCount, 14u);
         QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(3));
         std::uint64_t end = 256 + 64 * sectionCount;
         for (std::uint32_t number = 0; number < sectionCount; ++number) {
@@ -380,6 +380,12 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
         "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of a first mesh");
     row(
         "final", [](RecordedHistory& h) { h.finalError = INFINITY; }, "the final error is not a number");
+    row(
+        "blocks",
+        [](RecordedHistory& h) {
+            h.traits.blockCells = {4, 0, 4};
+        },
+        "wrong at site 0: its blocks have 4 x 0 x 4 cells");
 }
 
 void ModelFileTest::aWrongHistoryIsNotWritten()

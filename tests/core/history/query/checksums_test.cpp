@@ -202,7 +202,10 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
     const std::size_t sections = FileParts(whole).sections().size();
     int right = 0;
     for (std::size_t section = 0; section < sections; ++section) {
-        const std::string name(format::sectionName(FileParts(whole).sections()[section].id));
+        const std::uint32_t id = FileParts(whole).sections()[section].id;
+        const std::string name(format::sectionName(id));
+        if (FileParts(whole).sections()[section].bytes == 0)
+            continue; // no faults
         int refused = 0;
         for (int round = 0; round < rounds; ++round) {
             FileParts parts(whole);
@@ -230,7 +233,9 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
         }
         const bool isForInsertion =
             name.starts_with("sample") || (name == "site points" && description.domain != DomainClass::RegularLattice);
-        QVERIFY2(refused > 0 || (isForInsertion && !answers.contains("insertion")), name.c_str());
+        // What follows from other sections is asked for by none of the questions.
+        const bool isDerived = id == std::uint32_t(SectionId::LevelIndex) || id >= std::uint32_t(SectionId::BatchEnds);
+        QVERIFY2(refused > 0 || isDerived || (isForInsertion && !answers.contains("insertion")), name.c_str());
     }
     QVERIFY(right > 0 || Guard(guard) == Guard::WholeSections);
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/history/format.h"
+#include "core/history/section_writer.h"
+
+#include <tan/base.h>
+#include <tan/build.h>
+#include <tan/data.h>
+#include <tan/model.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace tetra {
+
+/// What a file tells beside the arrays that every model has (FORMAT.md, sections 4 and 48 to 52): levels, batches,
+/// blocks and faults. All of it follows from the other sections and the dataset, and is there so that nobody need look
+/// for it. Empty where the file has none.
+struct DerivedSections {
+    std::span<const format::LevelEntry> levels;
+    std::span<const std::uint32_t> batchEnds;
+    std::span<const float> batchErrors;        ///< one a batch, as are the next: of data that warp
+    std::span<const float> batchWarpings;      ///< in units of length
+    std::span<const std::uint32_t> blockCells; ///< three: cells along an edge of a block on each axis
+    std::optional<std::span<const format::Fault>> faults;
+};
+
+/// Refers to the mapped file. Reads no more than its header and its table: elements want Model::check(), as all do.
+DerivedSections derivedSections(const Model& model);
+
+/// What the derived sections are derived from, beside the other sections.
+struct DerivedFrom {
+    const Dataset& dataset;
+    const ModelDescription& description;
+    FixedCounts counts;
+    float finalKey = 0;                        ///< of the mesh of all sites
+    std::array<std::uint32_t, 3> blockCells{}; ///< HistoryTraits::blockCells
+};
+
+/// Writes them, once all other sections have been written; the level index has been planned. Reads these again. Memory:
+/// buffers; of data that warp 4 bytes a site and 16 a batch. Errors: the file's. May throw std::bad_alloc.
+Status writeDerivedSections(SectionWriter& sections, const DerivedFrom& from);
+
+} // namespace tetra
