@@ -54,7 +54,7 @@ void Checksum::reset() noexcept
 
 // The library's functions are compiled for the least processor that there is, which takes three times as long. So once
 // more from the source, under names of their own, for processors with wider vectors.
-#if defined(TETRA_SIMD_16)
+#if defined(TETRA_SIMD_8)
 #include <immintrin.h>
 #pragma GCC push_options
 #pragma GCC target("avx2")
@@ -81,9 +81,8 @@ namespace tetra {
 
 std::uint64_t checksum(std::span<const std::byte> bytes) noexcept
 {
-#if defined(TETRA_SIMD_16)
-    static const bool hasAvx2 = __builtin_cpu_supports("avx2");
-    if (hasAvx2)
+#if defined(TETRA_SIMD_8)
+    if (simdLevel() >= SimdLevel::Eight)
         return checksumWithAvx2(bytes);
 #endif
     return checksumByLibrary(bytes);

@@ -48,7 +48,7 @@ TETRA_SIMD_INLINE void placesFromApex(const StarTetrahedra& tetrahedra, const st
 }
 
 /// Goes through all weights of all tetrahedra.
-TETRA_SIMD_CLONES void locateThroughout(const StarTetrahedra& tetrahedra, const std::array<const double*, 3>& places,
+TETRA_SIMD_INLINE void locateThroughout(const StarTetrahedra& tetrahedra, const std::array<const double*, 3>& places,
                                         std::uint32_t* owners, double* steps)
 {
     Double8 from[3];
@@ -132,8 +132,7 @@ StarLocator::StarLocator(const StarTetrahedra& tetrahedra, std::size_t placeCoun
 {
 #if defined(TETRA_SIMD_16)
     constexpr std::size_t few = 128; // whose branches are not foreseen
-    static const bool canPassOver = hasSimd16();
-    many_ = canPassOver && placeCount > few;
+    many_ = simdLevel() == SimdLevel::Sixteen && placeCount > few;
 #else
     static_cast<void>(placeCount);
 #endif
@@ -147,7 +146,7 @@ void StarLocator::locateEight(const std::array<const double*, 3>& places, std::u
         return;
     }
 #endif
-    locateThroughout(tetrahedra_, places, owners, steps);
+    dispatch<locateThroughout>(tetrahedra_, places, owners, steps);
 }
 
 namespace {
@@ -162,7 +161,7 @@ double dot(const FanVector& a, const FanVector& b)
 
 /// The rows of the inverses of the matrices whose columns are the corners from the apex, and the gradients of the
 /// values.
-TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* values, std::size_t count,
+TETRA_SIMD_INLINE void computeColumns(const double* corners, const double* values, std::size_t count,
                                       const double* apex, double apexValue, double* columns)
 {
     for (std::size_t first = 0; first < count; first += apexLanes) {
@@ -198,7 +197,7 @@ TETRA_SIMD_CLONES void computeColumns(const double* corners, const double* value
 
 /// For each lane the deepest of every eighth tetrahedron around a place, by its smallest weight, and its face. Faces
 /// without a tetrahedron, whose weights are no numbers, never are.
-TETRA_SIMD_CLONES void findDeepest(const double* columns, std::size_t count, const double* place, double tolerance,
+TETRA_SIMD_INLINE void findDeepest(const double* columns, std::size_t count, const double* place, double tolerance,
                                    double* depths, double* owners)
 {
     Double8 deepest = Double8{} - tolerance, owner = Double8{} - 1;
@@ -285,8 +284,8 @@ void CollapseStar::compute(const VertexStar& star)
 {
     columnLength_ = star.paddedFaceCount();
     columns_.resize(12 * columnLength_);
-    computeColumns(star.corners().data(), samples_->ofCorners(0).data(), columnLength_, apex_.data(), apexValue(),
-                   columns_.data());
+    dispatch<computeColumns>(star.corners().data(), samples_->ofCorners(0).data(), columnLength_, apex_.data(),
+                             apexValue(), columns_.data());
 }
 
 std::array<double, 3> CollapseStar::weightsAt(std::size_t face, const FanVector& place) const
@@ -311,7 +310,7 @@ double CollapseStar::interpolated(std::size_t face, std::size_t number, const st
 std::uint32_t faceAt(const CollapseStar& fan, const FanVector& place, double tolerance)
 {
     double depths[apexLanes], owners[apexLanes];
-    findDeepest(fan.columns().data(), fan.columnLength(), place.data(), tolerance, depths, owners);
+    dispatch<findDeepest>(fan.columns().data(), fan.columnLength(), place.data(), tolerance, depths, owners);
     const auto deepest = static_cast<std::size_t>(std::ranges::max_element(depths) - depths);
     return owners[deepest] < 0 ? 0xffffffff : static_cast<std::uint32_t>(owners[deepest]);
 }

@@ -63,8 +63,7 @@ void DistinctNumbers::find(std::span<const std::uint32_t> numbers, std::vector<s
                            std::span<std::uint32_t> places)
 {
 #if defined(TETRA_SIMD_16)
-    static const bool inRegisters = hasSimd16();
-    if (inRegisters) {
+    if (simdLevel() == SimdLevel::Sixteen) {
         distinct.resize(most);
         const std::size_t count = findInRegisters(numbers, distinct.data(), places.data());
         distinct.resize(count);
@@ -98,7 +97,7 @@ namespace {
 constexpr std::size_t starLanes = VertexStar::lanes;
 
 /// Fills the eight columns of VertexStar's planes. Vectors are named because compilers do not see them in such loops.
-TETRA_SIMD_CLONES void computePlanes(const double* corners, double* planes, std::size_t count)
+TETRA_SIMD_INLINE void computePlanes(const double* corners, double* planes, std::size_t count)
 {
     const Double8 zero{};
     for (std::size_t first = 0; first < count; first += starLanes) {
@@ -127,7 +126,7 @@ TETRA_SIMD_CLONES void computePlanes(const double* corners, double* planes, std:
 }
 
 /// With how many of `faceCount` faces each of eight apexes has a volume that is positive.
-TETRA_SIMD_CLONES void countPositive(const double* planes, std::size_t count, std::size_t faceCount,
+TETRA_SIMD_INLINE void countPositive(const double* planes, std::size_t count, std::size_t faceCount,
                                      const double* apexes, std::size_t apexCount, double* positive)
 {
     Double8 x, y, z;
@@ -144,7 +143,7 @@ TETRA_SIMD_CLONES void countPositive(const double* planes, std::size_t count, st
 }
 
 /// The same, beyond the doubt that rounding leaves.
-TETRA_SIMD_CLONES void countSurelyPositive(const double* planes, std::size_t count, std::size_t faceCount,
+TETRA_SIMD_INLINE void countSurelyPositive(const double* planes, std::size_t count, std::size_t faceCount,
                                            const double* apexes, std::size_t apexCount, double doubt, double* positive)
 {
     Double8 x, y, z;
@@ -246,7 +245,7 @@ void VertexStar::measure()
             for (std::size_t axis = 0; axis < 3; ++axis)
                 corners_[(3 * corner + axis) * padded + face] = place[axis];
         }
-    computePlanes(corners_.data(), planes_.data(), padded);
+    dispatch<computePlanes>(corners_.data(), planes_.data(), padded);
     countVolumes();
 }
 
@@ -262,9 +261,9 @@ void VertexStar::countVolumes()
         const double* apexes = apexes_.data() + first;
         double* positive = positive_.data() + first;
         if (doubt_ == 0)
-            countPositive(planes_.data(), paddedFaces, faces_.size(), apexes, padded, positive);
+            dispatch<countPositive>(planes_.data(), paddedFaces, faces_.size(), apexes, padded, positive);
         else
-            countSurelyPositive(planes_.data(), paddedFaces, faces_.size(), apexes, padded, doubt_, positive);
+            dispatch<countSurelyPositive>(planes_.data(), paddedFaces, faces_.size(), apexes, padded, doubt_, positive);
     }
 }
 

@@ -72,8 +72,8 @@ TETRA_SIMD_INLINE std::uint32_t cubeOf(float offset, float scale)
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(bounded > 0 ? bounded : 0));
 }
 
-TETRA_SIMD_CLONES void makeKeys(const float* coordinates, std::size_t first, std::size_t last, const float* origin,
-                                float scale, KeyedIndex* keys)
+TETRA_SIMD_INLINE void hilbertKeys(const float* coordinates, std::size_t first, std::size_t last, const float* origin,
+                                   float scale, KeyedIndex* keys)
 {
     const float x = origin[0], y = origin[1], z = origin[2];
     for (std::size_t i = first; i < last; ++i)
@@ -92,7 +92,7 @@ Buffer<KeyedIndex> spatialKeys(std::span<const Eigen::Vector3f> points)
     const float scale = side > 0 ? cubes / side : 0;
     Buffer<KeyedIndex> keys(points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), pointsKeyedAtOnce), [&](const auto& range) {
-        makeKeys(points.data()->data(), range.begin(), range.end(), origin.data(), scale, keys.data());
+        dispatch<hilbertKeys>(points.data()->data(), range.begin(), range.end(), origin.data(), scale, keys.data());
     });
     return keys;
 }

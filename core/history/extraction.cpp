@@ -38,7 +38,6 @@ private:
     Error tooMany() const;
 
     const Model& model_;
-    const AliveScanFunction scan_ = aliveScans().front().scan;
     const std::uint32_t sites_;
     const std::uint64_t expected_; ///< tetrahedra in the mesh, as the file says
     Buffer<Tetrahedron>& out_;
@@ -65,7 +64,7 @@ Status PrefixScan::run(const Progress& progress)
 
 Status PrefixScan::scanStars(const Stars& stars)
 {
-    const AliveScan scanned = scan_(stars, sites_, out_.data() + found_);
+    const AliveScan scanned = scanAlive(stars, sites_, out_.data() + found_);
     found_ = static_cast<std::uint64_t>(scanned.end - out_.data());
     if (!scanned.sitesComeBefore)
         return inconsistentModel(
@@ -82,7 +81,7 @@ Status PrefixScan::scanLongStars(const Stars& stars)
             const auto creator = static_cast<std::uint32_t>(stars.firstSite + star);
             const std::array<std::uint64_t, 2> one = {t, t + 1};
             Tetrahedron alive[1 + aliveScanOverrun];
-            const AliveScan scanned = scan_({stars.otherSites, stars.destroyers, creator, one}, sites_, alive);
+            const AliveScan scanned = scanAlive({stars.otherSites, stars.destroyers, creator, one}, sites_, alive);
             if (!scanned.sitesComeBefore)
                 return inconsistentModel(
                     model_, Message::say("a tetrahedron of site %1 has a site that comes after its creator", creator));

@@ -68,21 +68,6 @@ bool comeBefore(const std::array<std::uint32_t, 3>& others, std::uint32_t creato
             std::uint32_t(others[2] < creator)) != 0;
 }
 
-AliveScan scanPortably(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
-{
-    bool right = true;
-    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
-        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
-        for (std::uint64_t t = stars.offsets[star]; t < stars.offsets[star + 1]; ++t) {
-            const std::array<std::uint32_t, 3> others = stars.otherSites[t];
-            right &= comeBefore(others, creator);
-            *out = {creator, others[0], others[1], others[2]};
-            out += stars.destroyers[t] >= sites;
-        }
-    }
-    return {out, right};
-}
-
 #if defined(__x86_64__)
 
 /// A mapped file lies in small pages, at whose ends the processor stops to fetch by itself what comes next.
@@ -98,7 +83,7 @@ void fetchAhead(const Stars& stars, std::uint64_t tetrahedron)
 
 /// One tetrahedron at a time, its sites as one vector. SSE2 compares signed numbers: flipping the top bits of both
 /// sides makes that the order of unsigned ones.
-AliveScan scanWithSse2(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
+AliveScan scanPlainly(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
 {
     const __m128i topBits = _mm_set1_epi32(static_cast<int>(0x80000000));
     __m128i right = _mm_set1_epi32(-1);
@@ -129,14 +114,34 @@ AliveScan scanWithSse2(const Stars& stars, std::uint32_t sites, Tetrahedron* out
     return {out, lastRight && (_mm_movemask_epi8(right) & threeNumbers) == threeNumbers};
 }
 
+#else
+
+AliveScan scanPlainly(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
+{
+    bool right = true;
+    for (std::size_t star = 0; star + 1 < stars.offsets.size(); ++star) {
+        const std::uint32_t creator = stars.firstSite + static_cast<std::uint32_t>(star);
+        for (std::uint64_t t = stars.offsets[star]; t < stars.offsets[star + 1]; ++t) {
+            const std::array<std::uint32_t, 3> others = stars.otherSites[t];
+            right &= comeBefore(others, creator);
+            *out = {creator, others[0], others[1], others[2]};
+            out += stars.destroyers[t] >= sites;
+        }
+    }
+    return {out, right};
+}
+
+#endif
+
+#if defined(TETRA_SIMD_16)
+
 /// The four lanes of each of four tetrahedra, for each set of them.
 constexpr std::array<std::uint16_t, 16> laneTable = {0x0000, 0x000f, 0x00f0, 0x00ff, 0x0f00, 0x0f0f, 0x0ff0, 0x0fff,
                                                      0xf000, 0xf00f, 0xf0f0, 0xf0ff, 0xff00, 0xff0f, 0xfff0, 0xffff};
 
 /// Four tetrahedra at a time: 12 numbers are spread to 16, the living ones pushed together. All but the last few of a
 /// star go without masks for what is there.
-[[gnu::target("avx512f,avx512vl,avx512bw,bmi2,popcnt")]] AliveScan scanWithAvx512(const Stars& stars,
-                                                                                  std::uint32_t sites, Tetrahedron* out)
+TETRA_SIMD_16 AliveScan scanBySixteen(const Stars& stars, std::uint32_t sites, Tetrahedron* out)
 {
     constexpr std::uint32_t otherLanes = 0xeeee; // all but the creators'
     constexpr __mmask16 twelve = 0x0fff;
@@ -175,32 +180,19 @@ constexpr std::array<std::uint16_t, 16> laneTable = {0x0000, 0x000f, 0x00f0, 0x0
     return {out, wrong == 0};
 }
 
-bool hasAvx512()
-{
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("bmi2");
-}
-
 #endif
-
-std::vector<AliveScanVariant> runnableScans()
-{
-    std::vector<AliveScanVariant> scans;
-#if defined(__x86_64__)
-    if (hasAvx512())
-        scans.push_back({"avx512", scanWithAvx512});
-    scans.push_back({"sse2", scanWithSse2});
-#endif
-    scans.push_back({"portable", scanPortably});
-    return scans;
-}
 
 } // namespace
 
-std::span<const AliveScanVariant> aliveScans()
+AliveScan scanAlive(const Stars& stars, std::uint32_t sites, std::array<std::uint32_t, 4>* out, SimdLevel level)
 {
-    static const std::vector<AliveScanVariant> scans = runnableScans();
-    return scans;
+#if defined(TETRA_SIMD_16)
+    if (level == SimdLevel::Sixteen)
+        return scanBySixteen(stars, sites, out);
+#else
+    static_cast<void>(level);
+#endif
+    return scanPlainly(stars, sites, out);
 }
 
 } // namespace tetra

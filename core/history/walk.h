@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/simd.h"
+
 #include <tan/base.h>
 #include <tan/model.h>
 
@@ -55,16 +57,9 @@ struct AliveScan {
 /// has room for all tetrahedra of the stars and aliveScanOverrun more: which ones are alive follows no pattern that a
 /// processor could predict, so every one is written, and the next one goes over it if it was dead. Reads every number
 /// once: what it returns holds even if another program changes the file meanwhile.
-using AliveScanFunction = AliveScan (*)(const Stars& stars, std::uint32_t sites, std::array<std::uint32_t, 4>* out);
+AliveScan scanAlive(const Stars& stars, std::uint32_t sites, std::array<std::uint32_t, 4>* out,
+                    SimdLevel level = simdLevel());
 inline constexpr std::uint64_t aliveScanOverrun = 4;
-
-struct AliveScanVariant {
-    std::string_view name;
-    AliveScanFunction scan;
-};
-
-/// The variants that this processor can run, the fastest first; all do the same.
-std::span<const AliveScanVariant> aliveScans();
 
 /// The tetrahedra that a site created, by their numbers: empty if the file's offsets make no sense, which is found
 /// where whole prefixes are read.

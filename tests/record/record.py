@@ -161,9 +161,13 @@ def instruction_set():
         if line.startswith("flags"):
             flags = set(line.split())
             break
-    if not {"avx2", "fma", "bmi2", "abm", "movbe", "f16c"} <= flags:
-        return "x86-64"
-    return "x86-64-v4" if {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= flags else "x86-64-v3"
+    sets = ["x86-64"]
+    if {"avx2", "fma", "bmi2", "abm", "movbe", "f16c"} <= flags:
+        sets.append("x86-64-v3")
+        if {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= flags:
+            sets.append("x86-64-v4")
+    asked = os.environ.get("TAN_INSTRUCTION_SET")
+    return asked if asked in sets else sets[-1]
 
 
 # --- How it is made --------------------------------------------------------------------------------------------------------------

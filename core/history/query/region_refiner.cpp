@@ -34,7 +34,7 @@ std::uint16_t shortened(std::int32_t coordinate)
 
 constexpr std::size_t boxesAtOnce = 4096;
 
-TETRA_SIMD_CLONES void keepMeeting(const std::uint16_t* first, const std::uint16_t* last, std::size_t count,
+TETRA_SIMD_INLINE void keepMeeting(const std::uint16_t* first, const std::uint16_t* last, std::size_t count,
                                    std::uint16_t from, std::uint16_t to, std::uint16_t* meets)
 {
     for (std::size_t i = 0; i < count; ++i)
@@ -95,8 +95,8 @@ void TetrahedronBoxes::findMeeting(const std::array<std::int32_t, 3>& first, con
         const std::size_t piece = std::min(boxesAtOnce, count - start);
         meets.fill(1);
         for (std::size_t axis = 0; axis < 3; ++axis)
-            keepMeeting(first_[axis].data() + start, last_[axis].data() + start, piece, shortened(first[axis]),
-                        shortened(last[axis]), meets.data());
+            dispatch<keepMeeting>(first_[axis].data() + start, last_[axis].data() + start, piece,
+                                  shortened(first[axis]), shortened(last[axis]), meets.data());
         for (std::size_t i = 0; i < piece; ++i)
             if (meets[i] != 0)
                 found.push_back(static_cast<std::uint32_t>(start + i));

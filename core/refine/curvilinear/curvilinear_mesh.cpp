@@ -85,7 +85,7 @@ struct PlacedPoints {
     std::size_t count;
 };
 
-TETRA_SIMD_CLONES void measure(const CurvilinearGrid& grid, const PhysicalFace& physical, const PlacedPoints& placed,
+TETRA_SIMD_INLINE void measure(const CurvilinearGrid& grid, const PhysicalFace& physical, const PlacedPoints& placed,
                                double* squaredErrors, double* squaredWarpings)
 {
     const auto load = [](Double4& to, const PhysicalPoint& from) { std::memcpy(&to, &from, sizeof to); };
@@ -141,8 +141,8 @@ void CurvilinearRedistribution::run(const CurvilinearGrid& grid, const Star& sta
         const std::array<std::uint32_t, 3>& corners = star.corners()[f];
         const PhysicalFace physical{star.faces()[f], grid.at(star.apex()), link_[corners[0]], link_[corners[1]],
                                     link_[corners[2]]};
-        measure(grid, physical, {placed().data() + first, placement_.coordinates().data() + first, count},
-                squaredErrors_.data() + first, squaredWarpings_.data() + first);
+        dispatch<measure>(grid, physical, {placed().data() + first, placement_.coordinates().data() + first, count},
+                          squaredErrors_.data() + first, squaredWarpings_.data() + first);
     }
     if (grid.weighted())
         weigh(grid);

@@ -28,13 +28,13 @@ struct ScanPlanes {
 
 using ScanOffset = std::array<double, 3>;
 
-[[gnu::always_inline]] inline ScanOffset scanCross(const ScanOffset& a, const ScanOffset& b)
+TETRA_SIMD_INLINE ScanOffset scanCross(const ScanOffset& a, const ScanOffset& b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-[[gnu::always_inline]] inline ScanPlanes scanPlanesOf(const std::array<ScanOffset, 3>& edges,
-                                                      const std::array<double, 4>& values, double determinant)
+TETRA_SIMD_INLINE ScanPlanes scanPlanesOf(const std::array<ScanOffset, 3>& edges, const std::array<double, 4>& values,
+                                          double determinant)
 {
     const ScanOffset bc = scanCross(edges[1], edges[2]), ca = scanCross(edges[2], edges[0]),
                      ab = scanCross(edges[0], edges[1]);
@@ -53,7 +53,7 @@ using ScanOffset = std::array<double, 3>;
 }
 
 /// Eight neighbouring samples as doubles.
-template <class T> [[gnu::always_inline]] inline void loadRow(const T* samples, Double8& row)
+template <class T> TETRA_SIMD_INLINE void loadRow(const T* samples, Double8& row)
 {
     if constexpr (sizeof(T) == 1) {
         // The last bits of doubles of 2^52 and more are integers: quicker than what compilers make of bytes.
@@ -100,7 +100,7 @@ protected:
         double field; ///< at the first corner's x = 0, but for x
     };
 
-    [[gnu::always_inline]] RowPlanes rowPlanes() const
+    TETRA_SIMD_INLINE RowPlanes rowPlanes() const
     {
         // Of a face that no row crosses: no bound for rows on its inner side, and none is left for others.
         constexpr double steep = 1e12, farAway = 1e6;
@@ -127,7 +127,7 @@ protected:
 
     /// Which x the tetrahedron has in each of eight rows. Exact: where a row crosses a face is an integer or further
     /// from one than rounding takes it.
-    [[gnu::always_inline]] void findRows(const RowPlanes& planes, std::int32_t y, std::int32_t z, Rows& rows) const
+    TETRA_SIMD_INLINE void findRows(const RowPlanes& planes, std::int32_t y, std::int32_t z, Rows& rows) const
     {
         const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
         const double stepY = y - first_[1], stepZ = z - first_[2];
@@ -178,8 +178,8 @@ protected:
     }
 
     /// Which x it has in a row, never too few.
-    [[gnu::always_inline]] void rowBounds(const std::array<double, 4>& row, const std::array<double, 4>& perSlope,
-                                          std::int32_t& first, std::int32_t& last) const
+    TETRA_SIMD_INLINE void rowBounds(const std::array<double, 4>& row, const std::array<double, 4>& perSlope,
+                                     std::int32_t& first, std::int32_t& last) const
     {
         double least = first - corners_[0][0], largest = last - corners_[0][0];
         for (std::size_t face = 0; face < 4; ++face) {
@@ -214,7 +214,7 @@ public:
     {
     }
 
-    [[gnu::always_inline]] void run(std::span<const std::uint32_t> slots, ScannedPart part)
+    TETRA_SIMD_INLINE void run(std::span<const std::uint32_t> slots, ScannedPart part)
     {
         constexpr std::size_t ahead = 8;
         const bool wide = lattice_.size()[0] >= static_cast<std::uint32_t>(scanLanes);
@@ -234,7 +234,7 @@ public:
 
 private:
     /// The points to look at; false if there are none.
-    [[gnu::always_inline]] bool findBounds(const DelaunayTetrahedron& tetrahedron, ScannedPart part)
+    TETRA_SIMD_INLINE bool findBounds(const DelaunayTetrahedron& tetrahedron, ScannedPart part)
     {
         Int4 packed, x, y, z;
         std::memcpy(&packed, &tetrahedron.vertices, sizeof packed);
@@ -257,13 +257,13 @@ private:
         return meets_ && !settled;
     }
 
-    [[gnu::always_inline]] static void bounds(const Int4& c, std::int32_t& least, std::int32_t& largest)
+    TETRA_SIMD_INLINE static void bounds(const Int4& c, std::int32_t& least, std::int32_t& largest)
     {
         least = std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
         largest = std::max(std::max(c[0], c[1]), std::max(c[2], c[3]));
     }
 
-    [[gnu::always_inline]] void makePlanes(const DelaunayTetrahedron& tetrahedron)
+    TETRA_SIMD_INLINE void makePlanes(const DelaunayTetrahedron& tetrahedron)
     {
         const std::array<PackedPoint, 4>& vertices = tetrahedron.vertices;
         std::array<double, 4> values{};
@@ -286,7 +286,7 @@ private:
 
     /// The worst samples inside and outside the part of the lattice where the limits are smaller. For limits that are
     /// the same all over each, that is all; else a sample that may be beyond its limit.
-    [[gnu::always_inline]] void look(std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
+    TETRA_SIMD_INLINE void look(std::uint32_t slot, const DelaunayTetrahedron& tetrahedron)
     {
         const double least = limits_.least * nearly * planes_.determinant;
         const double most = limits_.most * nearly * planes_.determinant;
@@ -322,8 +322,8 @@ private:
         append(found, slot, tetrahedron);
     }
 
-    [[gnu::always_inline]] void lookAtRow(std::int32_t first, std::int32_t last, std::int32_t y, std::int32_t z,
-                                          double field, Farthest& inside, Farthest& outside) const
+    TETRA_SIMD_INLINE void lookAtRow(std::int32_t first, std::int32_t last, std::int32_t y, std::int32_t z,
+                                     double field, Farthest& inside, Farthest& outside) const
     {
         const std::size_t row = (std::size_t(z) * lattice_.size()[1] + std::size_t(y)) * lattice_.size()[0];
         const std::int32_t from = limits_.first[0], to = limits_.last[0];
@@ -338,7 +338,7 @@ private:
             lookAtRun(row, to + 1, last, field, outside);
     }
 
-    [[gnu::always_inline]] static double largestOf(const Double8& numbers)
+    TETRA_SIMD_INLINE static double largestOf(const Double8& numbers)
     {
         double largest = numbers[0];
         for (std::int32_t i = 1; i < scanLanes; ++i)
@@ -375,8 +375,8 @@ private:
     }
 
     /// Takes in part of a row, whose first sample is number `row`.
-    [[gnu::always_inline]] void lookAtRun(std::size_t row, std::int32_t first, std::int32_t last, double field,
-                                          Farthest& farthest) const
+    TETRA_SIMD_INLINE void lookAtRun(std::size_t row, std::int32_t first, std::int32_t last, double field,
+                                     Farthest& farthest) const
     {
         const Double8 lane = {0, 1, 2, 3, 4, 5, 6, 7};
         const std::int32_t lastStart = static_cast<std::int32_t>(lattice_.size()[0]) - scanLanes;
@@ -458,56 +458,11 @@ private:
     bool meets_ = false; ///< the part of the lattice where limits are not the largest
 };
 
-template <class T> [[gnu::always_inline]] inline void scanAs(const LocalDelaunay& mesh, const T* samples,
-                                                             const ErrorLimits& limits,
-                                                             std::span<const std::uint32_t> slots, ScannedPart part,
-                                                             std::vector<WorstSample>& worst)
+template <class T> TETRA_SIMD_INLINE void scan(const LocalDelaunay& mesh, const T* samples, const ErrorLimits& limits,
+                                               std::span<const std::uint32_t> slots, ScannedPart part,
+                                               std::vector<WorstSample>& worst)
 {
     Scan<T>(mesh, samples, limits, worst).run(slots, part);
-}
-
-// Clones cannot be templates.
-using Slots = std::span<const std::uint32_t>;
-using Found = std::vector<WorstSample>;
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const std::uint8_t* samples, const ErrorLimits& limits,
-                            Slots slots, ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const std::int8_t* samples, const ErrorLimits& limits,
-                            Slots slots, ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const std::uint16_t* samples, const ErrorLimits& limits,
-                            Slots slots, ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const std::int16_t* samples, const ErrorLimits& limits,
-                            Slots slots, ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const std::uint32_t* samples, const ErrorLimits& limits,
-                            Slots slots, ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const std::int32_t* samples, const ErrorLimits& limits,
-                            Slots slots, ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const float* samples, const ErrorLimits& limits, Slots slots,
-                            ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
-}
-TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const double* samples, const ErrorLimits& limits, Slots slots,
-                            ScannedPart part, Found& worst)
-{
-    scanAs(mesh, samples, limits, slots, part, worst);
 }
 
 } // namespace
@@ -515,8 +470,7 @@ TETRA_SIMD_CLONES void scan(const LocalDelaunay& mesh, const double* samples, co
 void scanSamples(const LocalDelaunay& mesh, std::span<const std::uint32_t> slots, const LatticeSamples& samples,
                  const ErrorLimits& limits, ScannedPart part, std::vector<WorstSample>& worst)
 {
-    worst.reserve(worst.size() + slots.size()); // one of each at most: scan() does not allocate
-    samples.visit([&](const auto* values) { scan(mesh, values, limits, slots, part, worst); });
+    samples.visit([&]<class T>(const T* values) { dispatch<scan<T>>(mesh, values, limits, slots, part, worst); });
 }
 
 #if defined(TETRA_SIMD_16)
@@ -763,7 +717,7 @@ void filterTetrahedra([[maybe_unused]] const LocalDelaunay& mesh, std::span<cons
     samples.visit([&]<class T>([[maybe_unused]] const T* values) {
 #if defined(TETRA_SIMD_16)
         if constexpr (sizeof(T) <= sizeof(std::int32_t))
-            if (limits.least > 0 && hasSimd16())
+            if (limits.least > 0 && simdLevel() == SimdLevel::Sixteen)
                 return filter(mesh, slots, values, reach, limits, part, filtered);
 #endif
         filtered.suspects.insert(filtered.suspects.end(), slots.begin(), slots.end());

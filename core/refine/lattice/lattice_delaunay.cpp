@@ -108,9 +108,9 @@ struct SphereTest {
 
     /// Sets lanes of `conflict` where the point lies strictly inside, and of `alive` where the tetrahedron is alive.
     /// `powers`: the squared distances from the centres less those of the spheres, rounded; infinite for the dead.
-    [[gnu::always_inline]] void operator()(const DelaunayTetrahedron* t0, const DelaunayTetrahedron* t1,
-                                           const DelaunayTetrahedron* t2, const DelaunayTetrahedron* t3,
-                                           Long4& conflict, Long4& alive, Double4* powers = nullptr) const
+    TETRA_SIMD_INLINE void operator()(const DelaunayTetrahedron* t0, const DelaunayTetrahedron* t1,
+                                      const DelaunayTetrahedron* t2, const DelaunayTetrahedron* t3, Long4& conflict,
+                                      Long4& alive, Double4* powers = nullptr) const
     {
         Double4 row0, row1, row2, row3;
         std::memcpy(&row0, &t0->sphere, sizeof row0);
@@ -143,7 +143,7 @@ struct SphereTest {
 
 } // namespace
 
-TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
+TETRA_SIMD_INLINE void LatticeDelaunay::findCavity(PackedPoint point, std::uint32_t containing)
 {
     std::size_t capacity = std::max<std::size_t>(destroyed_.capacity(), 64);
     destroyed_.resize(capacity);
@@ -198,7 +198,7 @@ TETRA_SIMD_CLONES void LatticeDelaunay::findCavity(PackedPoint point, std::uint3
     cavityFaces_.resize(faceCount());
 }
 
-TETRA_SIMD_CLONES std::uint32_t LatticeDelaunay::findConflict(PackedPoint point, std::uint32_t from) const
+TETRA_SIMD_INLINE std::uint32_t LatticeDelaunay::approach(PackedPoint point, std::uint32_t from) const
 {
     const SphereTest test{lattice_, weights_, lattice_.x(point), lattice_.y(point), lattice_.z(point)};
     Long4 conflict, alive;
@@ -231,6 +231,11 @@ TETRA_SIMD_CLONES std::uint32_t LatticeDelaunay::findConflict(PackedPoint point,
     return none;
 }
 
+std::uint32_t LatticeDelaunay::findConflict(PackedPoint point, std::uint32_t from) const
+{
+    return dispatch<&LatticeDelaunay::approach>(*this, point, from);
+}
+
 /// The first face of a tetrahedron that has the point on its other side, or 4.
 std::uint32_t LatticeDelaunay::faceTowards(PackedPoint point, std::uint32_t slot) const
 {
@@ -243,7 +248,7 @@ std::uint32_t LatticeDelaunay::faceTowards(PackedPoint point, std::uint32_t slot
     return 4;
 }
 
-TETRA_SIMD_CLONES void LatticeDelaunay::gatherStar(PackedPoint point)
+TETRA_SIMD_INLINE void LatticeDelaunay::gatherStar(PackedPoint point)
 {
     starFaces_.resize(cavityFaces_.size());
     for (std::size_t i = 0; i < cavityFaces_.size(); ++i) {
@@ -279,7 +284,7 @@ bool LatticeDelaunay::takeSlots()
     return true;
 }
 
-TETRA_SIMD_CLONES void LatticeDelaunay::writeStar(PackedPoint point)
+TETRA_SIMD_INLINE void LatticeDelaunay::writeStar(PackedPoint point)
 {
     const std::size_t count = created_.size();
     const std::uint32_t* const slots = created_.data();
@@ -312,11 +317,11 @@ void LatticeDelaunay::prefetchSurroundings(std::uint32_t slot) const
 
 bool LatticeDelaunay::insert(PackedPoint point, std::uint32_t containing)
 {
-    findCavity(point, containing);
-    gatherStar(point);
+    dispatch<&LatticeDelaunay::findCavity>(*this, point, containing);
+    dispatch<&LatticeDelaunay::gatherStar>(*this, point);
     if (!takeSlots())
         return false;
-    writeStar(point);
+    dispatch<&LatticeDelaunay::writeStar>(*this, point);
     return true;
 }
 

@@ -123,11 +123,13 @@ private:
                                const Progress& progress);
     MeshLoading checkDelaunay(const Progress& progress) const;
     std::uint32_t faceTowards(PackedPoint point, std::uint32_t slot) const;
-    void findCavity(PackedPoint point, std::uint32_t containing);
     bool onHullPlane(PackedPoint point, const DelaunayTetrahedron& tetrahedron, std::uint32_t face) const;
-    void gatherStar(PackedPoint point);
     bool takeSlots();
-    void writeStar(PackedPoint point);
+    // Called by dispatch().
+    inline std::uint32_t approach(PackedPoint point, std::uint32_t from) const;
+    inline void findCavity(PackedPoint point, std::uint32_t containing);
+    inline void gatherStar(PackedPoint point);
+    inline void writeStar(PackedPoint point);
 
     PackedLattice lattice_{{2, 2, 2}};
     std::array<double, 3> weights_{1, 1, 1};

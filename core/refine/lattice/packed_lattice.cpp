@@ -11,8 +11,10 @@
 
 namespace tetra {
 
-TETRA_SIMD_CLONES void latticeIndices(const PackedLattice& lattice, std::span<const PackedPoint> points,
-                                      std::uint32_t* indices)
+namespace {
+
+TETRA_SIMD_INLINE void findIndices(const PackedLattice& lattice, std::span<const PackedPoint> points,
+                                   std::uint32_t* indices)
 {
     const PackedLattice local = lattice;
     const int sizeX = static_cast<int>(local.size()[0]), sizeY = static_cast<int>(local.size()[1]);
@@ -26,6 +28,13 @@ TETRA_SIMD_CLONES void latticeIndices(const PackedLattice& lattice, std::span<co
     }
     for (; i < points.size(); ++i)
         indices[i] = local.index(points[i]);
+}
+
+} // namespace
+
+void latticeIndices(const PackedLattice& lattice, std::span<const PackedPoint> points, std::uint32_t* indices)
+{
+    dispatch<findIndices>(lattice, points, indices);
 }
 
 namespace {

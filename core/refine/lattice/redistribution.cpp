@@ -52,8 +52,9 @@ double independentError(const ValuedFace& face, double value, double x, double y
 
 /// The field of each tetrahedron as a plane: its slopes times the determinant, then the determinant; all exact integers
 /// for integer samples of up to 16 bits.
-TETRA_SIMD_CLONES void computePlanes(std::span<const Star::Face> faces, const std::array<std::uint32_t, 3>* corners,
-                                     double apexValue, const double* rimValues, std::array<double, 4>* planes)
+TETRA_SIMD_INLINE void computeFieldPlanes(std::span<const Star::Face> faces,
+                                          const std::array<std::uint32_t, 3>* corners, double apexValue,
+                                          const double* rimValues, std::array<double, 4>* planes)
 {
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const Star::Face& face = faces[i];
@@ -70,7 +71,7 @@ TETRA_SIMD_CLONES void computePlanes(std::span<const Star::Face> faces, const st
 }
 
 /// |value - interpolation|, four points at a time.
-TETRA_SIMD_CLONES void computeDistances(const OwnedPoints& owned, const std::array<double, 4>* planes, double apexValue,
+TETRA_SIMD_INLINE void computeDistances(const OwnedPoints& owned, const std::array<double, 4>* planes, double apexValue,
                                         const double* values, double* errors)
 {
     const auto load = [](Double4& to, const std::span<const float> from, std::size_t i) {
@@ -145,8 +146,9 @@ void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, 
     scratch.values.resize(owned.points.size());
     samples.gather(lattice, owned.points, scratch.values.data());
     scratch.planes.resize(star.faceCount());
-    computePlanes(star.faces(), star.corners().data(), apexValue, scratch.rimValues.data(), scratch.planes.data());
-    computeDistances(owned, scratch.planes.data(), apexValue, scratch.values.data(), errors.data());
+    dispatch<computeFieldPlanes>(star.faces(), star.corners().data(), apexValue, scratch.rimValues.data(),
+                                 scratch.planes.data());
+    dispatch<computeDistances>(owned, scratch.planes.data(), apexValue, scratch.values.data(), errors.data());
     if (!samples.exact())
         computeBoundaryErrors(lattice, star, owned, apexValue, scratch, errors);
     if (samples.weighted())
@@ -158,7 +160,7 @@ void computeErrors(const PackedLattice& lattice, const LatticeSamples& samples, 
 constexpr std::size_t redistributionLanes = coneSearchLanes;
 
 /// Coordinates relative to the apex, eight points at a time.
-TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint apex, const PackedPoint* points,
+TETRA_SIMD_INLINE void unpackPoints(const PackedLattice& lattice, PackedPoint apex, const PackedPoint* points,
                                     std::size_t count, float* x, float* y, float* z)
 {
     const std::int32_t apexX = lattice.x(apex), apexY = lattice.y(apex), apexZ = lattice.z(apex);
@@ -177,7 +179,7 @@ TETRA_SIMD_CLONES void unpackPoints(const PackedLattice& lattice, PackedPoint ap
 }
 
 /// The bits of each error, rounded up to a float, then the complement of the point.
-TETRA_SIMD_CLONES void makeKeys(const double* errors, const PackedPoint* points, std::size_t count, std::uint64_t* keys)
+TETRA_SIMD_INLINE void makeKeys(const double* errors, const PackedPoint* points, std::size_t count, std::uint64_t* keys)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const float rounded = static_cast<float>(errors[i]);
@@ -190,7 +192,7 @@ TETRA_SIMD_CLONES void makeKeys(const double* errors, const PackedPoint* points,
 
 } // namespace
 
-TETRA_SIMD_CLONES void Redistribution::findWorst(std::size_t faceCount)
+TETRA_SIMD_INLINE void Redistribution::findWorst(std::size_t faceCount)
 {
     makeKeys(errors_.data(), points_.data(), points_.size(), keys_.data());
     FacePoints* const faces = faces_.data();
@@ -218,13 +220,13 @@ void Redistribution::run(const PackedLattice& lattice, const LatticeSamples& sam
         coordinates->resize(padded);
     owners_.resize(padded);
     errors_.resize(padded);
-    unpackPoints(lattice, star.apex(), points_.data(), padded, x_.data(), y_.data(), z_.data());
+    dispatch<unpackPoints>(lattice, star.apex(), points_.data(), padded, x_.data(), y_.data(), z_.data());
     locateInStar(star, {x_, y_, z_}, planes_, owners_);
     computeErrors(lattice, samples, star, {points_, owners_, x_, y_, z_}, scratch_, errors_);
     points_.resize(points.size());
     keys_.resize(points.size());
     faces_.resize(star.faceCount());
-    findWorst(star.faceCount());
+    dispatch<&Redistribution::findWorst>(*this, star.faceCount());
 }
 
 } // namespace tetra

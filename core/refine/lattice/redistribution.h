@@ -51,7 +51,7 @@ private:
         std::uint32_t count;
     };
 
-    void findWorst(std::size_t faceCount);
+    inline void findWorst(std::size_t faceCount); // called by dispatch()
 
     Buffer<PackedPoint> points_;
     Buffer<float> x_, y_, z_;

@@ -18,7 +18,7 @@ constexpr std::size_t linkLanes = 4;
 
 /// x, y, z relative to the apex and the weighted square of each vertex, a few at a time and so up to linkLanes - 1
 /// beyond the last. Gives the largest absolute coordinate.
-TETRA_SIMD_CLONES double unpackLink(const PackedLattice& lattice, PackedPoint apex,
+TETRA_SIMD_INLINE double unpackLink(const PackedLattice& lattice, PackedPoint apex,
                                     const std::array<double, 3>& weights, const PackedPoint* link, std::size_t count,
                                     std::array<double, 4>* coordinates)
 {
@@ -52,7 +52,7 @@ TETRA_SIMD_CLONES double unpackLink(const PackedLattice& lattice, PackedPoint ap
 }
 
 /// `link` holds x, y, z and the weighted square of each vertex.
-TETRA_SIMD_CLONES void computeFaces(std::span<const std::array<std::uint32_t, 3>> corners,
+TETRA_SIMD_INLINE void computeFaces(std::span<const std::array<std::uint32_t, 3>> corners,
                                     const std::array<double, 4>* link, Star::Face* faces)
 {
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -93,7 +93,7 @@ Status Star::attach(const PackedLattice& lattice)
 }
 
 /// Finds the distinct vertices of the faces. Without a branch on whether one is new, which nobody could predict.
-TETRA_SIMD_CLONES void Star::numberLink(std::span<const std::array<PackedPoint, 3>> faces)
+TETRA_SIMD_INLINE void Star::numberLink(std::span<const std::array<PackedPoint, 3>> faces)
 {
     linkStart_ += linkCount_;
     // After two thousand million link vertices the stamps begin anew. Memory that was never written stays untaken.
@@ -136,16 +136,15 @@ void Star::set(PackedPoint apex, std::span<const std::array<PackedPoint, 3>> fac
                const std::array<double, 3>& weights)
 {
     apex_ = apex;
-    numberLink(faces);
+    dispatch<&Star::numberLink>(*this, faces);
     linkCoordinates_.resize(linkCount_ + linkLanes);
-    reach_ = unpackLink(*lattice_, apex, weights, link_.data(), linkCount_, linkCoordinates_.data());
+    reach_ = dispatch<unpackLink>(*lattice_, apex, weights, link_.data(), linkCount_, linkCoordinates_.data());
     faces_.resize(corners_.size());
-    computeFaces(corners_, linkCoordinates_.data(), faces_.data());
+    dispatch<computeFaces>(corners_, linkCoordinates_.data(), faces_.data());
 }
 
 /// An edge (u, v) of one face is (v, u) of its partner: note, then look up, without a branch.
-template <class Stride>
-[[gnu::always_inline]] inline void Star::linkFaces(std::span<const std::uint32_t> names, Stride stride)
+template <class Stride> TETRA_SIMD_INLINE void Star::linkFaces(std::span<const std::uint32_t> names, Stride stride)
 {
     const std::size_t count = corners_.size();
     std::uint32_t* const edges = edges_.data();
@@ -161,8 +160,7 @@ template <class Stride>
     }
 }
 
-TETRA_SIMD_CLONES std::span<const std::array<std::uint32_t, 3>> Star::partners(std::span<const std::uint32_t> names,
-                                                                               std::uint32_t absent)
+TETRA_SIMD_INLINE void Star::findPartners(std::span<const std::uint32_t> names, std::uint32_t absent)
 {
     constexpr std::size_t usualStride = 32;
     if (linkCount_ > edgeStride_) {
@@ -176,6 +174,11 @@ TETRA_SIMD_CLONES std::span<const std::array<std::uint32_t, 3>> Star::partners(s
     else
         linkFaces(names, edgeStride_);
     std::fill_n(edges_.data(), linkCount_ * (usual ? usualStride : edgeStride_), absent);
+}
+
+std::span<const std::array<std::uint32_t, 3>> Star::partners(std::span<const std::uint32_t> names, std::uint32_t absent)
+{
+    dispatch<&Star::findPartners>(*this, names, absent);
     return partners_;
 }
 
@@ -195,7 +198,7 @@ const std::array<float, 12>& normalsOf(const std::array<float, 12>& normals)
 
 /// The owners of `groups` times eight points from number `i`, which share the loading of the planes. Branch free: every
 /// face is tested.
-template <std::size_t groups, class Numbers, class Mask, class Face> [[gnu::always_inline]] inline void
+template <std::size_t groups, class Numbers, class Mask, class Face> TETRA_SIMD_INLINE void
 findOwnersAt(std::size_t i, std::span<const Face> faces, const LocatedPoints& points, std::int32_t* owners)
 {
     const auto load = [i](Numbers& to, std::span<const float> from, std::size_t group) {
@@ -228,7 +231,7 @@ findOwnersAt(std::size_t i, std::span<const Face> faces, const LocatedPoints& po
     }
 }
 
-TETRA_SIMD_CLONES void findOwnersFloat(std::span<const Star::Face> faces, std::array<float, 12>* planes,
+TETRA_SIMD_INLINE void findOwnersFloat(std::span<const Star::Face> faces, std::array<float, 12>* planes,
                                        const LocatedPoints& points, std::span<std::int32_t> owners)
 {
     for (std::size_t face = 0; face < faces.size(); ++face)
@@ -242,7 +245,7 @@ TETRA_SIMD_CLONES void findOwnersFloat(std::span<const Star::Face> faces, std::a
         findOwnersAt<1, Float8, Int8>(i, narrow, points, owners.data());
 }
 
-TETRA_SIMD_CLONES void findOwnersDouble(std::span<const Star::Face> faces, const LocatedPoints& points,
+TETRA_SIMD_INLINE void findOwnersDouble(std::span<const Star::Face> faces, const LocatedPoints& points,
                                         std::span<std::int32_t> owners)
 {
     for (std::size_t i = 0; i < owners.size(); i += coneSearchLanes)
@@ -256,9 +259,9 @@ void locateInStar(const Star& star, const LocatedPoints& points, Buffer<std::arr
 {
     if (star.reach() <= exactReachOfFloat) {
         planes.resize(star.faceCount());
-        findOwnersFloat(star.faces(), planes.data(), points, owners);
+        dispatch<findOwnersFloat>(star.faces(), planes.data(), points, owners);
     } else {
-        findOwnersDouble(star.faces(), points, owners);
+        dispatch<findOwnersDouble>(star.faces(), points, owners);
     }
 }
 

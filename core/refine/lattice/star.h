@@ -60,7 +60,9 @@ public:
 
 private:
     template <class Stride> void linkFaces(std::span<const std::uint32_t> names, Stride stride);
-    void numberLink(std::span<const std::array<PackedPoint, 3>> faces);
+    // Called by dispatch().
+    inline void numberLink(std::span<const std::array<PackedPoint, 3>> faces);
+    inline void findPartners(std::span<const std::uint32_t> names, std::uint32_t absent);
 
     const PackedLattice* lattice_ = nullptr;
     PackedPoint apex_ = 0;

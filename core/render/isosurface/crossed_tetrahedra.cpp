@@ -28,7 +28,7 @@ float smallestInside(double isovalue)
                                                     : std::nextafter(nearest, std::numeric_limits<float>::infinity());
 }
 
-TETRA_SIMD_CLONES void classify(const float* values, std::size_t count, float threshold, std::uint8_t* inside)
+TETRA_SIMD_INLINE void classify(const float* values, std::size_t count, float threshold, std::uint8_t* inside)
 {
     for (std::size_t v = 0; v < count; ++v)
         inside[v] = values[v] >= threshold ? 1 : 0;
@@ -95,7 +95,7 @@ VertexSigns::VertexSigns(std::span<const float> values, double isovalue) : bytes
 {
     const float threshold = smallestInside(isovalue);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values.size(), 1 << 15), [&](const auto& range) {
-        classify(&values[range.begin()], range.size(), threshold, &bytes_[range.begin()]);
+        dispatch<classify>(&values[range.begin()], range.size(), threshold, &bytes_[range.begin()]);
     });
     std::fill_n(bytes_.end() - padding, padding, std::uint8_t(0));
 }
@@ -104,10 +104,9 @@ CrossedTetrahedron* findCrossed(std::span<const Tetrahedron> tetrahedra, std::si
                                 CrossedTetrahedron* found)
 {
 #if defined(TETRA_SIMD_16)
-    static const bool atOnceIsThere = hasSimd16();
     constexpr auto mostVertices =
         static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()); // gathers' numbers
-    if (atOnceIsThere && sides.size() <= mostVertices) {
+    if (simdLevel() == SimdLevel::Sixteen && sides.size() <= mostVertices) {
         const std::size_t count = tetrahedra.size() / cellsScannedAtOnce * cellsScannedAtOnce;
         found = findSixteenAtOnce(tetrahedra.first(count), first, sides.bytes(), found);
         tetrahedra = tetrahedra.subspan(count);
@@ -181,9 +180,8 @@ TETRA_SIMD_8 EdgeKey* writeFourAtOnce(std::span<const Tetrahedron> tetrahedra,
 EdgeKey* writeCrossedEdges(std::span<const Tetrahedron> tetrahedra, std::span<const CrossedTetrahedron> crossed,
                            EdgeKey* edges)
 {
-#if defined(TETRA_SIMD_16)
-    static const bool fourAtOnce = hasSimd8();
-    if (fourAtOnce)
+#if defined(TETRA_SIMD_8)
+    if (simdLevel() >= SimdLevel::Eight)
         return writeFourAtOnce(tetrahedra, crossed, edges);
 #endif
     return writeOneByOne(tetrahedra, crossed, edges);

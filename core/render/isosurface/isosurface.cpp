@@ -60,8 +60,8 @@ namespace {
 
 constexpr std::string_view extractingIsosurface = "Extracting the isosurface";
 
-TETRA_SIMD_CLONES void renumber(const Triangle* triangles, std::size_t count, const std::uint32_t* numbers,
-                                Triangle* renumbered)
+TETRA_SIMD_INLINE void renumberTriangles(const Triangle* triangles, std::size_t count, const std::uint32_t* numbers,
+                                         Triangle* renumbered)
 {
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t corner = 0; corner < 3; ++corner)
@@ -75,8 +75,8 @@ Buffer<Triangle> joinTriangles(std::span<const SurfaceChunk> runs, const Surface
         first.push_back(first.back() + run.triangles.size());
     Buffer<Triangle> triangles(first.back());
     tbb::parallel_for(std::size_t(0), runs.size(), [&](std::size_t run) {
-        renumber(runs[run].triangles.data(), runs[run].triangles.size(),
-                 vertices.numbers.data() + vertices.firstOfRun[run], triangles.data() + first[run]);
+        dispatch<renumberTriangles>(runs[run].triangles.data(), runs[run].triangles.size(),
+                                    vertices.numbers.data() + vertices.firstOfRun[run], triangles.data() + first[run]);
     });
     return triangles;
 }

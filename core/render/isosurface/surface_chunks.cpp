@@ -394,7 +394,7 @@ void load(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradient
 
 /// An end that the vertex coincides with counts alone: the other's gradient may not be finite. Squares of floats
 /// neither vanish nor overflow in doubles.
-TETRA_SIMD_CLONES void compute(VertexBlock& block, double isovalue)
+TETRA_SIMD_INLINE void computeVertices(VertexBlock& block, double isovalue)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < blockSize; ++i) {
@@ -453,7 +453,7 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
         for (std::size_t first = range.begin(); first < range.end(); first += blockSize) {
             const std::size_t count = std::min(blockSize, range.end() - first);
             load(mesh, gradients, edges, isovalue, first, count, block);
-            compute(block, isovalue);
+            dispatch<computeVertices>(block, isovalue);
             storeBlock(block, first, count, surface, mine);
         }
     });

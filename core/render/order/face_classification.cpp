@@ -203,7 +203,7 @@ TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, cons
 }
 
 /// `count` at least 8 cells.
-TETRA_SIMD_CLONES void faceCells(const std::array<std::uint32_t, 4>* cells, std::size_t count,
+TETRA_SIMD_INLINE void faceCells(const std::array<std::uint32_t, 4>* cells, std::size_t count,
                                  const PaddedPosition* positions, const double* eye, double perspective,
                                  std::uint8_t* facing)
 {
@@ -238,7 +238,8 @@ Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& 
         std::array<std::uint8_t, classificationLanes> bits{};
         std::ranges::copy(cells, padded.begin());
         if (!cells.empty())
-            faceCells(padded.data(), classificationLanes, positions.data(), eye.place.data(), perspective, bits.data());
+            dispatch<faceCells>(padded.data(), classificationLanes, positions.data(), eye.place.data(), perspective,
+                                bits.data());
         std::copy_n(bits.begin(), facing.size(), facing.begin());
         return facing;
     }
@@ -246,7 +247,8 @@ Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& 
     tbb::parallel_for(std::size_t(0), parts, [&](std::size_t part) {
         const std::size_t begin = part * cellsFacedAtOnce;
         const std::size_t end = part + 1 == parts ? cells.size() : begin + cellsFacedAtOnce;
-        faceCells(&cells[begin], end - begin, positions.data(), eye.place.data(), perspective, &facing[begin]);
+        dispatch<faceCells>(&cells[begin], end - begin, positions.data(), eye.place.data(), perspective,
+                            &facing[begin]);
     });
     return facing;
 }

@@ -41,7 +41,7 @@ namespace {
 constexpr std::size_t batchSize = 64;
 
 /// In `facing`, the faces towards the end where taking begins have the bits from `shift` on.
-TETRA_SIMD_CLONES void startStates(const std::uint8_t* facing, const std::uint8_t* inner, std::size_t count,
+TETRA_SIMD_INLINE void startStates(const std::uint8_t* facing, const std::uint8_t* inner, std::size_t count,
                                    unsigned shift, std::uint8_t* states)
 {
     for (std::size_t cell = 0; cell < count; ++cell) {
@@ -65,7 +65,7 @@ constexpr auto chosenFaces = [] {
 
 /// Finds the neighbours that cells hold back, as their states say. How many; up to three places more are written.
 /// Without branches, which could not be predicted.
-TETRA_SIMD_CLONES std::size_t heldNeighbours(const std::uint32_t* cells, std::size_t count,
+TETRA_SIMD_INLINE std::size_t heldNeighbours(const std::uint32_t* cells, std::size_t count,
                                              const std::array<std::uint32_t, 4>* neighbours, const std::uint8_t* states,
                                              std::uint32_t* held)
 {
@@ -83,7 +83,7 @@ TETRA_SIMD_CLONES std::size_t heldNeighbours(const std::uint32_t* cells, std::si
     return static_cast<std::size_t>(place - held);
 }
 
-TETRA_SIMD_CLONES bool hasStateFrom(const std::uint8_t* states, std::size_t count, std::uint8_t least,
+TETRA_SIMD_INLINE bool hasStateFrom(const std::uint8_t* states, std::size_t count, std::uint8_t least,
                                     std::uint8_t beyond)
 {
     const auto range = static_cast<std::uint8_t>(beyond - least);
@@ -100,7 +100,7 @@ void findStates(std::span<const std::uint8_t> states, std::uint8_t least, std::u
     constexpr std::size_t blockSize = 64;
     for (std::size_t first = 0; first < states.size(); first += blockSize) {
         const std::size_t last = std::min(first + blockSize, states.size());
-        if (hasStateFrom(&states[first], last - first, least, beyond))
+        if (dispatch<hasStateFrom>(&states[first], last - first, least, beyond))
             for (std::size_t cell = first; cell < last; ++cell)
                 if (states[cell] >= least && states[cell] < beyond)
                     use(static_cast<std::uint32_t>(cell));
@@ -113,8 +113,8 @@ TopologicalSort::TopologicalSort(const OcclusionGraph& graph, OrderEnd end)
     : adjacency_(&graph.adjacency), relations_(graph.relations, graph.cellCount(), end), states_(graph.cellCount()),
       cells_(graph.cellCount()), end_(graph.cellCount())
 {
-    startStates(graph.facing.data(), adjacency_->innerFaces.data(), states_.size(), end == OrderEnd::Front ? 0 : 4,
-                states_.data());
+    dispatch<startStates>(graph.facing.data(), adjacency_->innerFaces.data(), states_.size(),
+                          end == OrderEnd::Front ? 0 : 4, states_.data());
     if (!relations_.isEmpty())
         for (std::uint32_t cell = 0; cell < states_.size(); ++cell)
             if (relations_.isHeld(cell))
@@ -136,8 +136,8 @@ void TopologicalSort::take(std::size_t most)
 void TopologicalSort::releaseHeldBy(std::span<const std::uint32_t> batch)
 {
     std::array<std::uint32_t, 4 * batchSize + 3> held;
-    const std::size_t count =
-        heldNeighbours(batch.data(), batch.size(), adjacency_->neighbours.data(), states_.data(), held.data());
+    const std::size_t count = dispatch<heldNeighbours>(batch.data(), batch.size(), adjacency_->neighbours.data(),
+                                                       states_.data(), held.data());
     release(std::span(held).first(count));
     if (relations_.isEmpty())
         return;

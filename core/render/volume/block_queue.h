@@ -244,44 +244,17 @@ drawCellsBy(std::span<const CellSetup> cells, const TileShading& shading, Sample
     return queue.shadedBlocks();
 }
 
-/// Each kernel is a function of its own for each instruction set: compilers take long over large ones.
-template <bool perspective, KernelFeatures extras>
-std::size_t drawByFours(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
-{
-    return drawCellsBy<perspective, extras, 4>(cells, shading, blocks, columns);
-}
-
-#if defined(TETRA_SIMD_16)
-template <bool perspective, KernelFeatures extras> TETRA_SIMD_8 std::size_t
-drawByEights(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
-{
-    return drawCellsBy<perspective, extras, 8>(cells, shading, blocks, columns);
-}
-template <bool perspective, KernelFeatures extras> TETRA_SIMD_16 std::size_t
-drawBySixteens(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
-{
-    return drawCellsBy<perspective, extras, 16>(cells, shading, blocks, columns);
-}
-#endif
-
-/// By as many rays at a time as the machine can do.
-template <bool perspective, KernelFeatures extras> std::size_t
-drawOnThisMachine(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks, int columns)
-{
-#if defined(TETRA_SIMD_16)
-    if (hasSimd16())
-        return drawBySixteens<perspective, extras>(cells, shading, blocks, columns);
-    if (hasSimd8())
-        return drawByEights<perspective, extras>(cells, shading, blocks, columns);
-#endif
-    return drawByFours<perspective, extras>(cells, shading, blocks, columns);
-}
+/// By as many rays at a time as the machine can do. Each kernel is a function of its own: compilers take long over
+/// large ones.
+template <bool perspective, KernelFeatures extras> inline constexpr auto drawAtOnce =
+    dispatch<drawCellsBy<perspective, extras, 4>, drawCellsBy<perspective, extras, 8>,
+             drawCellsBy<perspective, extras, 16>>;
 
 template <KernelFeatures extras> std::size_t drawCellsWith(std::span<const CellSetup> cells, const TileShading& shading,
                                                            SampleBlock* blocks, int columns)
 {
-    return shading.perspective ? drawOnThisMachine<true, extras>(cells, shading, blocks, columns)
-                               : drawOnThisMachine<false, extras>(cells, shading, blocks, columns);
+    return shading.perspective ? drawAtOnce<true, extras>(cells, shading, blocks, columns)
+                               : drawAtOnce<false, extras>(cells, shading, blocks, columns);
 }
 
 /// In a source of its own, as it takes long to compile.

@@ -245,7 +245,7 @@ template <bool perspective> TETRA_SIMD_INLINE void collectBlock(const CellSetup&
     collectSide<perspective>(cell, fine, tile, place, interval, region.out, region.leave, fragments);
 }
 
-TETRA_SIMD_CLONES void collect(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
+TETRA_SIMD_INLINE void collect(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
                                std::vector<BorderFragment>& fragments)
 {
     for (const CellSetup& cell : cells) {
@@ -262,11 +262,10 @@ TETRA_SIMD_CLONES void collect(std::span<const CellSetup> cells, bool fine, cons
 
 } // namespace
 
-/// A function of its own, because an exception ends the program where a caller of clones has something to clean up.
-[[gnu::noipa]] void collectBorder(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
-                                  std::vector<BorderFragment>& fragments)
+void collectBorder(std::span<const CellSetup> cells, bool fine, const BorderTile& tile,
+                   std::vector<BorderFragment>& fragments)
 {
-    collect(cells, fine, tile, fragments);
+    dispatch<collect>(cells, fine, tile, fragments);
 }
 
 } // namespace tetra

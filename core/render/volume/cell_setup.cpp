@@ -125,7 +125,7 @@ TETRA_SIMD_INLINE void makeField(const CellCorners& c, const CellPlanes& planes,
 }
 
 /// `binned` are eight cells.
-TETRA_SIMD_CLONES void setUpRows(const SetupSource& source, const TileFrame& frame, const TransferOfCells& transfer,
+TETRA_SIMD_INLINE void setUpRows(const SetupSource& source, const TileFrame& frame, const TransferOfCells& transfer,
                                  const BinnedCell* binned, SetupRows& rows)
 {
     const bool perspective = source.perspective;
@@ -264,7 +264,7 @@ void setUpCells(const SetupSource& source, const TileFrame& frame, std::span<con
             eight[lane] = cells[first + std::min(lane, count - 1)];
         TransferOfCells transfer;
         askTransfer(source, eight, transfer);
-        setUpRows(source, frame, transfer, eight, rows);
+        dispatch<setUpRows>(source, frame, transfer, eight, rows);
         for (std::size_t row = 0; row < count; ++row)
             finish(rows, row, source, frame, eight[row], setups[first + row]);
     }

@@ -42,7 +42,7 @@ TETRA_SIMD_INLINE Float8 downBlock(const float* values)
     return Float8{values[0], values[0], values[0], values[0], values[1], values[1], values[1], values[1]};
 }
 
-TETRA_SIMD_CLONES void fillBlocks(const AxisSamples& across, const AxisSamples& down, bool perspective,
+TETRA_SIMD_INLINE void fillBlocks(const AxisSamples& across, const AxisSamples& down, bool perspective,
                                   SampleBlock* blocks)
 {
     for (int row = 0; row < blockRows; ++row)
@@ -64,7 +64,7 @@ TETRA_SIMD_CLONES void fillBlocks(const AxisSamples& across, const AxisSamples& 
         }
 }
 
-TETRA_SIMD_CLONES void coloursOfBlocks(const SampleBlock* blocks, const SampleRectangle& tile,
+TETRA_SIMD_INLINE void coloursOfBlocks(const SampleBlock* blocks, const SampleRectangle& tile,
                                        PremultipliedColour* colours)
 {
     for (int top = 0; top < tile.height(); top += blockHeight)
@@ -86,13 +86,13 @@ void clearBlocks(const VolumeView& view, const SampleRectangle& tile, std::span<
 {
     const AxisSamples across = axisSamples(tile.left + view.firstX(), view.samplesPerSlope.x(), tile.width());
     const AxisSamples down = axisSamples(tile.top + view.firstY(), view.samplesPerSlope.y(), tile.height());
-    fillBlocks(across, down, view.perspective, blocks.data());
+    dispatch<fillBlocks>(across, down, view.perspective, blocks.data());
 }
 
 void takeColours(std::span<const SampleBlock> blocks, const SampleRectangle& tile,
                  std::span<PremultipliedColour> colours)
 {
-    coloursOfBlocks(blocks.data(), tile, colours.data());
+    dispatch<coloursOfBlocks>(blocks.data(), tile, colours.data());
 }
 
 } // namespace tetra

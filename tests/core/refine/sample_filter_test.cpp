@@ -159,8 +159,7 @@ private slots:
 
     void whatIsGoodEnoughIsLeftOut()
     {
-#if defined(TETRA_SIMD_16)
-        if (!hasSimd16())
+        if (simdLevel() != SimdLevel::Sixteen)
             QSKIP("skipped: no vectors of 16 floats");
         std::mt19937 random(1);
         Meshed made;
@@ -173,9 +172,6 @@ private slots:
                          ScannedPart::All, filtered);
         QVERIFY2(filtered.suspects.size() < 50, qPrintable(QString::number(filtered.suspects.size())));
         QVERIFY(filtered.fine.size() > 1000);
-#else
-        QSKIP("skipped: no vectors of 16 floats");
-#endif
     }
 
 private:
