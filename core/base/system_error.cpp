@@ -48,7 +48,7 @@ bool namesLackOfResources(std::string_view text) noexcept
     constexpr std::array<std::string_view, 6> lacks = {"annot allocate memory",     "failed to map segment",
                                                        "oo many open files",        "cannot create shared object",
                                                        "pthread_create has failed", "emporarily unavailable"};
-    return std::ranges::any_of(lacks, [&](std::string_view lack) { return text.find(lack) != text.npos; });
+    return std::ranges::any_of(lacks, [&](std::string_view lack) { return text.find(lack) != std::string_view::npos; });
 }
 
 std::string diskRemedy(int error)

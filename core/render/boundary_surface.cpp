@@ -317,11 +317,11 @@ void Colouring::addPiece(const std::vector<ColouredCorner>& polygon, const Colou
 void Colouring::add(const std::array<std::uint32_t, 3>& triangle)
 {
     const std::vector<ColouredCorner> corners = {cornerOf(triangle[0]), cornerOf(triangle[1]), cornerOf(triangle[2])};
-    const auto [least, largest] = std::ranges::minmax(corners, {}, &ColouredCorner::value);
+    const auto [least, largest] = std::minmax({corners[0].value, corners[1].value, corners[2].value});
     // Cut upwards from the span of the smallest value; of a triangle of one value only that is there.
-    std::size_t span = spanOf(spans_, least.value);
+    std::size_t span = spanOf(spans_, least);
     std::vector<ColouredCorner> rest = corners;
-    for (; spans_[span].largest < largest.value; ++span) {
+    for (; spans_[span].largest < largest; ++span) {
         addPiece(sideOf(rest, spans_[span].largest, false), spans_[span]);
         rest = sideOf(rest, spans_[span].largest, true);
     }

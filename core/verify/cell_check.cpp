@@ -173,9 +173,10 @@ void moveSamplesTo(const Residual& residual, bool tellsOfUncovered, CellFindings
             });
         else if (ofHistory && !found.isWithinOwn(sample))
             beyondOwn.add(sample, [&] {
-                const std::string name(residual.name);
-                return "The " + name + " at " + nameOfSample(mesh.original, sample) + " is larger than the own " +
-                       name + " of every cell that holds it.";
+                std::string text = "The ";
+                text.append(residual.name).append(" at ").append(nameOfSample(mesh.original, sample));
+                text.append(" is larger than the own ").append(residual.name).append(" of every cell that holds it.");
+                return text;
             });
     verdict.covers = verdict.covers && notCovered.none();
     for (Findings* findings : {&notCovered, &found.beyondClaim, &beyondOwn})

@@ -16,6 +16,7 @@
 #include <numeric>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -84,7 +85,7 @@ private:
 
 /// Calls check(number) for every number below `count`, on all threads of the current arena, `atOnce` of them in a row.
 /// The progress reads `activity`. An Error only if it was cancelled; then nothing further is begun.
-template <class Check> Status verifyEach(std::size_t count, std::size_t atOnce, std::string activity,
+template <class Check> Status verifyEach(std::size_t count, std::size_t atOnce, std::string_view activity,
                                          const Progress& progress, const Check& check)
 {
     SharedProgress shared(progress, count, activity);

@@ -22,20 +22,27 @@ namespace {
 
 constexpr std::size_t lineBytes = 64; ///< at least: no two threads write one line of the cache
 
-/// Executes a task in the order described.
+/// Executes a task in the order described. A task that throws is cancelled then by the library, so that this one stays
+/// until the other one has returned.
 class OrderedTask : public d1::task {
 public:
     explicit OrderedTask(d1::task& task) : task_(&task) { __tsan_release(this); }
 
 private:
-    d1::task* execute(d1::execution_data& data) override { return take()->execute(data); }
-    d1::task* cancel(d1::execution_data& data) override { return take()->cancel(data); }
-    d1::task* take()
+    d1::task* execute(d1::execution_data& data) override
     {
         __tsan_acquire(this);
-        d1::task* const task = task_;
+        return endWith(task_->execute(data));
+    }
+    d1::task* cancel(d1::execution_data& data) override
+    {
+        __tsan_acquire(this);
+        return endWith(task_->cancel(data));
+    }
+    d1::task* endWith(d1::task* next)
+    {
         delete this;
-        return task;
+        return next;
     }
 
     d1::task* task_;
@@ -55,6 +62,9 @@ d1::small_object_pool* anyPool()
 
 } // namespace
 
+// Core hides what it does not export. Hidden, these functions would serve its own calls alone, and the library would
+// free by its functions what came from these.
+#pragma GCC visibility push(default)
 namespace r1 {
 
 void spawn(d1::task& task, d1::task_group_context& context)
@@ -143,4 +153,5 @@ void deallocate(d1::small_object_pool& pool, void* memory, std::size_t bytes, co
 }
 
 } // namespace r1
+#pragma GCC visibility pop
 } // namespace tbb::detail

@@ -26,7 +26,7 @@ public:
     }
 
     /// Whether the interpolation's numerators are exact integers in a double.
-    bool exact() const noexcept
+    bool exact() const
     {
         return std::visit([]<class T>(const T*) { return std::is_integral_v<T> && sizeof(T) <= 2; }, samples_);
     }

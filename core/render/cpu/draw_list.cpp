@@ -30,7 +30,7 @@ struct ClipVertex {
 constexpr double guardBand = 3;
 
 /// On which sides of the view a corner lies outside, as bits.
-namespace outsideView {
+namespace outside_view {
 constexpr std::uint8_t left = 1;
 constexpr std::uint8_t right = 2;
 constexpr std::uint8_t below = 4;
@@ -42,7 +42,7 @@ constexpr std::uint8_t notFinite = 64;
 constexpr std::uint8_t view = left | right | below | above | near;
 /// What calls for cutting.
 constexpr std::uint8_t cut = near | guard;
-} // namespace outsideView
+} // namespace outside_view
 
 /// A convex polygon with as many corners as a triangle can get from five cuts.
 struct ClippedPolygon {
@@ -92,15 +92,15 @@ ClippedPolygon cutBy(std::size_t plane, const ClippedPolygon& polygon)
 std::uint8_t outsideBits(const Eigen::Vector4d& p) noexcept
 {
     if (!p.allFinite())
-        return outsideView::notFinite;
+        return outside_view::notFinite;
     const double w = p.w();
     unsigned bits = 0;
-    bits |= p.x() < -w ? outsideView::left : 0u;
-    bits |= p.x() > w ? outsideView::right : 0u;
-    bits |= p.y() < -w ? outsideView::below : 0u;
-    bits |= p.y() > w ? outsideView::above : 0u;
-    bits |= p.z() < -w || w <= 0 ? outsideView::near : 0u;
-    bits |= std::abs(p.x()) > guardBand * w || std::abs(p.y()) > guardBand * w ? outsideView::guard : 0u;
+    bits |= p.x() < -w ? outside_view::left : 0u;
+    bits |= p.x() > w ? outside_view::right : 0u;
+    bits |= p.y() < -w ? outside_view::below : 0u;
+    bits |= p.y() > w ? outside_view::above : 0u;
+    bits |= p.z() < -w || w <= 0 ? outside_view::near : 0u;
+    bits |= std::abs(p.x()) > guardBand * w || std::abs(p.y()) > guardBand * w ? outside_view::guard : 0u;
     return static_cast<std::uint8_t>(bits);
 }
 
@@ -238,7 +238,7 @@ Buffer<std::uint8_t> Builder::projectVertices(const TriangleMesh& mesh)
         for (std::size_t v = range.begin(); v != range.end(); ++v) {
             const ClipVertex vertex = toClip(mesh, static_cast<std::uint32_t>(v));
             bits[v] = outsideBits(vertex.position);
-            if ((bits[v] & (outsideView::cut | outsideView::notFinite)) == 0)
+            if ((bits[v] & (outside_view::cut | outside_view::notFinite)) == 0)
                 list_.vertices[before + v] = projector_.toScreen(vertex);
         }
     });
@@ -261,10 +261,10 @@ DrawnPiece Builder::projectTriangles(const Surface& surface, std::size_t first, 
         const auto& [a, b, c] = mesh.triangles[t];
         const unsigned all = bits[a] & bits[b] & bits[c];
         const unsigned any = bits[a] | bits[b] | bits[c];
-        if ((all & outsideView::view) != 0 || (any & outsideView::notFinite) != 0 ||
+        if ((all & outside_view::view) != 0 || (any & outside_view::notFinite) != 0 ||
             !isDrawn(surface, mesh.triangles[t]))
             continue;
-        if ((any & outsideView::cut) == 0)
+        if ((any & outside_view::cut) == 0)
             piece.triangles.push_back({{firstVertex + a, firstVertex + b, firstVertex + c}, material});
         else
             piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), projector_, material);

@@ -76,7 +76,11 @@ TETRA_SIMD_INLINE std::size_t heldNeighbours(const std::uint32_t* cells, std::si
         Int4 chosen;
         std::memcpy(&row, &neighbours[cells[i]], sizeof row);
         std::memcpy(&chosen, &chosenFaces[faces], sizeof chosen);
+#if defined(__clang__)
+        row = __builtin_shufflevector(row, chosen) >> 2;
+#else
         row = __builtin_shuffle(row, chosen) >> 2; // FaceAdjacency::cellOf()
+#endif
         std::memcpy(place, &row, sizeof row);
         place += __builtin_popcount(faces);
     }

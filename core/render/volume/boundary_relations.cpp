@@ -167,13 +167,15 @@ private:
     /// Returns whether a sample has enough of them for a gap.
     bool countEntries(const SampleRectangle& tile, std::span<const std::uint32_t> faces)
     {
-        entries_.assign(static_cast<std::size_t>(tile.width() * tile.height()), 0);
+        const int samples = tile.width() * tile.height();
+        entries_.assign(static_cast<std::size_t>(samples), 0);
         for (const std::uint32_t index : faces) {
             const ScreenFace face(faces_[index], projected_, view_);
             if (face.edgeOn() || !face.isEntry())
                 continue;
             face.forEachRow(view_, tile, [&](int y, int first, int end) {
-                std::uint8_t* row = &entries_[static_cast<std::size_t>((y - tile.top) * tile.width())];
+                const int before = (y - tile.top) * tile.width();
+                std::uint8_t* row = &entries_[static_cast<std::size_t>(before)];
                 for (int x = first - tile.left; x < end - tile.left; ++x)
                     row[x] = std::min<std::uint8_t>(row[x] + 1, 2);
             });

@@ -107,7 +107,8 @@ public:
     }
     std::size_t numberOf(int row, int column) const noexcept
     {
-        return static_cast<std::size_t>(row * columns_ + column);
+        const int number = row * columns_ + column;
+        return static_cast<std::size_t>(number);
     }
 
 private:

@@ -173,7 +173,7 @@ DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const 
         draw(source_, cells, tile, shading, progress, drawn);
         finish(tile, shading);
     }
-    drawn.fragments *= blockWidth * blockHeight;
+    drawn.fragments *= std::size_t{blockWidth} * blockHeight;
     drawn.colours = colours_;
     drawn.depth = depth_;
     return drawn;
