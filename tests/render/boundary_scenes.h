@@ -13,9 +13,10 @@ namespace tetra::testing {
 inline TransferFunction boundaryFunction()
 {
     return transferFunctionFromPoints({{-1, {0.1f, 0.2f, 0.8f}, 0.05f},
-             {0.5, {0.9f, 0.9f, 0.4f}, 0.3f},
-             {0.5, {0.1f, 0.7f, 0.3f}, 0.1f},
-             {3, {0.8f, 0.1f, 0.1f}, 0.6f}}, 0.5);
+                                       {0.5, {0.9f, 0.9f, 0.4f}, 0.3f},
+                                       {0.5, {0.1f, 0.7f, 0.3f}, 0.1f},
+                                       {3, {0.8f, 0.1f, 0.1f}, 0.6f}},
+                                      0.5);
 }
 
 /// The boundary of a mesh with holes, alone or in its volume: "translucent", "values", "far side", "faint values".

@@ -22,9 +22,10 @@ inline double waves(const Eigen::Vector3d& p)
 inline TransferFunction rainbow(double opacity)
 {
     return transferFunctionFromPoints({{0, {0.1f, 0.1f, 0.9f}, 0},
-             {0.4, {0.1f, 0.8f, 0.3f}, static_cast<float>(0.3 * opacity)},
-             {0.4, {0.9f, 0.9f, 0.1f}, static_cast<float>(0.1 * opacity)},
-             {1, {0.9f, 0.1f, 0.1f}, static_cast<float>(opacity)}}, 0.2);
+                                       {0.4, {0.1f, 0.8f, 0.3f}, static_cast<float>(0.3 * opacity)},
+                                       {0.4, {0.9f, 0.9f, 0.1f}, static_cast<float>(0.1 * opacity)},
+                                       {1, {0.9f, 0.1f, 0.1f}, static_cast<float>(opacity)}},
+                                      0.2);
 }
 
 inline const Sphere ball{{0.45, 0.5, 0.55}, 0.3};

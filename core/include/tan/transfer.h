@@ -69,8 +69,8 @@ inline constexpr int largestTransferGroup = 9;
 struct TransferFunction {
     std::vector<ColourPoint> colours{};    ///< none: everything is white
     std::vector<OpacityPoint> opacities{}; ///< none: everything is transparent
-    double unitDistance = 1;             ///< in the units of the dataset
-    std::optional<TransferMask> mask{};  ///< what lies outside of it is transparent, whatever the opacities say
+    double unitDistance = 1;               ///< in the units of the dataset
+    std::optional<TransferMask> mask{};    ///< what lies outside of it is transparent, whatever the opacities say
     bool operator==(const TransferFunction&) const = default;
 };
 

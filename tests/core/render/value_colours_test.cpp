@@ -17,18 +17,20 @@ constexpr double smallPart = 1e-3; ///< of a piece, from its corners: a step's o
 
 TransferFunction ramps()
 {
-    return transferFunctionFromPoints({{-0.5, {1, 0, 0}, 0.1f}, {0.3, {0, 1, 0.5f}, 0}, {0.7, {0.2f, 0.2f, 1}, 0.9f}, {2.5, {1, 1, 0}, 1}}, 1);
+    return transferFunctionFromPoints(
+        {{-0.5, {1, 0, 0}, 0.1f}, {0.3, {0, 1, 0.5f}, 0}, {0.7, {0.2f, 0.2f, 1}, 0.9f}, {2.5, {1, 1, 0}, 1}}, 1);
 }
 
 /// Two steps, one of them at the value of many vertices.
 TransferFunction steps()
 {
     return transferFunctionFromPoints({{-1, {1, 0, 0}, 1},
-             {0, {1, 1, 0}, 1},
-             {0, {0, 0, 1}, 1},
-             {1.1, {0, 1, 1}, 1},
-             {1.1, {1, 0, 1}, 1},
-             {2, {0, 0, 0}, 1}}, 1);
+                                       {0, {1, 1, 0}, 1},
+                                       {0, {0, 0, 1}, 1},
+                                       {1.1, {0, 1, 1}, 1},
+                                       {1.1, {1, 0, 1}, 1},
+                                       {2, {0, 0, 0}, 1}},
+                                      1);
 }
 
 double areaOf(const TriangleMesh& surface)

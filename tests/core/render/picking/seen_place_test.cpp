@@ -51,7 +51,8 @@ double slanted(const Eigen::Vector3d& place)
 
 TransferFunction peaks()
 {
-    return transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.5, {0, 1, 0}, 0.6F}, {0.52, {0, 0, 1}, 0.1F}, {0.9, {1, 1, 1}, 0.9F}}, 1);
+    return transferFunctionFromPoints(
+        {{0.2, {1, 0, 0}, 0}, {0.5, {0, 1, 0}, 0.6F}, {0.52, {0, 0, 1}, 0.1F}, {0.9, {1, 1, 1}, 0.9F}}, 1);
 }
 
 Surface wall(double y, float opacity)

@@ -158,9 +158,8 @@ void TransferMaskTest::paraviewGetsSteps()
         TransferFunction function = randomMasked(random);
         if (function.opacities.empty())
             continue;
-        const auto imported =
-            importTransferFunctions(transferFunctionToParaview(function, "masked"),
-                                    {TransferFunction{{}, {}, function.unitDistance}, std::nullopt});
+        const auto imported = importTransferFunctions(transferFunctionToParaview(function, "masked"),
+                                                      {TransferFunction{{}, {}, function.unitDistance}, std::nullopt});
         QVERIFY(imported);
         const TransferFunction& back = imported->front().function;
         for (double value = -12.97; value < 13; value += 0.04)
