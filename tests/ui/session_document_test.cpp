@@ -45,8 +45,9 @@ SessionDocument randomDocument(std::mt19937& random)
                                     static_cast<WindowBorder>(random() % 3)};
     document.query.values = {random() % 2 == 0, unit(random), unit(random)};
     document.look.mode = "hybrid";
-    document.look.transfer = {{{unit(random), {channel(random), channel(random), channel(random)}, channel(random)},
-                               {2, {channel(random), channel(random), channel(random)}, channel(random)}},
+    document.look.transfer = {{{unit(random), {channel(random), channel(random), channel(random)}},
+                               {2, {channel(random), channel(random), channel(random)}}},
+                              {{unit(random), channel(random)}, {2, channel(random)}, {3, channel(random)}},
                               0.5 + unit(random)};
     document.look.settings = {{"switch", random() % 2 == 0},
                               {"count", static_cast<std::int64_t>(random())},

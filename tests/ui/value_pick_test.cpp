@@ -99,7 +99,8 @@ void ValuePickTest::aClickInAVolumeFindsAValue()
     // Only values about one are seen, so that it is clear which one is meant.
     const ValueRange range = session().range();
     const double value = range.minimum + 0.5 * range.extent(), reach = 0.02 * range.extent();
-    session().setTransfer({{{value - reach, {1, 0, 0}, 0}, {value, {1, 0, 0}, 1}, {value + reach, {1, 0, 0}, 0}},
+    session().setTransfer({{{value, {1, 0, 0}}},
+                           {{value - reach, 0}, {value, 1}, {value + reach, 0}},
                            session().model()->diagonal() / 100});
     QTRY_VERIFY(window_->settled());
     click(middle());
@@ -112,7 +113,7 @@ void ValuePickTest::aClickInAVolumeFindsAValue()
 void ValuePickTest::bothTogether()
 {
     show("hybrid");
-    session().setTransfer({{{0, {1, 0, 0}, 0}}, 1}); // an empty volume
+    session().setTransfer({{{0, {1, 0, 0}}}, {{0, 0}}}); // an empty volume
     QTRY_VERIFY(window_->settled());
     session().addIsovalue();
     QTRY_VERIFY(window_->settled());
