@@ -200,6 +200,8 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
         if (Status status = readPoints(root, "points", points); !status)
             return status.error();
         function = transferFunctionFromPoints(points);
+        if (Status status = checkTransferFunction(function); !status)
+            return wrongFunction(*root.find("points"), status.error().text());
     } else {
         if (Status status =
                 checkMembers(root, {"format", "version", "colours", "opacities"}, {"unitDistance", "mask"}, "the text");
@@ -207,8 +209,12 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
             return status.error();
         if (Status status = readPoints(root, "colours", function.colours); !status)
             return status.error();
+        if (Status status = checkTransferFunction(function); !status)
+            return wrongFunction(*root.find("colours"), status.error().text());
         if (Status status = readPoints(root, "opacities", function.opacities); !status)
             return status.error();
+        if (Status status = checkTransferFunction(function); !status)
+            return wrongFunction(*root.find("opacities"), status.error().text());
     }
     if (const JsonValue* distance = root.find("unitDistance"))
         if (Status status = readNumber(*distance, "\"unitDistance\"", function.unitDistance); !status)

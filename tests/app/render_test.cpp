@@ -298,7 +298,8 @@ private slots:
         row("no JSON", {"--transfer", "c60.nrrd"}, 3, "c60.nrrd': ");
         row("slip in a function", {"--transfer", "slip.json"}, 3, "slip.json': ");
         row("place of a slip", {"--transfer", "slip.json"}, 3, "line 1, column 183");
-        row("opacity above 1", {"--transfer", "steep.json"}, 3, "Point 2");
+        row("opacity above 1", {"--transfer", "steep.json"}, 3, "Opacity 2");
+        row("place of the opacities", {"--transfer", "steep.json"}, 3, "line 1, column 80");
         row("no samples", {"--samples", "0"}, 2, "'--samples'");
         row("many samples", {"--samples", "5"}, 2, "'--samples'");
         row("no threads", {"--threads", "0"}, 2, "'--threads'");

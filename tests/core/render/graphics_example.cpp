@@ -12,8 +12,8 @@ int main(int, char** arguments)
     mesh->values = {0, 0, 0, 0, 0, 0, 0, 0, 1};
     mesh->tetrahedra = {{0, 1, 2, 8}, {3, 2, 1, 8}, {4, 6, 5, 8}, {7, 5, 6, 8}, {0, 2, 4, 8}, {6, 4, 2, 8},
                         {1, 5, 3, 8}, {7, 3, 5, 8}, {0, 4, 1, 8}, {5, 1, 4, 8}, {2, 3, 6, 8}, {7, 6, 3, 8}};
-    const tetra::TransferFunction function =
-        tetra::transferFunctionFromPoints({{0.1, {0, 0, 1}, 0}, {1, {1, 0.5f, 0}, 0.9f}}, 1);
+    const tetra::TransferFunction function{
+        .colours = {{0.1, {0, 0, 1}}, {1, {1, 0.5f, 0}}}, .opacities = {{0.1, 0}, {1, 0.9f}}, .unitDistance = 1};
     const auto fog = tetra::VolumeCache(mesh).update(function, false);
     if (!fog)
         return 1;

@@ -149,7 +149,7 @@ Drivers transferCommands()
             &beginUneven),
         showing(
             "transfer.change.copy",
-            [](const DrivenWindow&) { return QGuiApplication::clipboard()->text().contains("points"); },
+            [](const DrivenWindow&) { return QGuiApplication::clipboard()->text().contains("opacities"); },
             [](DrivenWindow& window) {
                 QGuiApplication::clipboard()->clear();
                 selectAll(window);
