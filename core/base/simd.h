@@ -11,10 +11,10 @@
 /// For kernels and what they call with vectors: it becomes part of what calls it, and so of its instruction set.
 #define TETRA_SIMD_INLINE [[gnu::always_inline]] inline
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
-    !defined(__SANITIZE_THREAD__)
-/// For what is written for one instruction set by hand, which SimdLevel::Eight or SimdLevel::Sixteen must have. To
-/// choose between vectors of 8 or 16 floats, and to compare them, is slow where compilers have to do it in pieces.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(TETRA_ONE_INSTRUCTION_SET)
+/// For functions that are written by hand for one instruction set; to be called at SimdLevel::Eight or
+/// SimdLevel::Sixteen only. To choose between vectors of 8 or 16 floats, and to compare them, is slow where compilers
+/// have to do it in pieces.
 #define TETRA_SIMD_8 __attribute__((target("arch=x86-64-v3")))
 #define TETRA_SIMD_16 __attribute__((target("arch=x86-64-v4")))
 #endif
