@@ -45,6 +45,7 @@ private slots:
     void aModifiedSessionIsAskedAbout();
     void whatCannotBeOpenedTakesNothingAway();
     void aSessionThatCannotBeSavedKeepsTheWindow();
+    void aSessionBeingSavedIsWaitedFor();
     void quittingWaitsForFilesBeingWritten();
     void everyFailedSaveIsTold();
     void savesDoNotStopEachOther();
@@ -61,6 +62,7 @@ private:
     /// A film that takes long.
     void startFilm() const;
     QString saveSession() const;
+    void editWhatCannotBeSaved();
     void edit() const { session().setError(session().view().error() == 3.5 ? 4.5 : 3.5); }
 
     std::unique_ptr<WindowFixture> window_;
@@ -408,7 +410,8 @@ void LeavingTest::whatCannotBeOpenedTakesNothingAway()
     QVERIFY(window_->window.isWindowModified());
 }
 
-void LeavingTest::aSessionThatCannotBeSavedKeepsTheWindow()
+/// A session with changes, saved to a folder that is there no more.
+void LeavingTest::editWhatCannotBeSaved()
 {
     open(otherModel());
     QVERIFY(QDir().mkpath(window_->folder.filePath("gone")));
@@ -421,10 +424,27 @@ void LeavingTest::aSessionThatCannotBeSavedKeepsTheWindow()
     QTRY_COMPARE(window_->workbench.sessionFile(), filePath(path));
     edit();
     QVERIFY(QDir(window_->folder.filePath("gone")).removeRecursively());
+}
+
+void LeavingTest::aSessionThatCannotBeSavedKeepsTheWindow()
+{
+    editWhatCannotBeSaved();
     window_->window.close();
     answer("leaving.session", "leaving.save");
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->window.isVisible() && window_->window.isWindowModified());
+}
+
+void LeavingTest::aSessionBeingSavedIsWaitedFor()
+{
+    editWhatCannotBeSaved();
+    const auto edited = session().model();
+    window_->find<QAction>("action.close").trigger();
+    QTRY_VERIFY(isAsked("leaving.session"));
+    emit window_->workbench.savingPicture().finished(); // told while the session is being written
+    answer("leaving.session", "leaving.save");
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(session().model() == edited && window_->window.isWindowModified());
 }
 
 void LeavingTest::quittingWaitsForFilesBeingWritten()

@@ -144,7 +144,7 @@ Leaving::Obstacle Leaving::obstacle(LeavingWay way) const
         return Obstacle::Build;
     if (workbench_.savingFilm().running() && (quits || !filmGoesOn_))
         return Obstacle::Film;
-    if (workbench_.sessionModified() && way != LeavingWay::OpenDataset && !discards_)
+    if (savesSession_ || (workbench_.sessionModified() && way != LeavingWay::OpenDataset && !discards_))
         return Obstacle::Session;
     return quits && workbench_.saving() ? Obstacle::Saving : Obstacle::None;
 }
@@ -189,6 +189,7 @@ void Leaving::stay()
     closeBox();
     asked_ = Obstacle::None;
     discards_ = false;
+    savesSession_ = false;
     if (const auto wish = std::exchange(wish_, std::nullopt))
         wish->stay();
 }
@@ -265,7 +266,9 @@ void Leaving::answerSession(const QString& button)
     discards_ = button == "leaving.discard";
     if (discards_)
         return next();
+    savesSession_ = true;
     session_.save([this](bool) {
+        savesSession_ = false;
         asked_ = Obstacle::None; // there may be changes again
         next();
     });

@@ -77,7 +77,8 @@ private:
     QPointer<QMessageBox> box_;
     bool buildGoesOn_ = false; ///< the user said so
     bool filmGoesOn_ = false;
-    bool discards_ = false; ///< the changes of the session
+    bool discards_ = false;     ///< the changes of the session
+    bool savesSession_ = false; ///< the user said so; its changes can be lost until the file is written
     TaskProgress built_;
     TaskProgress filmed_;
     QTimer patience_; ///< with files being written, before a word about them
