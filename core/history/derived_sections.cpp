@@ -147,7 +147,7 @@ public:
         }
     }
     /// Of those that outlive the batch.
-    Own behind(std::size_t batch) const
+    Own aliveAfter(std::size_t batch) const
     {
         Own largest;
         for (std::size_t node = nodes_.size() - 1 - batch; node > 0; node &= node - 1)
@@ -163,18 +163,6 @@ private:
 
     std::vector<Own> nodes_;
 };
-
-/// orientation(), quicker where there is no doubt: no product is larger than that of the three lengths, and each is
-/// rounded some times.
-int signOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
-{
-    const Eigen::Vector3d u = b - a, v = c - a, w = d - a;
-    const double volume = u.dot(v.cross(w));
-    const double lengths = u.squaredNorm() * v.squaredNorm() * w.squaredNorm();
-    if (lengths > 1e-200 && std::isfinite(lengths) && volume * volume > 0x1p-80 * lengths)
-        return volume > 0 ? 1 : -1;
-    return orientation(a, b, c, d);
-}
 
 class DerivedWriter {
 public:
@@ -295,7 +283,7 @@ Status DerivedWriter::writeBatchBounds()
         const std::uint32_t batch = batches_[site];
         if (site + 1 < batches_.size() && batches_[site + 1] == batch)
             continue;
-        const LargestLiving::Own largest = living.behind(batch);
+        const LargestLiving::Own largest = living.aliveAfter(batch);
         const auto key = static_cast<double>(keys_[batch]);
         errors_.push_back(bound(key, largest.error, extent));
         warpings_.push_back(bound(key / weight_, largest.warping, diagonal));
@@ -303,6 +291,7 @@ Status DerivedWriter::writeBatchBounds()
     for (const Status& status : {offsets.status(), destroyers.status(), ownErrors.status(), ownWarpings.status()})
         if (!status)
             return status;
+    batches_ = {}; // what follows needs memory, too
     const Status written = add(sections_, SectionId::BatchErrors, errors_);
     return written ? add(sections_, SectionId::BatchWarpings, warpings_) : written;
 }
@@ -362,7 +351,7 @@ Status DerivedWriter::addFaultyCells()
                 for (unsigned corner = 0; corner < 8; ++corner) {
                     // Each edge that runs backwards turns the sign.
                     const int turn = std::popcount(corner) % 2 == 0 ? 1 : -1;
-                    const int sign = turn * signOf(at(corner), at(corner ^ 1), at(corner ^ 2), at(corner ^ 4));
+                    const int sign = turn * orientation(at(corner), at(corner ^ 1), at(corner ^ 2), at(corner ^ 4));
                     isFolded |= sign == inverted;
                     hasVolume |= sign != 0;
                 }
@@ -392,8 +381,9 @@ Status DerivedWriter::addInvertedTetrahedra()
     for (const std::uint32_t creator : points)
         for (const std::uint64_t end = offsets.next(); number < end; ++number) {
             const auto [a, b, c] = otherSites.next();
-            if (destroyers.next() != Model::never || signOf(positions[creator], positions[points[a]],
-                                                            positions[points[b]], positions[points[c]]) != inverted)
+            if (destroyers.next() != Model::never ||
+                orientation(positions[creator], positions[points[a]], positions[points[b]], positions[points[c]]) !=
+                    inverted)
                 continue;
             if (const Status added = addFault(FaultKind::InvertedTetrahedron, number); !added)
                 return added;

@@ -41,7 +41,8 @@ struct DerivedFrom {
 };
 
 /// Writes them, once all other sections have been written; the level index has been planned. Reads these again. Memory:
-/// buffers; of data that warp 4 bytes a site and 16 a batch. Errors: the file's. May throw std::bad_alloc.
+/// buffers; of data that warp 4 bytes a site and 16 a batch, and 8 a cell of a grid that has no volume. Errors: the
+/// file's. May throw std::bad_alloc.
 Status writeDerivedSections(SectionWriter& sections, const DerivedFrom& from);
 
 } // namespace tetra

@@ -325,6 +325,16 @@ private:
     std::int64_t meshSize_ = 0;
 };
 
+namespace {
+
+/// Whether blocks of so many cells lie in the lattice.
+bool fit(const std::array<std::uint32_t, 3>& cells, const Lattice& lattice)
+{
+    return std::ranges::equal(cells, lattice.size, [](auto edge, auto points) { return 0 < edge && edge < points; });
+}
+
+} // namespace
+
 Status HistoryFileWriter::begin(const HistoryTraits& traits)
 {
     if (siteCount() > 0 || !(traits.warpingWeight >= 0) || !std::isfinite(traits.warpingWeight) ||
@@ -334,7 +344,7 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
         return inconsistent(Message::say("meshes of irregular data are not Delaunay ones"));
     if (const auto& cells = traits.blockCells;
         cells != std::array<std::uint32_t, 3>{} &&
-        (!isOnLattice(description().domain) || std::ranges::find(cells, 0u) != cells.end()))
+        (!isOnLattice(description().domain) || !fit(cells, description().lattice)))
         return inconsistent(Message::say("its blocks have %1 x %2 x %3 cells", cells[0], cells[1], cells[2]));
     file_->setTraits(traits);
     return {};

@@ -18,8 +18,9 @@
 namespace tetra {
 
 /// Writes the sections that a model of a dataset has (FORMAT.md), whoever made its history and in whatever order it
-/// comes: in constant memory. Nothing appears under the path before finish() has succeeded: the file is written beside
-/// it, synced and renamed; destroying an unfinished writer removes what it wrote. One thread. May throw std::bad_alloc.
+/// comes. Memory: buffers, and what writeDerivedSections() takes at the end. Nothing appears under the path before
+/// finish() has succeeded: the file is written beside it, synced and renamed; destroying an unfinished writer removes
+/// what it wrote. One thread. May throw std::bad_alloc.
 class ModelFileWriter {
 public:
     /// `description` needs builder and parameters; the rest is taken from `dataset`. The unfinished file lies in

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t bufferBytes = 1 << 20;
 
-/// The table gets room for so many sections: all that there are.
+/// The table gets room for so many sections: all that there are, and two to spare.
 constexpr std::uint64_t mostInTable = 24;
 constexpr std::uint64_t frontBytes = sizeof(Header) + mostInTable * sizeof(Section);
 

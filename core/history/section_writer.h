@@ -20,8 +20,9 @@ struct PlannedSection {
 };
 
 /// Writes the sections of a `.tan` file (FORMAT.md): those whose sizes are known all at once, each from its beginning
-/// to its end, straight to their final places; before them one that grows, if its size shows only at its end; behind
-/// all of them the checksums of their chunks. Memory: a buffer for each. May throw std::bad_alloc. One thread.
+/// to its end, straight to their final places; at any time between two plans one that grows, whose size shows only at
+/// its end; behind all of them the checksums of their chunks. Memory: a buffer for each. May throw std::bad_alloc. One
+/// thread.
 class SectionWriter {
 public:
     explicit SectionWriter(FileWriter file) : file_(std::move(file)) {}

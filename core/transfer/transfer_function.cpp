@@ -23,7 +23,7 @@ template <class Point, class Wrong> Status checkOrder(const std::vector<Point>& 
         if (!std::isfinite(value))
             return wrong(i, Message::say("has no finite value."));
         if (group && (*group < 0 || *group > largestTransferGroup))
-            return wrong(i, Message::say("is of a group that is none of 0 to 9."));
+            return wrong(i, Message::say("has a group outside 0 to 9."));
         if (i >= 1 && value < points[i - 1].value)
             return wrong(i, Message::say("has a smaller value than the point before it. Put them in ascending order."));
         if (i >= 2 && value == points[i - 2].value)

@@ -66,7 +66,7 @@ public:
         const Eigen::Vector3d& at = places_[corner];
         const double lengths = (places_[corner ^ 1] - at).squaredNorm() * (places_[corner ^ 2] - at).squaredNorm() *
                                (places_[corner ^ 4] - at).squaredNorm();
-        // No product is larger than the three lengths', and six of them are rounded some times each.
+        // No product is larger than the three lengths', and six of them are rounded a few times each.
         if (lengths > 1e-200 && rough * rough > 0x1p-80 * lengths && std::isfinite(lengths))
             return rough > 0 ? 1 : -1;
         return turn(corner) *

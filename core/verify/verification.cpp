@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/derived_sections.h"
 #include "core/verify/cell_check.h"
+#include "core/verify/verify_irregular.h"
 #include "core/verify/verify_parts.h"
 
 #include <tan/data.h>
@@ -46,7 +47,7 @@ std::uint32_t firstPassage(const Model& model, double asked)
 }
 
 /// What the model claims of the mesh of its first sites, which end a batch: by its key, and where the file tells them
-/// apart by error and warping.
+/// apart by error and warping. That warping goes one way only, from the data to the mesh.
 MeshBounds claimedBounds(const Model& model, std::uint32_t sites)
 {
     const double weight = model.description().warpingWeight;
@@ -57,7 +58,7 @@ MeshBounds claimedBounds(const Model& model, std::uint32_t sites)
     const auto batch = static_cast<std::size_t>(end - derived.batchEnds.begin());
     if (batch < derived.batchErrors.size())
         error = std::min(error, static_cast<double>(derived.batchErrors[batch]));
-    if (batch < derived.batchWarpings.size())
+    if (batch < derived.batchWarpings.size() && !claimsTwoSides(model))
         warping = std::min(warping, static_cast<double>(derived.batchWarpings[batch]));
     return {error, warping};
 }

@@ -67,6 +67,8 @@ std::vector<std::uint16_t> largestOwn(const Model& model, const Batches& batches
         return batch;
     };
     for (const std::uint64_t number : falling) {
+        if (own[number] == 0 || nextOpen(0) == batches.ends.size())
+            break;
         const auto star = std::ranges::upper_bound(model.starOffsets(), number);
         const auto creator = static_cast<std::uint32_t>(star - model.starOffsets().begin() - 1);
         const std::size_t end = batches.of(model.destroyers()[number]);
@@ -78,11 +80,11 @@ std::vector<std::uint16_t> largestOwn(const Model& model, const Batches& batches
     return largest;
 }
 
-/// Whether a number of the file is what it should be, as far as it can be: the file's are floats.
-bool isRounded(float stored, double expected)
+/// Whether a float of the file is what a number is rounded up to, as far as doubles can tell.
+bool isRoundedUp(float stored, double expected)
 {
-    constexpr double allowance = 0x1p-21;
-    return std::abs(static_cast<double>(stored) - expected) <= allowance * expected + 1e-44;
+    const auto number = static_cast<double>(stored);
+    return number >= expected * (1 - 0x1p-50) && number <= expected * (1 + 0x1p-21) + 1e-44;
 }
 
 class DerivedCheck {
@@ -156,15 +158,16 @@ void DerivedCheck::checkBatchEnds()
 
 void DerivedCheck::checkBatchBounds()
 {
-    const ModelDescription& about = model_.description();
-    if (!derived_.batchErrors.empty())
-        checkBounds(derived_.batchErrors, model_.ownErrors(), about.range.extent(), 1, "error");
-    if (derived_.batchWarpings.empty())
+    const double extent = model_.description().range.extent();
+    if (derived_.batchErrors.empty() && derived_.batchWarpings.empty())
         return;
-    if (weight() > 0)
+    if (!(weight() > 0))
+        return bounds_.add(
+            0, [] { return std::string("The file has errors or warpings of batches, and the data cannot warp."); });
+    if (!derived_.batchErrors.empty())
+        checkBounds(derived_.batchErrors, model_.ownErrors(), extent, 1, "error");
+    if (!derived_.batchWarpings.empty())
         checkBounds(derived_.batchWarpings, model_.ownWarpings(), model_.diagonal(), weight(), "warping");
-    else
-        bounds_.add(0, [] { return std::string("The file has warpings of batches of data that cannot warp."); });
 }
 
 void DerivedCheck::checkBounds(std::span<const float> stored, std::span<const std::uint16_t> own, double whole,
@@ -174,12 +177,20 @@ void DerivedCheck::checkBounds(std::span<const float> stored, std::span<const st
     for (std::size_t batch = 0; batch < std::min(stored.size(), largest.size()); ++batch) {
         const double ofOwn = static_cast<double>(halfToFloat(largest[batch])) * whole;
         const double expected = std::min(batches_.keys[batch] / keyUnit, ofOwn);
-        if (!isRounded(stored[batch], expected))
+        if (!isRoundedUp(stored[batch], expected))
             bounds_.add(batch, [&] {
                 return "The " + std::string(name) + " at the end of batch " + std::to_string(batch) + " is " +
                        textOf(expected) + ", and the file says " + textOf(static_cast<double>(stored[batch])) + ".";
             });
     }
+}
+
+bool hasRoomForLevels(std::span<const format::Section> sections)
+{
+    const format::Section& index = sections.front();
+    const std::uint64_t end = index.offset + format::mostLevels * sizeof(LevelEntry);
+    return index.id == std::uint32_t(format::SectionId::LevelIndex) && end <= 16384 &&
+           (sections.size() == 1 || sections[1].offset >= end);
 }
 
 /// The first mesh, the last, and between them the first of each key that is an eighth of an octave smaller.
@@ -220,8 +231,10 @@ void DerivedCheck::checkLevels()
     if (derived_.levels.empty())
         return;
     const Result<FileLayout> layout = readLayout(model_.fileBytes(), model_.path());
-    if (!layout || layout->sections.front().id != std::uint32_t(format::SectionId::LevelIndex))
-        levels_.add(0, [] { return std::string("The level index is not the first section."); });
+    if (!layout || !hasRoomForLevels(layout->sections))
+        levels_.add(0, [] {
+            return std::string("The level index is not the first section, within 16 KiB, with room for 256 entries.");
+        });
     const std::vector<std::size_t> expected = batchesOfLevels();
     if (derived_.levels.size() != expected.size())
         levels_.add(1, [&] {
@@ -245,20 +258,33 @@ void DerivedCheck::checkLevels()
     }
 }
 
+/// More than one, each of cells that the lattice has.
+bool canBeBlocks(std::span<const std::uint32_t> cells, const Dataset& dataset)
+{
+    if (!isOnLattice(dataset.domain))
+        return false;
+    bool isDivided = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t all = dataset.lattice.size[axis] - 1;
+        if (cells[axis] == 0 || cells[axis] > all)
+            return false;
+        isDivided |= cells[axis] < all;
+    }
+    return isDivided;
+}
+
 Status DerivedCheck::checkBlocks(const Progress& progress)
 {
     const std::span<const std::uint32_t> cells = derived_.blockCells;
     if (cells.empty())
         return {};
-    const auto& size = original_.dataset.lattice.size;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!isOnLattice(original_.dataset.domain) || cells[axis] == 0 || cells[axis] >= size[axis]) {
-            blocks_.add(0, [&] {
-                return "Blocks of " + std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " x " +
-                       std::to_string(cells[2]) + " cells cannot be.";
-            });
-            return {};
-        }
+    if (!canBeBlocks(cells, original_.dataset)) {
+        blocks_.add(0, [&] {
+            return "Blocks of " + std::to_string(cells[0]) + " x " + std::to_string(cells[1]) + " x " +
+                   std::to_string(cells[2]) + " cells cannot be.";
+        });
+        return {};
+    }
     return verifyEach(model_.siteCount(), starsAtOnce, "Verifying the blocks", progress,
                       [this](std::size_t creator) { checkStarInBlocks(static_cast<std::uint32_t>(creator)); });
 }

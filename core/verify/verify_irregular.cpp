@@ -451,13 +451,6 @@ void RelatedCheck::moveTo(LevelReport& verdict)
         findings->moveTo(verdict.failures);
 }
 
-bool claimsTwoSides(const Model& model)
-{
-    return std::ranges::any_of(model.description().parameters, [](const auto& parameter) {
-        return parameter.first == "distance" && parameter.second == "two-sided";
-    });
-}
-
 /// What the boundary's places farthest from the original's say; weights are of points, so none is judged with them.
 void verifyTwoSides(const MeshToVerify& mesh, const MeshBoundary& boundary, LevelReport& verdict)
 {
@@ -474,6 +467,13 @@ void verifyTwoSides(const MeshToVerify& mesh, const MeshBoundary& boundary, Leve
 }
 
 } // namespace
+
+bool claimsTwoSides(const Model& model)
+{
+    return std::ranges::any_of(model.description().parameters, [](const auto& parameter) {
+        return parameter.first == "distance" && parameter.second == "two-sided";
+    });
+}
 
 Status verifyIrregular(const MeshToVerify& mesh, CellFindings& inside, std::span<const BoundaryFace> faces,
                        LevelReport& verdict, const Progress& progress)

@@ -317,6 +317,13 @@ void DerivedSectionsTest::damageIsFound_data()
         "small error", Grid, [](FileParts& f) { f.elements<float>(SectionId::BatchErrors)[4] *= 0.999F; },
         "The error at the end of batch 4 is");
     row(
+        "error rounded down", Grid,
+        [](FileParts& f) {
+            float& error = f.elements<float>(SectionId::BatchErrors)[4];
+            error = std::nextafter(error, 0.0F);
+        },
+        "The error at the end of batch 4 is");
+    row(
         "large error", Grid, [](FileParts& f) { f.elements<float>(SectionId::BatchErrors)[4] *= 1.001F; },
         "The error at the end of batch 4 is");
     row(
@@ -338,6 +345,12 @@ void DerivedSectionsTest::damageIsFound_data()
     row(
         "no blocks", GridBlocks, [](FileParts& f) { f.elements<std::uint32_t>(SectionId::Blocks)[1] = 0; },
         "3 x 0 x 3 cells cannot be");
+    row(
+        "one block", LatticeBlocks,
+        [](FileParts& f) {
+            std::ranges::copy(std::array{9U, 4U, 8U}, f.elements<std::uint32_t>(SectionId::Blocks).begin());
+        },
+        "Blocks of 9 x 4 x 8 cells cannot be");
     row(
         "folded cell", Faulty, [](FileParts& f) { f.elements<Fault>(SectionId::Faults)[0].number = 12; },
         "The file says that cell 12 is folded, which is not so.");
