@@ -5,8 +5,8 @@
 #include "core/mesh/topology.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
-#include <vector>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -29,33 +29,35 @@ Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, c
     const std::uint64_t all = file[end];
     if (begin > all || all > model.tetrahedronCount() || (first == 0 && begin != 0))
         return inconsistentModel(model, Message::say("its star offsets do not fit its tetrahedra"));
-    std::vector<std::uint64_t> offsets = {begin};
+    std::array<std::uint64_t, starsAtOnce + 1> offsets; // no vector, which takes a tenth of a prefix' time
+    offsets[0] = begin;
     std::uint64_t piece = 0;
     for (std::uint32_t site = first; site < end; ++piece) {
         const std::uint32_t most = std::min(starsAtOnce, end - site);
         if (!model.check(model.starOffsets().subspan(site, most + std::size_t(1))))
             return model.checkIntact();
-        offsets.assign(1, offsets.back());
-        while (offsets.size() <= most && offsets.back() - offsets.front() < tetrahedraAtOnce) {
-            const std::uint64_t next = file[site + offsets.size()];
-            if (next < offsets.back() || next > all)
-                return inconsistentModel(
-                    model, Message::say("the star offsets of site %1 make no sense", site + offsets.size() - 1));
-            offsets.push_back(next);
+        std::uint32_t count = 0;
+        while (count < most && offsets[count] - offsets[0] < tetrahedraAtOnce) {
+            const std::uint64_t next = file[site + count + 1];
+            if (next < offsets[count] || next > all)
+                return inconsistentModel(model,
+                                         Message::say("the star offsets of site %1 make no sense", site + count));
+            offsets[++count] = next;
         }
         if (piece % piecesAtOnce == 0) {
             if (progress.cancelled())
                 return cancelledError(activity);
-            progress.report(static_cast<double>(offsets.front() - begin) / static_cast<double>(all - begin + 1),
-                            activity);
+            progress.report(static_cast<double>(offsets[0] - begin) / static_cast<double>(all - begin + 1), activity);
         }
-        const Stars stars{model.otherSites(), model.destroyers(), site, offsets};
+        const Stars stars{model.otherSites(), model.destroyers(), site,
+                          std::span(offsets).first(count + std::size_t(1))};
         if (!model.check(stars.otherSites.subspan(stars.first(), stars.count())) ||
             !model.check(stars.destroyers.subspan(stars.first(), stars.count())))
             return model.checkIntact();
         if (const Status visited = visit(stars); !visited)
             return visited;
-        site += static_cast<std::uint32_t>(offsets.size() - 1);
+        site += count;
+        offsets[0] = offsets[count];
     }
     return {};
 }
