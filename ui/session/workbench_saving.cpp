@@ -88,7 +88,7 @@ void Workbench::saveStatistics(const std::filesystem::path& target)
         levels.push_back(bothWithin(error));
     savingText_.enqueue(
         [this, target, levels, model = session_.model()](const Progress& progress) -> std::function<void()> {
-            const auto text = levelsFor(target, *model, levels);
+            const auto text = levelsAsText(target, *model, levels);
             Status saved = text ? model->confirm(progress.withCallback({})) : Status(text.error());
             if (saved)
                 saved = writeTextFile(target, *text);

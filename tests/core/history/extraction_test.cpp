@@ -122,7 +122,7 @@ private slots:
             const MeshSize size = meshSizeAt(*model_, {error});
             QCOMPARE(size.sites, sites);
             QCOMPARE(size.tetrahedra, std::uint64_t(history().meshOf(sites).size()));
-            const float reached = sites < model_->siteCount() ? model_->runningErrors()[sites] : history().finalError;
+            const float reached = sites < model_->siteCount() ? model_->runningKeys()[sites] : history().finalKey;
             QCOMPARE(size.error, 100 * static_cast<double>(reached) / extent);
         }
         QCOMPARE(meshSizeAt(*model_, {-1}).sites, model_->siteCount());

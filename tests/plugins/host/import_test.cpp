@@ -218,7 +218,7 @@ private slots:
             const auto model = Model::open(file);
             QVERIFY(model);
             QCOMPARE(std::uint64_t((*model)->siteCount()), built->report.sites);
-            QVERIFY((*model)->finalError() <= percent / 100 * dataset.values.range().extent() * 1.000001);
+            QVERIFY((*model)->finalKey() <= percent / 100 * dataset.values.range().extent() * 1.000001);
             const auto verdict = verify(**model, dataset, {}, {});
             QVERIFY2(verdict, verdict ? "" : verdict.error().text().c_str());
             QVERIFY(verdict->ok());
