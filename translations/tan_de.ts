@@ -751,8 +751,8 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
-        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn mit dem Paket python3-markdown; dieselben Texte liegen im Ordner docs der Quellen.</translation>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn dort, wo Sphinx installiert ist (python3-sphinx, python3-myst-parser, furo); dieselben Texte liegen im Ordner docs der Quellen.</translation>
     </message>
     <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>

@@ -751,8 +751,8 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
-        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn con il pacchetto python3-markdown; gli stessi testi sono nella cartella docs dei sorgenti.</translation>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn dove Sphinx è installato (python3-sphinx, python3-myst-parser, furo); gli stessi testi sono nella cartella docs dei sorgenti.</translation>
     </message>
     <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>

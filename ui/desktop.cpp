@@ -7,7 +7,6 @@
 #include "ui/session/plugin_choice.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/main_window.h"
-#include "ui/window/screenshots.h"
 #include "ui/work/steady_heap.h"
 
 #include <QApplication>
@@ -98,9 +97,6 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("What draws the picture: auto, cpu or gl."), "name", "auto"});
-    QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
-    screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual
-    parser.addOption(screenshots);
     parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open."), "[file]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
@@ -110,8 +106,6 @@ int runDesktop(int argc, char** argv)
     }
 
     const std::unique_ptr<PluginHost> host = wantedPlugins();
-    if (parser.isSet(screenshots))
-        return makeScreenshots(*host, parser.value(screenshots));
     if (!isShown)
         return refuseWithoutDisplay();
     Workbench workbench(*host);

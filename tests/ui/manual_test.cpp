@@ -51,7 +51,7 @@ private slots:
         const QTemporaryDir folder;
         Browser browser;
         const QString text = openManual(folder.path() + "/bin");
-        QVERIFY2(text.contains("python3-markdown"), qPrintable(text));
+        QVERIFY2(text.contains("python3-sphinx"), qPrintable(text));
         QVERIFY(browser.opened.isEmpty());
     }
 
@@ -63,7 +63,7 @@ private slots:
         fixture.find<QAction>("action.manual").trigger();
         const bool built = !manualPage(QCoreApplication::applicationDirPath()).isEmpty();
         QCOMPARE(browser.opened.size(), built ? 1 : 0);
-        QCOMPARE(fixture.messages().join(' ').contains("python3-markdown"), !built);
+        QCOMPARE(fixture.messages().join(' ').contains("python3-sphinx"), !built);
     }
 
     /// What a user meets stands in the manual's tables: each panel, each entry of the menus that opens a dialog.
