@@ -12,6 +12,9 @@
 #include <QToolButton>
 #include <QWhatsThis>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tetra {
 namespace {
 
@@ -64,18 +67,7 @@ void DrivenWindow::startAnew()
     trigger("action.resetLayout");
     waitForPicture();
     remember();
-}
-
-Moment DrivenWindow::now() const
-{
-    const ViewState& view = session().view();
-    return {view.query(),
-            view.look(),
-            view.isovalues(),
-            view.annotations(),
-            view.animation(),
-            viewport().camera(),
-            viewport().chosenBackground()};
+    atFirst_ = before_;
 }
 
 void DrivenWindow::remember()
@@ -103,6 +95,14 @@ void DrivenWindow::addTransferPoint() const
 {
     raise("dock.transfer");
     press("transfer.canvas", Qt::Key_Insert);
+}
+
+std::size_t DrivenWindow::addedPoint() const
+{
+    const std::vector<TransferPoint> points = transferPoints(before_.look.transfer);
+    const double middle = session().range().minimum + session().range().extent() / 2;
+    const auto distance = [middle](const TransferPoint& point) { return std::abs(point.value - middle); };
+    return static_cast<std::size_t>(std::ranges::min_element(points, {}, distance) - points.begin());
 }
 
 void DrivenWindow::waitForPicture() const
