@@ -162,23 +162,28 @@ QImage scaleBarOf(const AnnotationContent& content)
     return annotationsIn({bar.x1() - 8, bar.y1() - 3, std::ceil(bar.length()) + 16, 10}, content, picture);
 }
 
-/// A region of a domain around the origin, seen from a corner.
-QImage regionPicture(RegionKind kind, const MovableRegion& region, bool dark, RegionLook look)
+enum class Hold { Selected, Hovered, Dragged };
+
+/// A region around the origin, seen from a corner.
+QImage regionPicture(RegionKind kind, const MovableRegion& region, bool dark, Hold hold)
 {
     constexpr QSize size(120, 90);
     Camera camera;
     camera.distance = 12;
     const PictureProjection projection(camera, size);
     const QPalette palette = paletteOf(dark);
+    const auto handles = handlesOf(region, projection);
+    RegionLook look;
     look.colour = regionColour(kind, palette);
     look.rim = palette.color(QPalette::Base);
+    look.selected = hold == Hold::Selected;
+    look.dragged = hold == Hold::Dragged;
+    if (hold == Hold::Hovered)
+        look.hovered = handles.back();
     QImage image(size, QImage::Format_ARGB32_Premultiplied);
     image.fill(palette.color(QPalette::Window));
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    const auto handles = handlesOf(region, projection);
-    if (look.hovered)
-        look.hovered = handles.back();
     if (look.dragged)
         paintAxis(painter, projection, centreOf(region), 2, 3, look.colour);
     paintRegion(painter, projection, region, handles, look);
@@ -248,12 +253,12 @@ void BaselinesTest::regions()
     QFETCH(bool, dark);
     const Box box{{-1.5, -1, -1}, {1.5, 1, 1}};
     const Sphere sphere{{0.3, 0, 0}, 1.3};
-    const auto compareAs = [dark](const char* name, RegionKind kind, const MovableRegion& region, RegionLook look) {
-        compare(regionPicture(kind, region, dark, std::move(look)), named(name, dark), paintedTolerance);
+    const auto compareAs = [dark](const char* name, RegionKind kind, const MovableRegion& region, Hold hold) {
+        compare(regionPicture(kind, region, dark, hold), named(name, dark), paintedTolerance);
     };
-    compareAs("region-focus-box", RegionKind::Focus, box, {.selected = true});
-    compareAs("region-focus-sphere", RegionKind::Focus, sphere, {.hovered = RegionHandle{}});
-    compareAs("region-window", RegionKind::Window, box, {.dragged = true});
+    compareAs("region-focus-box", RegionKind::Focus, box, Hold::Selected);
+    compareAs("region-focus-sphere", RegionKind::Focus, sphere, Hold::Hovered);
+    compareAs("region-window", RegionKind::Window, box, Hold::Dragged);
 }
 
 void BaselinesTest::icons()

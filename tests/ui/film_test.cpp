@@ -302,7 +302,8 @@ void FilmTest::aVideoIsMadeOfAllFrames()
     QFile video(window_->folder.filePath("film.webm"));
     QVERIFY(video.open(QIODevice::ReadOnly));
     QCOMPARE(QString::fromUtf8(video.readAll()).trimmed(), frames.join('\n'));
-    QCOMPARE(QDir(window_->folder.path()).entryList({"film*"}, QDir::AllEntries | QDir::Hidden), {"film.webm"});
+    QCOMPARE(QDir(window_->folder.path()).entryList({"film*"}, QDir::AllEntries | QDir::Hidden),
+             QStringList("film.webm"));
 }
 
 /// What ffmpeg reads of its own video are all the frames, of even sides.

@@ -329,7 +329,6 @@ void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
         const auto view = kept.find(filePath(model_));
         return view ? view->query.error : -1;
     };
-    QCOMPARE(keptError(), 3.5); // the edit is not kept at once
     QTRY_COMPARE_WITH_TIMEOUT(keptError(), errorBeforeTheKill, 60'000);
     constexpr qint64 slack = isInstrumented ? 20'000 : 4000; // milliseconds, for two programs on a machine that is busy
     QVERIFY2(clock.elapsed() <= 10'000 + slack, qPrintable(QString("kept after %1 ms").arg(clock.elapsed())));

@@ -10,6 +10,7 @@
 #include <tan/transfer.h>
 
 #include <QClipboard>
+#include <QFile>
 #include <QFileDialog>
 #include <QPushButton>
 #include <QTreeWidget>

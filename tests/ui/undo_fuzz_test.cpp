@@ -18,7 +18,7 @@ using namespace tetra;
 namespace {
 
 constexpr int edits = 5000;
-constexpr int between = 100; ///< edits from one look at the event loop to the next
+constexpr int editsBetweenEvents = 100; ///< edits from one look at the event loop to the next
 
 } // namespace
 
@@ -121,7 +121,7 @@ void UndoFuzzTest::undoingAllEndsWhereItBegan()
         states_.resize(std::max(states_.size(), index + 1));
         states_[index] = now();
         QVERIFY(states_[index] == states_[index]); // no numbers that are none
-        if (done % between == 0)
+        if (done % editsBetweenEvents == 0)
             QCoreApplication::processEvents();
     }
     some.finish();

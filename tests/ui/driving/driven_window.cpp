@@ -45,12 +45,10 @@ void DrivenWindow::closeDialogs() const
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-void DrivenWindow::startAnew()
+void DrivenWindow::openAnew()
 {
-    closeDialogs();
     workbench.stopBuild(false);
     waitUntil([this] { return !workbench.building().running(); }, "no build runs");
-    find<MessageBar>("messages").clear();
     workbench.closeModel();
     workbench.views().forget(filePath(model_)); // as at first
     window.open(model_);
@@ -60,41 +58,29 @@ void DrivenWindow::startAnew()
         waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
                   "the dataset is open");
     }
-    while (session().view().isovalueCount() > 1)
-        session().removeIsovalue(1);
+    opened_ = session().model();
+    session().undoStack().clear();
+    atFirst_ = now();
+}
+
+void DrivenWindow::startAnew()
+{
+    closeDialogs();
+    find<MessageBar>("messages").clear();
+    session().endGesture();
+    session().undoStack().setIndex(0);
+    const bool isThere = opened_ && session().model() == opened_ && workbench.dataset() &&
+                         workbench.dataset()->source.path == volume_.toStdString() && now() == atFirst_;
+    if (!isThere)
+        openAnew();
     session().undoStack().clear();
     window.setWindowState(Qt::WindowNoState);
     trigger("action.resetLayout");
-    waitForPicture();
+    viewport().setPreview(std::nullopt);
+    for (int item = 0; item < 2; ++item)
+        press("transfer.canvas", Qt::Key_Escape); // what was selected, then what was picked
+    trigger("transfer.zoom.all");
     remember();
-    atFirst_ = before_;
-}
-
-void DrivenWindow::remember()
-{
-    before_ = now();
-    stepsBefore_ = undoSteps();
-}
-
-void DrivenWindow::press(const QString& control, Qt::Key key, Qt::KeyboardModifiers modifiers) const
-{
-    auto& widget = find<QWidget>(control);
-    widget.setFocus();
-    QTest::keyClick(&widget, key, modifiers);
-}
-
-void DrivenWindow::raise(const QString& dock) const
-{
-    auto& found = find<QDockWidget>(dock);
-    found.show();
-    found.raise();
-    QCoreApplication::processEvents();
-}
-
-void DrivenWindow::addTransferPoint() const
-{
-    raise("dock.transfer");
-    press("transfer.canvas", Qt::Key_Insert);
 }
 
 std::size_t DrivenWindow::addedPoint() const

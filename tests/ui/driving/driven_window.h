@@ -16,8 +16,8 @@ public:
     /// `volume`: the file of a dataset.
     DrivenWindow(QString model, QString volume);
 
-    /// Closes what is open beside the window and opens the model anew: one isovalue, no edits, all docks in their
-    /// places.
+    /// Closes what is open beside the window and brings back what was there at first: the model and the dataset, one
+    /// isovalue, no edits, nothing selected, all docks in their places.
     void startAnew();
     /// Keeps what is there now as what was there before.
     void remember();
@@ -44,10 +44,13 @@ public:
     void closeDialogs() const;
 
 private:
+    void openAnew();
+
     QString model_;
     QString volume_;
     Moment before_;
     Moment atFirst_;
+    std::shared_ptr<const Model> opened_;
     int stepsBefore_ = 0;
 };
 

@@ -144,6 +144,17 @@ Driver::Change transfer(const TransferEdit& edited)
     };
 }
 
+TransferLimits rangeOf(const DrivenWindow& window)
+{
+    return {window.session().range().minimum, window.session().range().maximum};
+}
+
+void fitView(Moment& moment, const DrivenWindow& window)
+{
+    moment.camera =
+        fitted(moment.camera, window.session().model()->description().bounds, window.viewport().aspectRatio());
+}
+
 Drivers allOf(std::initializer_list<Drivers> parts)
 {
     Drivers all;

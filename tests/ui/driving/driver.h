@@ -49,7 +49,7 @@ using AimFrom = std::function<Aim(const DrivenWindow& window, double before)>;
 /// The arrow key on a number box of this name: one of its steps away from the end that it is at.
 AimFrom stepOfBox(const QString& box);
 /// The arrow key on a slider over the range that `ends` tells: a hundredth of that.
-using Ends = std::function<std::pair<double, double>(const DrivenWindow& window)>;
+using Ends = std::function<TransferLimits(const DrivenWindow& window)>;
 AimFrom stepOfSlider(const Ends& ends);
 
 /// The number of a moment that `reach` finds goes where `aim` says, and nothing else does.
@@ -64,15 +64,14 @@ template <class Reach> Driver::Change moves(Reach reach, AimFrom aim)
     };
 }
 
-/// A part of the moment becomes what `value` makes of it before.
-template <class Part, class Value> Driver::Change becomes(Part Moment::*part, Value value)
-{
-    return [part, value](Moment& moment, const DrivenWindow& window) { moment.*part = value(moment.*part, window); };
-}
-
 /// The transfer function becomes `edited` of it, but for rounding far below what can be seen.
 using TransferEdit = std::function<TransferFunction(const TransferFunction& function, const DrivenWindow& window)>;
 Driver::Change transfer(const TransferEdit& edited);
+
+/// The values of the model.
+TransferLimits rangeOf(const DrivenWindow& window);
+/// A change: all of the domain is seen, from the same side.
+void fitView(Moment& moment, const DrivenWindow& window);
 
 Drivers allOf(std::initializer_list<Drivers> parts);
 

@@ -117,12 +117,6 @@ Driver lookingFrom(const QString& side, double azimuth, double elevation)
     });
 }
 
-void fits(Moment& moment, const DrivenWindow& window)
-{
-    moment.camera =
-        fitted(moment.camera, window.session().model()->description().bounds, window.viewport().aspectRatio());
-}
-
 Drivers cameraControls()
 {
     return {
@@ -150,7 +144,7 @@ Drivers cameraControls()
         lookingFrom("top", 0, 90),
         lookingFrom("bottom", 0, -90),
         lookingFrom("corner", 30, 20),
-        edit("view.fit", &fits,
+        edit("view.fit", &fitView,
              [](DrivenWindow& window) {
                  window.press("viewport", Qt::Key_Plus);
                  window.raise("dock.view");
@@ -203,11 +197,6 @@ Drivers viewControls()
     };
 }
 
-std::pair<double, double> valueEnds(const DrivenWindow& window)
-{
-    return {window.session().range().minimum, window.session().range().maximum};
-}
-
 Drivers isovalueControls()
 {
     const auto value = [](Moment& moment) -> double& { return moment.isovalues.front().value; };
@@ -223,7 +212,7 @@ Drivers isovalueControls()
         edit(
             "isovalue.0.remove",
             [](Moment& moment, const DrivenWindow&) { moment.isovalues.erase(moment.isovalues.begin()); }, dock),
-        edit("isovalue.0.value.slider", moves(value, stepOfSlider(&valueEnds)), dock),
+        edit("isovalue.0.value.slider", moves(value, stepOfSlider(&rangeOf)), dock),
         edit("isovalue.0.value.box", moves(value, stepOfBox("isovalue.0.value.box")), dock),
         edit("isovalue.0.opacity.slider", moves(opacity, lessOpaque), dock),
         edit("isovalue.0.opacity.box", moves(opacity, lessOpaque), dock),

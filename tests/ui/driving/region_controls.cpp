@@ -43,7 +43,7 @@ template <class Reach> Driver slides(const QString& name, const Driver::Step& pr
 }
 
 /// The three number boxes of a place or a size.
-template <class Reach> Drivers vector(const QString& name, const Driver::Step& prepare, Reach reach)
+template <class Reach> Drivers vectorControls(const QString& name, const Driver::Step& prepare, Reach reach)
 {
     Drivers drivers;
     for (int axis = 0; axis < 3; ++axis)
@@ -52,7 +52,7 @@ template <class Reach> Drivers vector(const QString& name, const Driver::Step& p
     return drivers;
 }
 
-std::pair<double, double> halfDiagonal(const DrivenWindow& window)
+TransferLimits halfDiagonal(const DrivenWindow& window)
 {
     return {0, window.session().model()->diagonal() / 2};
 }
@@ -91,7 +91,7 @@ Drivers focusControls()
         edit("focus.toView", &moveFocusToView, box),
         edit("focus.reset", &resetFocus, box),
     };
-    return allOf({others, vector("focus.centre", box, centre), vector("focus.size", box, size)});
+    return allOf({others, vectorControls("focus.centre", box, centre), vectorControls("focus.size", box, size)});
 }
 
 /// A window and a range of values, smaller than all there is.
@@ -104,11 +104,6 @@ void beginInRegion(DrivenWindow& window)
     query.values = {true, range.minimum + 0.2 * range.extent(), range.maximum - 0.2 * range.extent()};
     window.session().setQuery(query);
     window.raise("dock.region");
-}
-
-std::pair<double, double> valueEnds(const DrivenWindow& window)
-{
-    return {window.session().range().minimum, window.session().range().maximum};
 }
 
 /// Changes what of the query is about regions.
@@ -147,12 +142,13 @@ Drivers regionControls()
                 query.window.window.box = {bounds.min(), bounds.max()};
             },
             begin),
-        slides("region.least.slider", begin, least, &valueEnds),
+        slides("region.least.slider", begin, least, &rangeOf),
         steps("region.least.box", begin, least),
-        slides("region.largest.slider", begin, largest, &valueEnds),
+        slides("region.largest.slider", begin, largest, &rangeOf),
         steps("region.largest.box", begin, largest),
     };
-    return allOf({focusControls(), others, vector("region.from", begin, from), vector("region.to", begin, to)});
+    return allOf(
+        {focusControls(), others, vectorControls("region.from", begin, from), vectorControls("region.to", begin, to)});
 }
 
 } // namespace tetra

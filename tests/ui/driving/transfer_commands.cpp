@@ -64,11 +64,6 @@ void selectTwo(DrivenWindow& window)
     window.press("transfer.table", Qt::Key_Down, Qt::ShiftModifier);
 }
 
-TransferLimits rangeOf(const DrivenWindow& window)
-{
-    return {window.session().range().minimum, window.session().range().maximum};
-}
-
 double lengthOf(const TransferLimits& limits)
 {
     return limits.largest - limits.least;
@@ -106,8 +101,8 @@ Drivers wholeChanges()
         return [factor](const TransferFunction& old, const DrivenWindow&) { return withScaledOpacity(old, factor); };
     };
     const auto wider = [](double factor) {
-        return [factor](const TransferFunction& old, const DrivenWindow& window) {
-            return widened(old, middleOf(rangeOf(window)), factor); // over which the points go
+        return [factor](const TransferFunction& old, const DrivenWindow&) {
+            return widened(old, middleOf(*extentOf(old)), factor);
         };
     };
     return {
@@ -303,7 +298,7 @@ void reachBeyond(DrivenWindow& window)
 }
 
 /// Presets of colours leave the opacities.
-Drivers presets()
+Drivers presetCommands()
 {
     Drivers drivers;
     const auto preset = [&drivers](const QString& name, const TransferEdit& edited) {
@@ -374,7 +369,7 @@ Drivers transferCommands()
         looking("transfer.zoom.all", &reachBeyond, &zoomIn, true),
         opening("transfer.save.paraview", "transferParaviewDialog", &beginUneven),
     };
-    return allOf({wholeChanges(), pointChanges(), groups(), presets(), others});
+    return allOf({wholeChanges(), pointChanges(), groups(), presetCommands(), others});
 }
 
 } // namespace tetra

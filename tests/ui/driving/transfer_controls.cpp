@@ -17,11 +17,6 @@
 namespace tetra {
 namespace {
 
-TransferLimits rangeOf(const DrivenWindow& window)
-{
-    return {window.session().range().minimum, window.session().range().maximum};
-}
-
 void begin(DrivenWindow& window)
 {
     window.choose("volume");
@@ -34,7 +29,7 @@ void beginAtPoint(DrivenWindow& window)
     window.addTransferPoint();
 }
 
-void showTable(DrivenWindow& window)
+void beginInTable(DrivenWindow& window)
 {
     begin(window);
     auto& button = window.find<QToolButton>("transfer.table.show");
@@ -119,9 +114,10 @@ Drivers popupControls()
 }
 
 /// An edit of the point that was added last.
-using PointEdit = std::function<JoinedFunction(const JoinedFunction& function, std::size_t point, const DrivenWindow&)>;
+using AddedPointEdit =
+    std::function<JoinedFunction(const JoinedFunction& function, std::size_t point, const DrivenWindow&)>;
 
-Driver ofPoint(const QString& name, const PointEdit& edited, Driver::Step use = {})
+Driver ofPoint(const QString& name, const AddedPointEdit& edited, Driver::Step use = {})
 {
     return edit("transfer." + name, transfer([edited](const TransferFunction& function, const DrivenWindow& window) {
                     return separated(edited(joined(function), window.addedPoint(), window));
@@ -245,7 +241,7 @@ Drivers transferControls()
         showing(
             "transfer.table",
             [](const DrivenWindow& window) { return window.find<QAction>("transfer.change.delete").isEnabled(); },
-            &showTable),
+            &beginInTable),
         opening("transfer.load", "transferDialog", &begin),
         opening("transfer.save", "transferSaveDialog", &begin),
     };

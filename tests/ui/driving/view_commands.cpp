@@ -13,15 +13,15 @@ namespace {
 
 using CameraEdit = std::function<void(Camera& camera)>;
 
-Driver ofCamera(const QString& name, const CameraEdit& change, Driver::Step prepare = {})
+Driver cameraCommand(const QString& name, const CameraEdit& change, Driver::Step prepare = {})
 {
     return edit(
         "action." + name, [change](Moment& moment, const DrivenWindow&) { change(moment.camera); }, std::move(prepare));
 }
 
-Driver lookingFrom(const QString& side, double azimuth, double elevation, Driver::Step prepare = {})
+Driver sideCommand(const QString& side, double azimuth, double elevation, Driver::Step prepare = {})
 {
-    return ofCamera(
+    return cameraCommand(
         "view." + side,
         [=](Camera& camera) {
             camera.azimuth = azimuth;
@@ -32,7 +32,7 @@ Driver lookingFrom(const QString& side, double azimuth, double elevation, Driver
 
 Driver upAxisCommand(const QString& name, UpAxis up)
 {
-    return ofCamera(
+    return cameraCommand(
         "up." + name, [up](Camera& camera) { camera.up = up; },
         [up](DrivenWindow& window) {
             const UpAxis other = up == UpAxis::X ? UpAxis::Y : UpAxis::X;
@@ -49,34 +49,28 @@ Drivers orientationCommands()
         upAxisCommand("minusY", UpAxis::MinusY),
         upAxisCommand("z", UpAxis::Z),
         upAxisCommand("minusZ", UpAxis::MinusZ),
-        ofCamera("flip", [](Camera& camera) { camera.up = UpAxis::MinusZ; }),
-        ofCamera("rollRight", [](Camera& camera) { camera.roll = 90; }),
-        ofCamera("rollLeft", [](Camera& camera) { camera.roll = -90; }),
-        ofCamera(
+        cameraCommand("flip", [](Camera& camera) { camera.up = UpAxis::MinusZ; }),
+        cameraCommand("rollRight", [](Camera& camera) { camera.roll = 90; }),
+        cameraCommand("rollLeft", [](Camera& camera) { camera.roll = -90; }),
+        cameraCommand(
             "level", [](Camera& camera) { camera.roll = 0; },
             [](DrivenWindow& window) { window.trigger("action.rollLeft"); }),
-        ofCamera("trackball", [](Camera& camera) { camera.trackball = true; }),
-        ofCamera("perspective", [](Camera& camera) { camera.perspective = false; }),
-        lookingFrom("front", 0, 0),
-        lookingFrom("back", 180, 0),
-        lookingFrom("left", 270, 0),
-        lookingFrom("right", 90, 0),
-        lookingFrom("top", 0, 90),
-        lookingFrom("bottom", 0, -90),
-        lookingFrom("corner", 30, 20, [](DrivenWindow& window) { window.trigger("action.view.top"); }),
+        cameraCommand("trackball", [](Camera& camera) { camera.trackball = true; }),
+        cameraCommand("perspective", [](Camera& camera) { camera.perspective = false; }),
+        sideCommand("front", 0, 0),
+        sideCommand("back", 180, 0),
+        sideCommand("left", 270, 0),
+        sideCommand("right", 90, 0),
+        sideCommand("top", 0, 90),
+        sideCommand("bottom", 0, -90),
+        sideCommand("corner", 30, 20, [](DrivenWindow& window) { window.trigger("action.view.top"); }),
     };
-}
-
-void fits(Moment& moment, const DrivenWindow& window)
-{
-    moment.camera =
-        fitted(moment.camera, window.session().model()->description().bounds, window.viewport().aspectRatio());
 }
 
 void resets(Moment& moment, const DrivenWindow& window)
 {
     moment = window.atFirst();
-    fits(moment, window);
+    fitView(moment, window);
 }
 
 /// All of the view becomes another one.
@@ -99,7 +93,7 @@ void changeEverything(DrivenWindow& window)
 Drivers wholeViewCommands()
 {
     return {
-        edit("action.fit", &fits, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
+        edit("action.fit", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
         edit("action.resetView", &resets, &changeEverything),
     };
 }
