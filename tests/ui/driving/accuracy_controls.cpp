@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the docks Accuracy and Statistics are driven, and what each changes (R26).
+#include "plugins/widgets/number_text.h"
 #include "tests/ui/driving/driver.h"
 #include "ui/session/accuracy_scale.h"
 
@@ -53,8 +54,8 @@ Drivers presets()
 bool copiedTheTable(const DrivenWindow&)
 {
     const QString text = QGuiApplication::clipboard()->text();
-    return std::ranges::all_of(
-        accuracyPresets, [&text](double percent) { return text.contains('\n' + QString::number(percent) + '\t'); });
+    return std::ranges::all_of(accuracyPresets,
+                               [&text](double percent) { return text.contains('\n' + percentText(percent) + '\t'); });
 }
 
 } // namespace
@@ -70,7 +71,7 @@ Drivers accuracyControls()
             "accuracy.budget",
             [](Moment& moment, const DrivenWindow&) {
                 moment.query.byBudget = true;
-                moment.query.budget = 400'000; // the next round number
+                moment.query.budget = 500'000; // the next round number
             },
             inDock("dock.accuracy")),
         edit("accuracy.byBudget", toBudget(true), inDock("dock.accuracy")),

@@ -58,28 +58,37 @@ void DrivenWindow::openAnew()
         waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
                   "the dataset is open");
     }
-    opened_ = session().model();
     session().undoStack().clear();
+    resetLayout();
+    opened_ = session().model();
     atFirst_ = now();
+}
+
+/// The picture has its size then, and a camera that nobody has moved fits it.
+void DrivenWindow::resetLayout() const
+{
+    window.setWindowState(Qt::WindowNoState);
+    trigger("action.resetLayout");
+    QCoreApplication::processEvents();
 }
 
 void DrivenWindow::startAnew()
 {
     closeDialogs();
     find<MessageBar>("messages").clear();
+    viewport().setPreview(std::nullopt);
     session().endGesture();
     session().undoStack().setIndex(0);
+    resetLayout();
     const bool isThere = opened_ && session().model() == opened_ && workbench.dataset() &&
                          workbench.dataset()->source.path == volume_.toStdString() && now() == atFirst_;
     if (!isThere)
         openAnew();
     session().undoStack().clear();
-    window.setWindowState(Qt::WindowNoState);
-    trigger("action.resetLayout");
-    viewport().setPreview(std::nullopt);
     for (int item = 0; item < 2; ++item)
         press("transfer.canvas", Qt::Key_Escape); // what was selected, then what was picked
-    trigger("transfer.zoom.all");
+    for (const char* look : {"transfer.zoom.all", "transfer.axis.squareRoot", "transfer.valueAxis.linear"})
+        trigger(look);
     remember();
 }
 

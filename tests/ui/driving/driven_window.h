@@ -45,6 +45,7 @@ public:
 
 private:
     void openAnew();
+    void resetLayout() const;
 
     QString model_;
     QString volume_;

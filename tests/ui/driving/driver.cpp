@@ -11,9 +11,9 @@
 namespace tetra {
 namespace {
 
-constexpr int longestWait = 30'000;     // milliseconds: a build takes its time where all is checked
-constexpr double sliderStep = 0.01;     ///< of what it goes over
-constexpr double invisibleValue = 1e-5; ///< of the range of values
+constexpr int longestWait = 30'000;       // milliseconds: a build takes its time where all is checked
+constexpr double sliderStep = 0.01;       ///< of what it goes over
+constexpr double invisibleValue = 2.5e-4; ///< of the range of values: what number boxes round to
 constexpr float invisibleOpacity = 1e-4F;
 constexpr float invisibleColour = 1e-3F;
 
@@ -53,22 +53,33 @@ Moment expectedBy(const Driver& driver, const DrivenWindow& window)
     return moment;
 }
 
-/// Which parts of a moment are not as they should be.
+QStringList linesOf(const Moment& moment)
+{
+    SessionDocument document;
+    document.query = moment.query;
+    document.look = moment.look;
+    document.isovalues = moment.isovalues;
+    document.camera = moment.camera;
+    document.background = moment.background;
+    document.annotations = moment.annotations;
+    document.animation = moment.animation;
+    return QString::fromStdString(sessionToText(document, "/")).split('\n');
+}
+
+/// What is not as it should be: the first lines of the moments as files have them.
 QString differences(const Moment& is, const Moment& should)
 {
-    QStringList parts;
-    const auto compare = [&](const char* name, auto Moment::*part) {
-        if (is.*part != should.*part)
-            parts.append(name);
-    };
-    compare("query", &Moment::query);
-    compare("look", &Moment::look);
-    compare("isovalues", &Moment::isovalues);
-    compare("annotations", &Moment::annotations);
-    compare("animation", &Moment::animation);
-    compare("camera", &Moment::camera);
-    compare("background", &Moment::background);
-    return parts.join(", ");
+    constexpr qsizetype mostLines = 12;
+    const QStringList isLines = linesOf(is);
+    const QStringList shouldLines = linesOf(should);
+    QStringList told;
+    for (const QString& line : shouldLines)
+        if (!isLines.contains(line))
+            told.append("- " + line.trimmed());
+    for (const QString& line : isLines)
+        if (!shouldLines.contains(line))
+            told.append("+ " + line.trimmed());
+    return '\n' + told.mid(0, mostLines).join('\n');
 }
 
 /// Back and forth, or forth and back, brings what was there.

@@ -82,8 +82,8 @@ Drivers focusControls()
         toShape("box", Shape::None, Shape::Box),
         toShape("sphere", Shape::None, Shape::Sphere),
         toShape("none", Shape::Box, Shape::None),
-        ofFocus("error.slider", Shape::Box, [](FocusState& focus) { focus.error = 0.4; }), // the next finer one
-        ofFocus("error.box", Shape::Box, [](FocusState& focus) { focus.error = 0.6; }),
+        ofFocus("error.slider", Shape::Box, [](FocusState& focus) { focus.error = 0.15; }), // the next finer one
+        ofFocus("error.box", Shape::Box, [](FocusState& focus) { focus.error = 0.25; }),
         slides("focus.falloff.slider", box, falloff, &halfDiagonal),
         steps("focus.falloff.box", box, falloff),
         slides("focus.radius.slider", sphere, radius, &halfDiagonal),

@@ -45,11 +45,13 @@ void selectAll(DrivenWindow& window)
     window.press("transfer.canvas", Qt::Key_A, Qt::ControlModifier);
 }
 
-void showTable(DrivenWindow& window)
+/// In the table, which is shown; the next key down chooses its first row.
+void selectNothing(DrivenWindow& window)
 {
-    auto& table = window.find<QAbstractButton>("transfer.table.show");
-    if (!table.isChecked())
-        table.click();
+    auto& shown = window.find<QAbstractButton>("transfer.table.show");
+    if (!shown.isChecked())
+        shown.click();
+    window.find<QTableView>("transfer.table").selectionModel()->clear();
 }
 
 const TransferSelection twoSelected{2, 3};
@@ -58,7 +60,7 @@ const TransferSelection twoSelected{2, 3};
 void selectTwo(DrivenWindow& window)
 {
     beginUneven(window);
-    showTable(window);
+    selectNothing(window);
     for (int row = 0; row < 3; ++row)
         window.press("transfer.table", Qt::Key_Down);
     window.press("transfer.table", Qt::Key_Down, Qt::ShiftModifier);
@@ -241,7 +243,7 @@ Driver rule(const QString& name, NeighbourRule kind)
     };
     return edit(action, changes, prepare, [action](DrivenWindow& window) {
         window.trigger(action);
-        showTable(window);
+        selectNothing(window);
         window.press("transfer.table", Qt::Key_Down);
         window.press("transfer.canvas", Qt::Key_Right, Qt::ShiftModifier);
     });
@@ -267,17 +269,18 @@ Driver looking(const QString& name, const Driver::Step& begin, const Driver::Ste
             pictures->clear();
             for (const Driver::Step& step : {begin, prepare}) {
                 step(window);
+                window.find<QWidget>("transfer.canvas").setFocus();
                 QCoreApplication::processEvents();
                 pictures->append(plotOf(window));
             }
         });
 }
 
-/// A choice of several, which is checked then, too.
-Driver choice(const QString& name, const QString& other)
+/// A choice of several, which is checked then, too. `again`: it is the one at first.
+Driver choice(const QString& name, const QString& other, bool again)
 {
     Driver driver = looking(
-        name, &beginUneven, [other](DrivenWindow& window) { window.trigger(other); }, false);
+        name, &beginUneven, [other](DrivenWindow& window) { window.trigger(other); }, again);
     driver.shows = [name, seen = driver.shows](const DrivenWindow& window) {
         return window.find<QAction>(name).isChecked() && seen(window);
     };
@@ -349,21 +352,18 @@ Drivers transferCommands()
             [](const DrivenWindow& window) { return hasSelected(allPoints(joined(transferOf(window))))(window); },
             [](DrivenWindow& window) {
                 beginUneven(window);
-                showTable(window);
-                window.press("transfer.canvas", Qt::Key_Escape);
+                selectNothing(window);
             }),
         showing("transfer.change.copy", &copiedAll, &selectAllWithNothingCopied),
         edit("transfer.change.addIsovalue", &addIsovalueInTheMiddle, &beginUneven),
         rule("stop", NeighbourRule::Stop),
         rule("push", NeighbourRule::Push),
         rule("pass", NeighbourRule::Pass),
-        choice("transfer.axis.linear", "transfer.axis.logarithmic"),
-        choice("transfer.axis.squareRoot", "transfer.axis.linear"),
-        choice("transfer.axis.logarithmic", "transfer.axis.linear"),
-        looking(
-            "transfer.valueAxis.linear", &beginUneven,
-            [](DrivenWindow& window) { window.trigger("transfer.valueAxis.logarithmic"); }, true),
-        choice("transfer.valueAxis.logarithmic", "transfer.valueAxis.linear"),
+        choice("transfer.axis.linear", "transfer.axis.logarithmic", false),
+        choice("transfer.axis.squareRoot", "transfer.axis.linear", true),
+        choice("transfer.axis.logarithmic", "transfer.axis.linear", false),
+        choice("transfer.valueAxis.linear", "transfer.valueAxis.logarithmic", true),
+        choice("transfer.valueAxis.logarithmic", "transfer.valueAxis.linear", false),
         looking("transfer.zoom.selection", &selectTwo, &zoomIn, false),
         looking("transfer.zoom.data", &reachBeyond, &zoomIn, false),
         looking("transfer.zoom.all", &reachBeyond, &zoomIn, true),
