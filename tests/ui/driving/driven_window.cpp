@@ -65,7 +65,7 @@ void DrivenWindow::openAnew()
 }
 
 /// The picture has its size then, and a camera that nobody has moved fits it.
-void DrivenWindow::resetLayout() const
+void DrivenWindow::resetLayout()
 {
     window.setWindowState(Qt::WindowNoState);
     trigger("action.resetLayout");

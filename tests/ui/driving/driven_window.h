@@ -45,7 +45,7 @@ public:
 
 private:
     void openAnew();
-    void resetLayout() const;
+    void resetLayout();
 
     QString model_;
     QString volume_;
