@@ -104,6 +104,7 @@ void DecimationTest::curvilinearGridsStaySound()
     }
 }
 
+/// R11, C8: that of the paper is one.
 void DecimationTest::everyOrderIsSound()
 {
     DecimationOptions options;
@@ -129,6 +130,7 @@ void DecimationTest::theSameInputGivesTheSameHistory()
     QCOMPARE(first.tetrahedra.size(), second.tetrahedra.size());
 }
 
+/// R12, S11: no collapse is made whose error is beyond the key, so that the last mesh keeps it.
 void DecimationTest::stopsAtTheKey()
 {
     DecimationOptions options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any prefix of the sites gives the mesh that was there (R14, R15, S1, S2), and a damaged file an error.
+// Any prefix of the sites gives the mesh that was there (R14, R15, S1, S2, B7), and a damaged file an error.
 #include "core/history/walk.h"
 
 #include "core/history/site_positions.h"

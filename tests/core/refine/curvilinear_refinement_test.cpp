@@ -71,8 +71,8 @@ private slots:
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
     }
 
-    /// R4, R5, R8, S1, S4, S5, S6: at every level the mesh fills computational space, conforms across blocks too, keeps
-    /// error and warping, and has no flipped tetrahedron that a point could cure; all found by brute force.
+    /// R4, R5, R8, R9, S1, S4, S5, S6: at every level the mesh fills computational space, conforms across blocks too,
+    /// keeps error and warping, and has no flipped tetrahedron that a point could cure; all found by brute force.
     void keepsItsAccuracyAtEveryLevel_data()
     {
         QTest::addColumn<QString>("name");

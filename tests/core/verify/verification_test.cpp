@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checker (B3) proves right models right, and finds what is wrong with every kind of wrong one.
+// The checker (R2, R3, B3) proves right models right, and finds what is wrong with every kind of wrong one.
 
 #include "core/base/checksum.h"
 #include "tests/core/history/model_fixture.h"
