@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_dataset.h"
 
-#include "core/base/text.h"
-#include "core/data/dataset_checks.h"
-
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -133,7 +130,6 @@ Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Prog
     if (!dataset)
         return dataset.error();
     dataset->source = source;
-    dataset->source.hash = contentHash(dataset->values, dataset->positions, dataset->tetrahedra);
     dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());
     return dataset;
 }
