@@ -2,6 +2,7 @@
 #include <plugins/api/writer.h>
 
 #include <QObject>
+#include <QTextStream>
 
 /// Writes surfaces as text: the numbers of vertices and triangles, then one of them in each line.
 class OffWriter : public QObject, public tetra::Writer {
@@ -18,20 +19,21 @@ public:
     tetra::Status writeSurface(const tetra::SurfaceContent& surface, tetra::OutputFile& file,
                                const tetra::ParameterValues&) const override
     {
-        std::string text =
-            "OFF\n" + std::to_string(surface.vertexCount()) + " " + std::to_string(surface.triangleCount()) + " 0\n";
+        QByteArray text;
+        QTextStream lines(&text); // writes numbers alike in every language
+        lines.setRealNumberPrecision(9);
+        lines << "OFF\n" << surface.vertexCount() << " " << surface.triangleCount() << " 0\n";
         for (const tetra::SurfacePart& part : surface.parts)
             for (const Eigen::Vector3f& position : part.positions)
-                text += tetra::formatNumber(position.x()) + " " + tetra::formatNumber(position.y()) + " " +
-                        tetra::formatNumber(position.z()) + "\n";
+                lines << position.x() << " " << position.y() << " " << position.z() << "\n";
         std::size_t first = 0; // the file counts through the vertices of all parts
         for (const tetra::SurfacePart& part : surface.parts) {
             for (const auto& [a, b, c] : part.triangles)
-                text += "3 " + std::to_string(first + a) + " " + std::to_string(first + b) + " " +
-                        std::to_string(first + c) + "\n";
+                lines << "3 " << first + a << " " << first + b << " " << first + c << "\n";
             first += part.positions.size();
         }
-        return file.text(text);
+        lines.flush();
+        return file.text(text.toStdString());
     }
 };
 

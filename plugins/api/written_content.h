@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,7 +25,11 @@ using MeshFacts = std::vector<std::pair<std::string, std::variant<double, std::s
 inline std::string factText(const MeshFacts::value_type::second_type& fact)
 {
     const auto* number = std::get_if<double>(&fact);
-    return number != nullptr ? formatNumber(*number) : std::get<std::string>(fact);
+    if (number == nullptr)
+        return std::get<std::string>(fact);
+    std::array<char, 32> text{}; // -1.7976931348623157e+308 has 24 characters
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), *number);
+    return {text.data(), end};
 }
 
 /// A number for each vertex, or for each tetrahedron, with a name.

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/own_presets.h"
 
+#include "core/base/file_writer.h"
+
 #include <tan/transfer.h>
 
 #include <QDir>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUrl>
 
 #include <cmath>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -79,14 +81,10 @@ std::vector<Preset> ownPresets()
 
 Status saveOwnPreset(const QString& name, const TransferFunction& preset)
 {
-    QSaveFile file(fileOf(name));
+    const QString path = fileOf(name);
     folder().mkpath(".");
-    if (!file.open(QIODevice::WriteOnly))
-        return failed(file.fileName(), file.errorString());
-    file.write(QByteArray::fromStdString(transferFunctionToText(preset)));
-    if (!file.commit())
-        return failed(file.fileName(), file.errorString());
-    return {};
+    const std::string text = transferFunctionToText(preset);
+    return writeWholeFile(QFile::encodeName(path).toStdString(), std::as_bytes(std::span(text)));
 }
 
 Status deleteOwnPreset(const QString& name)

@@ -2,6 +2,8 @@
 // The format: Tecplot 360 Data Format Guide, ASCII data.
 #include "plugins/readers/vtk/tecplot_text.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/arrays.h"
 
+#include "core/base/text.h"
+
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkPointData.h>
