@@ -38,7 +38,9 @@ QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string
         return makeReasonPage(id, editor.error().text());
     auto* host = new SessionEditorHost(workbench, pick, type, &workbench);
     const auto widget = callPlugin(id, [&]() -> Result<QWidget*> { return editor->plugin->makeWidget(*host); });
-    return widget ? *widget : makeReasonPage(id, widget.error().text());
+    if (!widget)
+        return makeReasonPage(id, widget.error().text());
+    return *widget != nullptr ? *widget : makeReasonPage(id, "It makes no widget. Tell its author.");
 }
 
 } // namespace tetra
