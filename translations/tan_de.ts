@@ -509,10 +509,6 @@
         <translation>Isowerte</translation>
     </message>
     <message>
-        <source>Transfer</source>
-        <translation>Transfer</translation>
-    </message>
-    <message>
         <source>Focus</source>
         <translation>Fokus</translation>
     </message>
@@ -547,10 +543,6 @@
     <message>
         <source>Surfaces on which the field has one value each, in the units of the data.</source>
         <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
-    </message>
-    <message>
-        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-        <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
     </message>
     <message>
         <source>A sphere or a box in which the mesh is more accurate than outside.</source>
@@ -595,50 +587,6 @@
         <translation>PNG-Bilder (*.png)</translation>
     </message>
     <message>
-        <source>Save Mesh</source>
-        <translation>Netz speichern</translation>
-    </message>
-    <message>
-        <source>VTK XML unstructured grids (*.vtu)</source>
-        <translation>Unstrukturierte Gitter, VTK-XML (*.vtu)</translation>
-    </message>
-    <message>
-        <source>Boundary as VTK XML polydata (*.vtp)</source>
-        <translation>Rand als Polydata, VTK-XML (*.vtp)</translation>
-    </message>
-    <message>
-        <source>Boundary as STL (*.stl)</source>
-        <translation>Rand als STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Boundary as Wavefront OBJ (*.obj)</source>
-        <translation>Rand als Wavefront-OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Boundary as binary glTF (*.glb)</source>
-        <translation>Rand als binäres glTF (*.glb)</translation>
-    </message>
-    <message>
-        <source>Save Surfaces</source>
-        <translation>Flächen speichern</translation>
-    </message>
-    <message>
-        <source>STL files (*.stl)</source>
-        <translation>STL-Dateien (*.stl)</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ files (*.obj)</source>
-        <translation>Wavefront-OBJ-Dateien (*.obj)</translation>
-    </message>
-    <message>
-        <source>Binary glTF files (*.glb)</source>
-        <translation>Binäre glTF-Dateien (*.glb)</translation>
-    </message>
-    <message>
-        <source>VTK XML polydata (*.vtp)</source>
-        <translation>Polydata, VTK-XML (*.vtp)</translation>
-    </message>
-    <message>
         <source>Save Statistics</source>
         <translation>Statistik speichern</translation>
     </message>
@@ -649,14 +597,6 @@
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>VTK legacy files (*.vtk)</source>
-        <translation>Ältere VTK-Dateien (*.vtk)</translation>
-    </message>
-    <message>
-        <source>PLY files (*.ply)</source>
-        <translation>PLY-Dateien (*.ply)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -928,14 +868,6 @@
     <message>
         <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
         <translation>Liest Netze aus Tetraedern, Hexaedern, Prismen und Pyramiden aus VTK-XML (.vtu) und AVS UCD (.inp).</translation>
-    </message>
-    <message>
-        <source>VTU writer</source>
-        <translation>VTU-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra as VTK XML unstructured grids.</source>
-        <translation>Schreibt Tetraedernetze als unstrukturierte Gitter in VTK-XML.</translation>
     </message>
     <message>
         <source>VTK unstructured grid (*.vtu)</source>
@@ -1538,10 +1470,6 @@
         <translation>Editor der Transferfunktion</translation>
     </message>
     <message>
-        <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
-        <translation>Bearbeitet Farbe und Deckkraft jedes Wertes über der Häufigkeit der Werte.</translation>
-    </message>
-    <message>
         <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
         <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
     </message>
@@ -1636,6 +1564,109 @@
     <message>
         <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
         <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
+    </message>
+    <message>
+        <source>VTK XML writer</source>
+        <translation>VTK-XML-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra as VTK XML unstructured grids, and surfaces as polydata.</source>
+        <translation>Schreibt Tetraedernetze als unstrukturierte VTK-XML-Gitter und Flächen als Polydata.</translation>
+    </message>
+    <message>
+        <source>Legacy VTK writer</source>
+        <translation>Schreiber für ältere VTK-Dateien</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra and surfaces as legacy VTK files.</source>
+        <translation>Schreibt Tetraedernetze und Flächen als ältere VTK-Dateien.</translation>
+    </message>
+    <message>
+        <source>PLY writer</source>
+        <translation>PLY-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra and surfaces as PLY files.</source>
+        <translation>Schreibt Tetraedernetze und Flächen als PLY-Dateien.</translation>
+    </message>
+    <message>
+        <source>STL writer</source>
+        <translation>STL-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes surfaces as STL files.</source>
+        <translation>Schreibt Flächen als STL-Dateien.</translation>
+    </message>
+    <message>
+        <source>OBJ writer</source>
+        <translation>OBJ-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes surfaces as Wavefront text.</source>
+        <translation>Schreibt Flächen als Wavefront-Text.</translation>
+    </message>
+    <message>
+        <source>glTF writer</source>
+        <translation>glTF-Schreiber</translation>
+    </message>
+    <message>
+        <source>Writes surfaces as binary glTF files.</source>
+        <translation>Schreibt Flächen als binäre glTF-Dateien.</translation>
+    </message>
+    <message>
+        <source>NRRD volumes</source>
+        <translation>NRRD-Volumen</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Punkttabellen</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids with a solution file</source>
+        <translation>PLOT3D-Gitter mit Lösungsdatei</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids</source>
+        <translation>Unstrukturierte Gitter, VTK-XML</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata</source>
+        <translation>Polydata, VTK-XML</translation>
+    </message>
+    <message>
+        <source>VTK legacy files</source>
+        <translation>Ältere VTK-Dateien</translation>
+    </message>
+    <message>
+        <source>PLY files</source>
+        <translation>PLY-Dateien</translation>
+    </message>
+    <message>
+        <source>STL files</source>
+        <translation>STL-Dateien</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files</source>
+        <translation>Wavefront-OBJ-Dateien</translation>
+    </message>
+    <message>
+        <source>Binary glTF files</source>
+        <translation>Binäre glTF-Dateien</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfer</translation>
+    </message>
+    <message>
+        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
+        <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
+    </message>
+</context>
+<context>
+    <name>PluginChoice</name>
+    <message>
+        <source>Boundary: %1</source>
+        <translation>Rand: %1</translation>
     </message>
 </context>
 <context>
@@ -2237,14 +2268,6 @@
         <translation>Der Ordner „%1“ für Beispiele kann nicht angelegt werden: %2. Machen Sie ihn beschreibbar, oder schaffen Sie Platz.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
-        <translation>„%1“ endet weder auf .vtu, .vtk oder .ply, in denen Netze geschrieben werden, noch auf .vtp, .stl, .obj oder .glb, für ihren Rand allein. Wählen Sie eine dieser Endungen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings.</source>
-        <translation>„%1“ endet auf keine von .vtp, .vtk, .vtu, .ply, .stl, .obj und .glb, in denen Flächen geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
         <translation>„%1“ endet weder auf .csv noch auf .json, in denen Statistiken geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
     </message>
@@ -2843,6 +2866,34 @@
     <message>
         <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
         <translation>Zurzeit können nicht alle Plugins geladen werden: %1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Ein Datensatz kann nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Ein Netz kann nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Flächen können nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
+        <translation>Wählen Sie eine dieser Endungen: %1; oder, für den Rand des Netzes allein, %2.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1.</source>
+        <translation>Wählen Sie eine dieser Endungen: %1.</translation>
+    </message>
+    <message>
+        <source>The plugin &quot;%1&quot; cannot be used. %2</source>
+        <translation>Das Plugin „%1“ kann nicht benutzt werden. %2</translation>
+    </message>
+    <message>
+        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
+        <translation>Es wurde mit %1 gebaut und dieses Programm mit %2. Bauen Sie das Plugin mit diesem Compiler und den Headern dieses TAn neu, oder installieren Sie eine Fassung für dieses TAn.</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4446,14 @@ Verwerfung %2</translation>
     <message>
         <source>The picture is not of the present settings, which could not be shown.</source>
         <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Netz speichern</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Flächen speichern</translation>
     </message>
 </context>
 <context>

@@ -509,10 +509,6 @@
         <translation>Isovalori</translation>
     </message>
     <message>
-        <source>Transfer</source>
-        <translation>Trasferimento</translation>
-    </message>
-    <message>
         <source>Focus</source>
         <translation>Focus</translation>
     </message>
@@ -547,10 +543,6 @@
     <message>
         <source>Surfaces on which the field has one value each, in the units of the data.</source>
         <translation>Superfici su ciascuna delle quali il campo ha un solo valore, nelle unità dei dati.</translation>
-    </message>
-    <message>
-        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-        <translation>La funzione di trasferimento dà a ogni valore un colore e un&apos;opacità per il volume.</translation>
     </message>
     <message>
         <source>A sphere or a box in which the mesh is more accurate than outside.</source>
@@ -595,50 +587,6 @@
         <translation>Immagini PNG (*.png)</translation>
     </message>
     <message>
-        <source>Save Mesh</source>
-        <translation>Salva mesh</translation>
-    </message>
-    <message>
-        <source>VTK XML unstructured grids (*.vtu)</source>
-        <translation>Griglie non strutturate VTK XML (*.vtu)</translation>
-    </message>
-    <message>
-        <source>Boundary as VTK XML polydata (*.vtp)</source>
-        <translation>Contorno come VTK XML polydata (*.vtp)</translation>
-    </message>
-    <message>
-        <source>Boundary as STL (*.stl)</source>
-        <translation>Contorno come STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Boundary as Wavefront OBJ (*.obj)</source>
-        <translation>Contorno come Wavefront OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Boundary as binary glTF (*.glb)</source>
-        <translation>Contorno come glTF binario (*.glb)</translation>
-    </message>
-    <message>
-        <source>Save Surfaces</source>
-        <translation>Salva superfici</translation>
-    </message>
-    <message>
-        <source>STL files (*.stl)</source>
-        <translation>File STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ files (*.obj)</source>
-        <translation>File Wavefront OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Binary glTF files (*.glb)</source>
-        <translation>File glTF binari (*.glb)</translation>
-    </message>
-    <message>
-        <source>VTK XML polydata (*.vtp)</source>
-        <translation>VTK XML polydata (*.vtp)</translation>
-    </message>
-    <message>
         <source>Save Statistics</source>
         <translation>Salva statistiche</translation>
     </message>
@@ -649,14 +597,6 @@
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>VTK legacy files (*.vtk)</source>
-        <translation>File VTK legacy (*.vtk)</translation>
-    </message>
-    <message>
-        <source>PLY files (*.ply)</source>
-        <translation>File PLY (*.ply)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -928,14 +868,6 @@
     <message>
         <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
         <translation>Legge mesh di tetraedri, esaedri, prismi e piramidi da VTK XML (.vtu) e AVS UCD (.inp).</translation>
-    </message>
-    <message>
-        <source>VTU writer</source>
-        <translation>Scrittura VTU</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra as VTK XML unstructured grids.</source>
-        <translation>Scrive mesh di tetraedri come griglie non strutturate VTK XML.</translation>
     </message>
     <message>
         <source>VTK unstructured grid (*.vtu)</source>
@@ -1578,10 +1510,6 @@
         <translation>Editor della funzione di trasferimento</translation>
     </message>
     <message>
-        <source>Edits the colour and the opacity of each value, over how often the values occur.</source>
-        <translation>Modifica il colore e l&apos;opacità di ogni valore, sopra la frequenza dei valori.</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>nessuno</translation>
     </message>
@@ -1636,6 +1564,109 @@
     <message>
         <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
         <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
+    </message>
+    <message>
+        <source>VTK XML writer</source>
+        <translation>Scrittura VTK XML</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra as VTK XML unstructured grids, and surfaces as polydata.</source>
+        <translation>Scrive mesh di tetraedri come griglie non strutturate VTK XML e superfici come polydata.</translation>
+    </message>
+    <message>
+        <source>Legacy VTK writer</source>
+        <translation>Scrittura VTK legacy</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra and surfaces as legacy VTK files.</source>
+        <translation>Scrive mesh di tetraedri e superfici come file VTK legacy.</translation>
+    </message>
+    <message>
+        <source>PLY writer</source>
+        <translation>Scrittura PLY</translation>
+    </message>
+    <message>
+        <source>Writes meshes of tetrahedra and surfaces as PLY files.</source>
+        <translation>Scrive mesh di tetraedri e superfici come file PLY.</translation>
+    </message>
+    <message>
+        <source>STL writer</source>
+        <translation>Scrittura STL</translation>
+    </message>
+    <message>
+        <source>Writes surfaces as STL files.</source>
+        <translation>Scrive superfici come file STL.</translation>
+    </message>
+    <message>
+        <source>OBJ writer</source>
+        <translation>Scrittura OBJ</translation>
+    </message>
+    <message>
+        <source>Writes surfaces as Wavefront text.</source>
+        <translation>Scrive superfici come testo Wavefront.</translation>
+    </message>
+    <message>
+        <source>glTF writer</source>
+        <translation>Scrittura glTF</translation>
+    </message>
+    <message>
+        <source>Writes surfaces as binary glTF files.</source>
+        <translation>Scrive superfici come file glTF binari.</translation>
+    </message>
+    <message>
+        <source>NRRD volumes</source>
+        <translation>Volumi NRRD</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabelle di punti</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids with a solution file</source>
+        <translation>Griglie PLOT3D con file di soluzione</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids</source>
+        <translation>Griglie non strutturate VTK XML</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata</source>
+        <translation>VTK XML polydata</translation>
+    </message>
+    <message>
+        <source>VTK legacy files</source>
+        <translation>File VTK legacy</translation>
+    </message>
+    <message>
+        <source>PLY files</source>
+        <translation>File PLY</translation>
+    </message>
+    <message>
+        <source>STL files</source>
+        <translation>File STL</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files</source>
+        <translation>File Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Binary glTF files</source>
+        <translation>File glTF binari</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Trasferimento</translation>
+    </message>
+    <message>
+        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
+        <translation>La funzione di trasferimento dà a ogni valore un colore e un&apos;opacità per il volume.</translation>
+    </message>
+</context>
+<context>
+    <name>PluginChoice</name>
+    <message>
+        <source>Boundary: %1</source>
+        <translation>Contorno: %1</translation>
     </message>
 </context>
 <context>
@@ -2237,14 +2268,6 @@
         <translation>La cartella «%1» per gli esempi non può essere creata: %2. Renderla scrivibile, o liberare spazio.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
-        <translation>«%1» non termina né in .vtu, .vtk o .ply, i formati in cui si scrivono le mesh, né in .vtp, .stl, .obj o .glb, per il solo bordo. Scegliere una di queste estensioni.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings.</source>
-        <translation>«%1» non termina in .vtp, .vtk, .vtu, .ply, .stl, .obj o .glb, i formati in cui si scrivono le superfici. Scegliere una di queste estensioni.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
         <translation>«%1» non termina né in .csv né in .json, i formati in cui si scrivono le statistiche. Scegliere una di queste estensioni.</translation>
     </message>
@@ -2843,6 +2866,34 @@
     <message>
         <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
         <translation>In questo momento non è possibile caricare tutti i plugin: %1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Un dataset non può essere scritto come «%1». %2</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Una mesh non può essere scritta come «%1». %2</translation>
+    </message>
+    <message>
+        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Le superfici non possono essere scritte come «%1». %2</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
+        <translation>Scegliere una di queste estensioni: %1; oppure, per il solo contorno della mesh, %2.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1.</source>
+        <translation>Scegliere una di queste estensioni: %1.</translation>
+    </message>
+    <message>
+        <source>The plugin &quot;%1&quot; cannot be used. %2</source>
+        <translation>Il plugin «%1» non può essere usato. %2</translation>
+    </message>
+    <message>
+        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
+        <translation>È stato compilato con %1 e questo programma con %2. Ricompilare il plugin con questo compilatore e gli header di questo TAn, oppure installarne una versione per questo TAn.</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4446,14 @@ deformazione %2</translation>
     <message>
         <source>The picture is not of the present settings, which could not be shown.</source>
         <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Salva mesh</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Salva superfici</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,10 @@
 #include <QtGlobal>
 
 namespace tetra {
+
+static_assert(pluginInterfaceVersion.major > 0 || pluginInterfaceVersion == Version{TAN_VERSION_NUMBERS},
+              "before 1.0 the plugin interface has the version of the program");
+
 namespace {
 
 Error refused(std::string text)
@@ -46,9 +50,14 @@ Status checkBuildTag(const std::string& plugin, const std::string& host)
 {
     if (plugin == host)
         return {};
-    return refused("It was built as " + (plugin.empty() ? std::string("(unknown)") : plugin) +
-                   ", and this program as " + host +
-                   ". Rebuild the plugin with tan_plugin() and the compiler of this program.");
+    if (plugin.empty())
+        return refused("It does not say what it was built with, and this program was built with " + host +
+                       ". Rebuild the plugin with tan_plugin_module().");
+    return Error{
+        ErrorKind::BadInput,
+        Message::say("It was built with %1, and this program with %2. Rebuild the plugin with that compiler and "
+                     "the headers of this TAn, or install a build of it for this TAn.",
+                     plugin, host)};
 }
 
 } // namespace

@@ -63,6 +63,21 @@ Result<ParameterValue> parseIsovalues(const Parameter& parameter, std::string_vi
     return ParameterValue(isovalues);
 }
 
+Result<ParameterValue> parseVector(const Parameter& parameter, std::string_view text)
+{
+    const auto parts = split(text, ',');
+    if (parts.size() != 3)
+        return notIn(parameter, text);
+    Eigen::Vector3d vector;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto number = parseNumber<double>(parts[axis]);
+        if (!number || !std::isfinite(*number) || !isWithinBounds(parameter, *number))
+            return notIn(parameter, text);
+        vector[static_cast<Eigen::Index>(axis)] = *number;
+    }
+    return ParameterValue(vector);
+}
+
 std::string isovalueText(const Isovalue& isovalue)
 {
     return formatNumber(isovalue.value) + ":" + colourText({isovalue.red, isovalue.green, isovalue.blue}) + ":" +
@@ -77,6 +92,9 @@ struct TypeName {
     std::string operator()(const std::string&) const { return "a text"; }
     std::string operator()(const std::vector<Isovalue>&) const { return "isovalues V[:COLOUR[:OPACITY]], V"; }
     std::string operator()(const TransferFunction&) const { return "a transfer function as JSON"; }
+    std::string operator()(const Colour&) const { return "a colour, #rrggbb or a name"; }
+    std::string operator()(const Eigen::Vector3d&) const { return "three numbers x,y,z"; }
+    std::string operator()(const OwnValue& value) const { return "a text that makes a " + value.type; }
 };
 
 struct ToText {
@@ -92,6 +110,12 @@ struct ToText {
         return text;
     }
     std::string operator()(const TransferFunction& function) const { return transferFunctionToText(function); }
+    std::string operator()(const Colour& colour) const { return colourText(colour); }
+    std::string operator()(const Eigen::Vector3d& vector) const
+    {
+        return formatNumber(vector[0]) + "," + formatNumber(vector[1]) + "," + formatNumber(vector[2]);
+    }
+    std::string operator()(const OwnValue& value) const { return value.text; }
 };
 
 } // namespace
@@ -143,11 +167,19 @@ Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_vi
             return function.error();
         return ParameterValue(*std::move(function));
     }
+    if (std::holds_alternative<Colour>(parameter.defaultValue)) {
+        const auto colour = parseColour(text);
+        return colour ? Result<ParameterValue>(ParameterValue(*colour)) : colour.error();
+    }
+    if (std::holds_alternative<Eigen::Vector3d>(parameter.defaultValue))
+        return parseVector(parameter, text);
     if (!parameter.choices.empty() && std::ranges::find(parameter.choices, text) == parameter.choices.end())
         return notIn(parameter, text);
     if (parameter.mistake)
         if (const std::string mistake = parameter.mistake(std::string(text)); !mistake.empty())
             return Error{ErrorKind::WrongUsage, mistake};
+    if (const auto* own = std::get_if<OwnValue>(&parameter.defaultValue))
+        return ParameterValue(OwnValue{own->type, std::string(text)});
     return ParameterValue(std::string(text));
 }
 

@@ -6,7 +6,9 @@
 #include <tan/base.h>
 
 #include <exception>
+#include <functional>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 namespace tetra {
@@ -32,16 +34,35 @@ inline Error thrownByPlugin(const std::string& id, const std::exception& problem
 }
 
 /// Calls `work`, which gives a Result and belongs to the plugin `id`. Plugins should not throw; what one throws all the
-/// same becomes an error here.
-template <class Work> auto callPlugin(const std::string& id, Work&& work) -> decltype(work())
+/// same becomes an error here, and too little memory the error `outOfMemory`.
+template <class Work> auto callPlugin(const std::string& id, Work&& work, const Error& outOfMemory) -> decltype(work())
 {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return outOfMemoryInPlugin(id);
+        return outOfMemory;
+    } catch (const std::length_error&) { // more than any vector can hold
+        return outOfMemory;
     } catch (const std::exception& problem) {
         return thrownByPlugin(id, problem);
+    } catch (...) {
+        return thrownByPlugin(id, std::runtime_error("it threw something unknown"));
     }
+}
+template <class Work> auto callPlugin(const std::string& id, Work&& work) -> decltype(work())
+{
+    return callPlugin(id, std::forward<Work>(work), outOfMemoryInPlugin(id));
+}
+
+/// The same for work that gives a value and no Result: what it throws goes to `tell`, and `fallback` is given instead.
+template <class Value, class Work>
+Value callPluginOr(Value fallback, const std::string& id, const std::function<void(const Error&)>& tell, Work&& work)
+{
+    auto result = callPlugin(id, [&]() -> Result<Value> { return work(); });
+    if (result)
+        return *std::move(result);
+    tell(result.error());
+    return fallback;
 }
 
 } // namespace tetra

@@ -28,12 +28,14 @@ struct PluginMetadata {
     Version version;
     Version api;
     std::string name;
+    std::string title; ///< a word or two, for a dock; else the name
     std::string description;
+    std::string edits; ///< of editors: the type of the parameters that they edit
     std::vector<std::string> requiredIds;
     std::string remedy;
     std::string interface; ///< the IID
     Version qt;            ///< of the Qt that it was built with
-    std::string buildTag;  ///< system, processor and compiler that it was built with
+    std::string buildTag;  ///< what it was built with, and for (TAnPlugin.cmake)
 };
 
 /// Reads what QPluginLoader::metaData() gave. The error says which key is missing or wrong.

@@ -98,10 +98,15 @@ std::set<std::string> textsOf(PluginHost& host)
         for (const std::string& filter : reader.plugin->nameFilters())
             texts.insert(filter);
     }
+    for (const auto& writer : host.writers()) {
+        collect(texts, writer.plugin->parameters());
+        for (const FileFormat& format : writer.plugin->formats())
+            texts.insert(format.name);
+    }
     for (const auto& renderer : host.renderers())
         collect(texts, renderer.plugin->parameters({{0, 1}, {}}));
     for (const PluginStatus& plugin : host.plugins())
-        texts.insert({plugin.metadata.name, plugin.metadata.description});
+        texts.insert({plugin.metadata.name, plugin.metadata.title, plugin.metadata.description});
     texts.erase("");
     return texts;
 }

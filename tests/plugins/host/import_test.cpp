@@ -2,7 +2,7 @@
 /// Opening parts of datasets, what models keep of it, and what a build is expected to take.
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the dock Build are driven.
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
