@@ -2,7 +2,6 @@
 #include "plugins/host/plugin_host.h"
 
 #include "core/base/folder.h"
-#include "core/base/mapped_file.h"
 #include "core/base/system_error.h"
 #include "plugins/host/dependency_order.h"
 #include "plugins/host/load_error.h"
