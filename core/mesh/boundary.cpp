@@ -2,11 +2,11 @@
 #include "core/mesh/boundary.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/flat_index.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace tetra {
 
@@ -108,7 +108,7 @@ namespace {
 
 /// One triangle's share of an edge: its corner place `corner` is where it starts along the edge.
 struct EdgeUse {
-    std::uint64_t edge; ///< smaller vertex in the upper half
+    EdgeKey edge;
     std::uint32_t triangle;
     std::uint8_t corner;
     bool upwards; ///< from the smaller vertex to the larger
@@ -120,8 +120,8 @@ std::vector<EdgeUse> sortedEdgeUses(std::span<const Triangle> triangles)
     uses.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::uint8_t i = 0; i < 3; ++i) {
-            const std::uint64_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-            uses.push_back({std::min(from, to) << 32 | std::max(from, to), t, i, from < to});
+            const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+            uses.push_back({edgeKey(from, to), t, i, from < to});
         }
     std::ranges::sort(uses, [](const EdgeUse& a, const EdgeUse& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
@@ -156,7 +156,7 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
     forEdges(uses, [&](std::size_t first, std::size_t count) {
         const EdgeUse& a = uses[first];
         if (count != 2 || !sound(a, uses[first + 1])) {
-            breaches.edges.push_back({static_cast<std::uint32_t>(a.edge >> 32), static_cast<std::uint32_t>(a.edge)});
+            breaches.edges.push_back(endsOf(a.edge));
             return;
         }
         // Where one starts along the edge, the other ends.
@@ -164,10 +164,10 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
         fans.join(3 * a.triangle + a.corner, 3 * b.triangle + (b.corner + 1) % 3);
         fans.join(3 * a.triangle + (a.corner + 1) % 3, 3 * b.triangle + b.corner);
     });
-    std::unordered_map<std::uint32_t, std::uint32_t> breached; // ends of breached edges
+    FlatIndex<std::uint32_t> breached; // ends of breached edges
     for (const auto& [a, b] : breaches.edges) {
-        breached[a] = 0;
-        breached[b] = 0;
+        breached.numberOf(a);
+        breached.numberOf(b);
     }
     std::vector<std::uint32_t> centres;
     for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)

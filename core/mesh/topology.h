@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,21 @@ namespace tetra {
 
 using Triangle = std::array<std::uint32_t, 3>;    ///< by numbers of vertices, or of the points or sites they are
 using Tetrahedron = std::array<std::uint32_t, 4>; ///< likewise
+
+/// An edge as a number: its smaller vertex, times 2^32, plus the larger one.
+using EdgeKey = std::uint64_t;
+
+constexpr EdgeKey edgeKey(std::uint32_t one, std::uint32_t other) noexcept
+{
+    const EdgeKey a = one, b = other;
+    return std::min(a << 32 | b, b << 32 | a); // compilers make no branch of this
+}
+
+/// The ends of an edge, smaller one first.
+constexpr std::array<std::uint32_t, 2> endsOf(EdgeKey edge) noexcept
+{
+    return {static_cast<std::uint32_t>(edge >> 32), static_cast<std::uint32_t>(edge)};
+}
 
 /// The corners of a tetrahedron's faces. Face f is the one opposite to corner f; seen from outside a positive
 /// tetrahedron its corners run counterclockwise.

@@ -36,7 +36,7 @@ Error tooManyFaces()
 
 /// An edge as one of its triangles has it. Corner c of triangle t has the number 3 t + c.
 struct EdgeSide {
-    std::uint64_t ends;   ///< the smaller vertex, times 2^32, plus the larger one
+    EdgeKey ends;
     std::uint32_t corner; ///< that the edge begins at, seen from the triangle
     auto operator<=>(const EdgeSide&) const = default;
 };
@@ -82,8 +82,7 @@ Buffer<EdgeSide> sortedSides(const Boundary& boundary)
 {
     Buffer<EdgeSide> sides(boundary.corners.size());
     tbb::parallel_for(std::uint32_t(0), static_cast<std::uint32_t>(sides.size()), [&](std::uint32_t corner) {
-        const std::uint64_t from = boundary.vertexOf(corner), to = boundary.vertexOf(nextCorner(corner));
-        sides[corner] = {std::min(from, to) << 32 | std::max(from, to), corner};
+        sides[corner] = {edgeKey(boundary.vertexOf(corner), boundary.vertexOf(nextCorner(corner))), corner};
     });
     tbb::parallel_sort(sides.begin(), sides.end());
     return sides;
