@@ -2,6 +2,7 @@
 #include "core/decimate/vertex_star.h"
 
 #include "core/base/simd.h"
+#include "core/base/sort_unique.h"
 
 #include <algorithm>
 #include <bit>
@@ -256,12 +257,6 @@ bool VertexStar::opensOnto(std::uint32_t linkPlace) const
 
 namespace {
 
-template <class Number> void sortOut(std::vector<Number>& numbers)
-{
-    std::ranges::sort(numbers);
-    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
-}
-
 template <class Number> bool has(const std::vector<Number>& sorted, Number number)
 {
     return std::ranges::binary_search(sorted, number);
@@ -284,9 +279,9 @@ void LinkCondition::set(const VertexStar& star)
         rimEdges_.push_back(edgeKey(a, b));
     }
     std::ranges::sort(link_);
-    sortOut(edges_);
-    sortOut(rim_);
-    sortOut(rimEdges_);
+    sortUnique(edges_);
+    sortUnique(rim_);
+    sortUnique(rimEdges_);
 }
 
 bool LinkCondition::isOnRim(std::uint32_t vertex) const
@@ -327,8 +322,8 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
         for (std::size_t i = 0; i < 2; ++i)
             if (triangle.corners[i] == linkPlace)
                 sharedLink_.push_back(star.link()[triangle.corners[1 - i]]);
-    sortOut(shared_);
-    sortOut(sharedEdges_);
+    sortUnique(shared_);
+    sortUnique(sharedEdges_);
     if (sharedLink_.size() != 2)
         return false;
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace tetra {
 
@@ -37,6 +38,27 @@ constexpr std::array<Corner, 4> withCornerFirst(const std::array<Corner, 4>& cor
 {
     const auto& [a, b, c] = cornersOfFace[first];
     return {corners[first], corners[a], corners[b], corners[c]};
+}
+
+/// The vertices below `count` that triangles or tetrahedra have, ascending; their corners become numbers among these.
+/// O(vertices + simplices).
+template <class Simplices> std::vector<std::uint32_t> renumberUsed(Simplices& simplices, std::size_t count)
+{
+    constexpr std::uint32_t unused = 0xffffffff;
+    std::vector<std::uint32_t> numbers(count, unused);
+    for (const auto& simplex : simplices)
+        for (const std::uint32_t vertex : simplex)
+            numbers[vertex] = 0;
+    std::vector<std::uint32_t> used;
+    for (std::uint32_t vertex = 0; vertex < count; ++vertex)
+        if (numbers[vertex] != unused) {
+            numbers[vertex] = static_cast<std::uint32_t>(used.size());
+            used.push_back(vertex);
+        }
+    for (auto& simplex : simplices)
+        for (std::uint32_t& vertex : simplex)
+            vertex = numbers[vertex];
+    return used;
 }
 
 } // namespace tetra
