@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/disjoint_sets.h"
+#include "core/base/guarded.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <compare>
 #include <limits>
-#include <new>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -158,17 +158,17 @@ Result<TriangleMesh> boundaryOfMesh(const TetrahedralMesh& mesh, double featureA
     return surface;
 }
 
+constexpr const char* noMemoryForBoundary =
+    "Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.";
+
 } // namespace
 
 Result<TriangleMesh> extractBoundary(const TetrahedralMesh& mesh, double featureAngle, const Progress& progress)
-try {
+{
     progress.report(0, findingBoundary);
     if (mesh.tetrahedra.size() > largestAdjacentCellCount)
         return tooManyFaces();
-    return boundaryOfMesh(mesh, featureAngle, progress);
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.")};
+    return guarded(noMemoryForBoundary, [&] { return boundaryOfMesh(mesh, featureAngle, progress); });
 }
 
 namespace {
@@ -354,21 +354,20 @@ Result<Surface> BoundaryCache::plain(const BoundaryLook& look, const Progress& p
 
 Result<Surface> BoundaryCache::coloured(const TransferFunction& function, const BoundaryLook& look,
                                         const Progress& progress)
-try {
-    if (const Status usable = checkTransferFunction(function); !usable)
-        return usable.error();
-    auto surface = plain(look, progress);
-    if (!surface)
-        return surface.error();
-    if (!coloured_ || function_ != function) {
-        coloured_ = std::make_shared<const TriangleMesh>(colouredByValue(*boundary_, function));
-        function_ = function;
-    }
-    surface->mesh = coloured_;
-    return surface;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.")};
+{
+    return guarded(noMemoryForBoundary, [&]() -> Result<Surface> {
+        if (const Status usable = checkTransferFunction(function); !usable)
+            return usable.error();
+        auto surface = plain(look, progress);
+        if (!surface)
+            return surface.error();
+        if (!coloured_ || function_ != function) {
+            coloured_ = std::make_shared<const TriangleMesh>(colouredByValue(*boundary_, function));
+            function_ = function;
+        }
+        surface->mesh = coloured_;
+        return surface;
+    });
 }
 
 } // namespace tetra

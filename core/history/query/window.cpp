@@ -2,6 +2,7 @@
 #include "core/history/query/window.h"
 
 #include "core/base/flat_index.h"
+#include "core/base/guarded.h"
 #include "core/history/query/error_field.h"
 #include "core/mesh/topology.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -382,18 +382,14 @@ Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, con
 
 Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
 {
-    try {
-        return keepWindowUnguarded(mesh, window, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to cut a mesh of %1 tetrahedra at a "
-                                                            "window. Choose a larger error or a smaller window.",
-                                                            mesh.tetrahedra.size())};
-    }
+    return guarded(
+        "Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller "
+        "window.",
+        [&] { return keepWindowUnguarded(mesh, window, progress); }, mesh.tetrahedra.size());
 }
 
 void dropUnusedVertices(ExtractedMesh& extracted)
 {
-    constexpr std::uint32_t unused = 0xffffffff;
     TetrahedralMesh& mesh = extracted.mesh;
     const std::size_t count = mesh.positions.size();
     const std::size_t beforeCutting = extracted.sites.size();
@@ -405,31 +401,23 @@ void dropUnusedVertices(ExtractedMesh& extracted)
     fillUp(extracted.sites);
     if (!extracted.points.empty())
         fillUp(extracted.points);
-    std::vector<std::uint32_t> numbers(count, unused);
-    for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
-        for (const std::uint32_t vertex : tetrahedron)
-            numbers[vertex] = 0;
-    std::uint32_t kept = 0;
+    const std::vector<std::uint32_t> used = renumberUsed(mesh.tetrahedra, count);
+    const std::size_t kept = used.size();
     extracted.keptSites = 0;
-    for (std::size_t vertex = 0; vertex < count; ++vertex) {
-        if (numbers[vertex] == unused)
-            continue;
+    for (std::size_t number = 0; number < kept; ++number) {
+        const std::uint32_t vertex = used[number];
         extracted.keptSites += vertex < beforeCutting ? 1 : 0;
-        mesh.positions[kept] = mesh.positions[vertex];
-        mesh.values[kept] = mesh.values[vertex];
-        extracted.sites[kept] = extracted.sites[vertex];
+        mesh.positions[number] = mesh.positions[vertex];
+        mesh.values[number] = mesh.values[vertex];
+        extracted.sites[number] = extracted.sites[vertex];
         if (!extracted.points.empty())
-            extracted.points[kept] = extracted.points[vertex];
-        numbers[vertex] = kept++;
+            extracted.points[number] = extracted.points[vertex];
     }
     mesh.positions.resize(kept);
     mesh.values.resize(kept);
     extracted.sites.resize(kept);
     if (!extracted.points.empty())
         extracted.points.resize(kept);
-    for (Tetrahedron& tetrahedron : mesh.tetrahedra)
-        for (std::uint32_t& vertex : tetrahedron)
-            vertex = numbers[vertex];
 }
 
 } // namespace tetra

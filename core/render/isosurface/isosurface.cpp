@@ -2,6 +2,7 @@
 #include "core/render/isosurface/isosurface.h"
 
 #include "core/base/flat_index.h"
+#include "core/base/guarded.h"
 #include "core/base/simd.h"
 #include "core/mesh/topology.h"
 #include "core/render/isosurface/surface_chunks.h"
@@ -17,7 +18,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -136,14 +136,8 @@ Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const Isosurfac
 {
     if (Status status = checkArguments(mesh, index, gradients, isovalue); !status)
         return status.error();
-    try {
-        return extract(mesh, index, gradients, isovalue, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say(
-                "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.")};
-    }
+    return guarded("Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.",
+                   [&] { return extract(mesh, index, gradients, isovalue, progress); });
 }
 
 } // namespace
