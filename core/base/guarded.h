@@ -4,19 +4,21 @@
 #include <tan/base.h>
 
 #include <new>
-#include <string>
-#include <string_view>
 
 namespace tetra {
 
-/// What `work` returns, a Result or a Status. Memory that is not to be had becomes an Error, "Not enough memory to "
-/// and the purpose: for the functions of the face, which do not throw.
-template <class Work> auto guarded(std::string_view purpose, const Work& work) -> decltype(work())
+/// What `work` returns, a Result or a Status; where there is not enough memory for it, an Error with this sentence and
+/// its arguments, which says what the memory was for and how to need less. For the outermost functions that return a
+/// Result: they do not throw.
+///
+///     return guarded("Not enough memory to read '%1'. Close other programs.", [&] { return readAll(path); },
+///                    path.native());
+template <class Work, class... Arguments>
+auto guarded(const char* sentence, const Work& work, const Arguments&... arguments) -> decltype(work())
 try {
     return work();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory to %1. Close other programs, or take fewer samples.", purpose)};
+    return Error{ErrorKind::OutOfResource, Message::say(sentence, arguments...)};
 }
 
 } // namespace tetra

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/scene_painter.h"
 
+#include "core/base/guarded.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/sample_targets.h"
 #include "core/render/gl/surface_painter.h"
 #include "core/render/gl/volume_painter.h"
 #include "core/render/scene_checks.h"
+#include "core/render/tiles.h"
 #include "core/render/volume/volume_mesh.h"
 
 #include <tan/render.h>
 
 #include <chrono>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -324,13 +325,8 @@ Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& g
 Status ScenePainter::draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                           const Progress& progress)
 {
-    try {
-        return implementation_->draw(scene, camera, options, framebuffer, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory for a picture of this size and scene. Make the picture smaller or "
-                                  "lower the accuracy of the mesh.")};
-    }
+    return guarded(noMemoryForPicture,
+                   [&] { return implementation_->draw(scene, camera, options, framebuffer, progress); });
 }
 
 const std::string& ScenePainter::rendererName() const noexcept

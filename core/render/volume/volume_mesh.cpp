@@ -2,6 +2,7 @@
 #include "core/render/volume/volume_mesh.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/guarded.h"
 #include "core/mesh/topology.h"
 #include "core/render/scene_checks.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <vector>
 
 namespace tetra {
@@ -147,11 +147,8 @@ bool hasConvexBoundary(const TetrahedralMesh& mesh, const FaceAdjacency& adjacen
 
 namespace {
 
-Error notEnoughMemory()
-{
-    return {ErrorKind::OutOfResource, Message::say("Not enough memory to draw this mesh as a volume. Close other "
-                                                   "programs or lower the accuracy of the mesh.")};
-}
+constexpr const char* noMemoryForVolume =
+    "Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.";
 
 Status checkCells(const TetrahedralMesh& mesh)
 {
@@ -182,33 +179,29 @@ Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh)
 {
     if (Status status = checkCells(*mesh); !status)
         return status.error();
-    try {
+    return guarded(noMemoryForVolume, [&]() -> Result<VolumeMesh> {
         VolumeMesh result;
         result.adjacency = matchFaces(mesh->tetrahedra);
         result.bounds = boundsOf(*mesh);
         result.convex = hasConvexBoundary(*mesh, result.adjacency);
         result.mesh = std::move(mesh);
         return result;
-    } catch (const std::bad_alloc&) {
-        return notEnoughMemory();
-    }
+    });
 }
 
 Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const TransferFunction& function)
 {
     if (Status status = checkTransferFunction(function); !status)
         return status.error();
-    VolumeTransfer result;
-    result.segments = transferSegments(function);
-    if (result.segments.size() > largestSegmentCount)
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("The transfer function has more than 65,000 points. Leave some out.")};
-    try {
+    return guarded(noMemoryForVolume, [&]() -> Result<VolumeTransfer> {
+        VolumeTransfer result;
+        result.segments = transferSegments(function);
+        if (result.segments.size() > largestSegmentCount)
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("The transfer function has more than 65,000 points. Leave some out.")};
         result.classes = classifyCells(mesh, result.segments);
         return result;
-    } catch (const std::bad_alloc&) {
-        return notEnoughMemory();
-    }
+    });
 }
 
 Eigen::AlignedBox3d drawnBounds(const Scene& scene)
