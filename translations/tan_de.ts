@@ -325,13 +325,6 @@
     </message>
 </context>
 <context>
-    <name>AddIsovalue</name>
-    <message>
-        <source>Add Isovalue</source>
-        <translation>Isowert hinzufügen</translation>
-    </message>
-</context>
-<context>
     <name>Annotations</name>
     <message>
         <source>Value</source>
@@ -398,28 +391,23 @@
     </message>
 </context>
 <context>
-    <name>ChangeAnimation</name>
+    <name>ChangeView</name>
+    <message>
+        <source>Add Isovalue</source>
+        <translation>Isowert hinzufügen</translation>
+    </message>
     <message>
         <source>Change Animation</source>
         <translation>Animation ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeAnnotations</name>
     <message>
         <source>Change Annotations</source>
         <translation>Beschriftung ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeIsovalue</name>
     <message>
         <source>Change Isovalue</source>
         <translation>Isowert ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeLook</name>
     <message>
         <source>Change Rendering Mode</source>
         <translation>Darstellungsart ändern</translation>
@@ -432,9 +420,6 @@
         <source>Change Rendering</source>
         <translation>Darstellung ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeQuery</name>
     <message>
         <source>Change Focus</source>
         <translation>Fokus ändern</translation>
@@ -455,9 +440,6 @@
         <source>Change Accuracy</source>
         <translation>Genauigkeit ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeView</name>
     <message>
         <source>Change Background</source>
         <translation>Hintergrund ändern</translation>
@@ -465,6 +447,10 @@
     <message>
         <source>Move Camera</source>
         <translation>Kamera bewegen</translation>
+    </message>
+    <message>
+        <source>Remove Isovalue</source>
+        <translation>Isowert entfernen</translation>
     </message>
 </context>
 <context>
@@ -1662,13 +1648,6 @@
     <message>
         <source>Diverging: opaque at both ends</source>
         <translation>Divergierend: deckend an beiden Enden</translation>
-    </message>
-</context>
-<context>
-    <name>RemoveIsovalue</name>
-    <message>
-        <source>Remove Isovalue</source>
-        <translation>Isowert entfernen</translation>
     </message>
 </context>
 <context>
@@ -4156,8 +4135,8 @@ Verwerfung %2</translation>
         <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
     </message>
     <message>
-        <source>show of a key frame</source>
-        <translation>Zeigen eines Schlüsselbilds</translation>
+        <source>Show Key Frame</source>
+        <translation>Schlüsselbild zeigen</translation>
     </message>
     <message>
         <source>View</source>
@@ -4365,8 +4344,8 @@ Verwerfung %2</translation>
         <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
     </message>
     <message>
-        <source>reset of view</source>
-        <translation>Zurücksetzen der Ansicht</translation>
+        <source>Reset View</source>
+        <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
         <source>The model %1 is built.</source>

@@ -325,13 +325,6 @@
     </message>
 </context>
 <context>
-    <name>AddIsovalue</name>
-    <message>
-        <source>Add Isovalue</source>
-        <translation>Aggiungi isovalore</translation>
-    </message>
-</context>
-<context>
     <name>Annotations</name>
     <message>
         <source>Value</source>
@@ -398,28 +391,23 @@
     </message>
 </context>
 <context>
-    <name>ChangeAnimation</name>
+    <name>ChangeView</name>
+    <message>
+        <source>Add Isovalue</source>
+        <translation>Aggiungi isovalore</translation>
+    </message>
     <message>
         <source>Change Animation</source>
         <translation>Modifica animazione</translation>
     </message>
-</context>
-<context>
-    <name>ChangeAnnotations</name>
     <message>
         <source>Change Annotations</source>
         <translation>Modifica annotazioni</translation>
     </message>
-</context>
-<context>
-    <name>ChangeIsovalue</name>
     <message>
         <source>Change Isovalue</source>
         <translation>Modifica isovalore</translation>
     </message>
-</context>
-<context>
-    <name>ChangeLook</name>
     <message>
         <source>Change Rendering Mode</source>
         <translation>Modifica modalità di resa</translation>
@@ -432,9 +420,6 @@
         <source>Change Rendering</source>
         <translation>Modifica resa</translation>
     </message>
-</context>
-<context>
-    <name>ChangeQuery</name>
     <message>
         <source>Change Focus</source>
         <translation>Modifica focus</translation>
@@ -455,9 +440,6 @@
         <source>Change Accuracy</source>
         <translation>Modifica accuratezza</translation>
     </message>
-</context>
-<context>
-    <name>ChangeView</name>
     <message>
         <source>Change Background</source>
         <translation>Modifica sfondo</translation>
@@ -465,6 +447,10 @@
     <message>
         <source>Move Camera</source>
         <translation>Sposta la camera</translation>
+    </message>
+    <message>
+        <source>Remove Isovalue</source>
+        <translation>Rimuovi isovalore</translation>
     </message>
 </context>
 <context>
@@ -1662,13 +1648,6 @@
     <message>
         <source>Diverging: opaque at both ends</source>
         <translation>Divergente: opaca ai due estremi</translation>
-    </message>
-</context>
-<context>
-    <name>RemoveIsovalue</name>
-    <message>
-        <source>Remove Isovalue</source>
-        <translation>Rimuovi isovalore</translation>
     </message>
 </context>
 <context>
@@ -4164,8 +4143,8 @@ deformazione %2</translation>
         <translation>Lo scambia con il fotogramma chiave seguente (Alt+Giù)</translation>
     </message>
     <message>
-        <source>show of a key frame</source>
-        <translation>visione di un fotogramma chiave</translation>
+        <source>Show Key Frame</source>
+        <translation>Mostra fotogramma chiave</translation>
     </message>
 </context>
 <context>
@@ -4365,8 +4344,8 @@ deformazione %2</translation>
         <translation>Immagine copiata, %1 × %2 pixel</translation>
     </message>
     <message>
-        <source>reset of view</source>
-        <translation>reimpostazione della vista</translation>
+        <source>Reset View</source>
+        <translation>Reimposta la vista</translation>
     </message>
     <message>
         <source>The model %1 is built.</source>

@@ -70,7 +70,7 @@ public:
     /// Seconds from each edit to the first picture that shows it.
     std::vector<double> edit(bool dragging)
     {
-        const TransferFunction before = session().view().look().transfer;
+        const TransferFunction before = session().view().appearance.transfer;
         std::vector<double> seconds;
         if (dragging)
             session().beginGesture();

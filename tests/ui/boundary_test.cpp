@@ -108,7 +108,7 @@ void BoundaryTest::irregularModelsOpenWithIt()
     QVERIFY(boundary().opacity < 0.5f && boundary().mesh->colours.empty() && !boundary().mesh->values.empty());
     QVERIFY(!session().undoStack().canUndo());
     open(lattice_);
-    QVERIFY(session().view().look().settings.empty());
+    QVERIFY(session().view().appearance.settings.empty());
     QCOMPARE(scene().surfaces.size(), std::size_t(1));
     choose("translucent");
     QCOMPARE(scene().surfaces.size(), std::size_t(2));
@@ -161,9 +161,9 @@ void BoundaryTest::valuesHaveTheColoursOfTheTransferFunction()
     const auto bar = [&] { return window_->workbench.annotations({}, {}).transfer; };
     QVERIFY(!bar());
     choose("values");
-    QVERIFY(bar() && *bar() == session().view().look().transfer);
+    QVERIFY(bar() && *bar() == session().view().appearance.transfer);
     QVERIFY(!boundary().mesh->colours.empty() && boundary().opacity == 1);
-    TransferFunction green = session().view().look().transfer;
+    TransferFunction green = session().view().appearance.transfer;
     for (ColourPoint& point : green.colours)
         point.colour = {0, 1, 0};
     session().setTransfer(green);
@@ -176,9 +176,9 @@ void BoundaryTest::sessionsKeepIt()
     session().setSetting("boundary-opacity", 0.75);
     session().setSetting("boundary-far-side", true);
     QTRY_VERIFY(window_->settled());
-    const ParameterValues settings = session().view().look().settings;
+    const ParameterValues settings = session().view().appearance.settings;
     openSession(savedSession());
-    QVERIFY(session().view().look().settings == settings);
+    QVERIFY(session().view().appearance.settings == settings);
     QVERIFY(boundary().opacity == 0.75f && boundary().backFacesOnly);
     QCOMPARE(window_->find<QDoubleSpinBox>("rendering.setting.boundary-opacity").value(), 0.75);
 }
@@ -198,7 +198,7 @@ void BoundaryTest::olderSessionsOpenAsTheyWere()
 
 void BoundaryTest::aClickOnItTellsItsValue()
 {
-    Isovalue hidden = session().view().isovalues().front();
+    Isovalue hidden = session().view().isovalues.front();
     hidden.visible = false;
     session().setIsovalue(0, hidden);
     choose("values");

@@ -63,7 +63,7 @@ private:
     void startFilm() const;
     QString saveSession() const;
     void editWhatCannotBeSaved();
-    void edit() const { session().setError(session().view().error() == 3.5 ? 4.5 : 3.5); }
+    void edit() const { session().setError(session().view().query.error == 3.5 ? 4.5 : 3.5); }
 
     std::unique_ptr<WindowFixture> window_;
     QString target_; ///< of the build

@@ -62,9 +62,9 @@ void NumberLocaleTest::numbersAreTypedAndSaved()
 
     const Session& session = window.workbench.session();
     type(window, "accuracy.box", text);
-    QCOMPARE(session.view().error(), 1.5);
+    QCOMPARE(session.view().query.error, 1.5);
     type(window, "isovalue.0.value.box", text);
-    QCOMPARE(session.view().isovalues().front().value, 1.5);
+    QCOMPARE(session.view().isovalues.front().value, 1.5);
     type(window, "view.azimuth", text);
     QCOMPARE(window.viewport().camera().azimuth, 1.5);
     type(window, "view.target.x", text);

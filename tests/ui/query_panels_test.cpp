@@ -48,7 +48,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const QueryState& query() const { return session().view().query(); }
+    const QueryState& query() const { return session().view().query; }
     std::shared_ptr<const ExtractedMesh> mesh() const { return window_->workbench.sceneBuilder().mesh(); }
     bool upToDate() const { return window_->settled() && session().showsQuery(); }
     void trigger(const char* action) const { window_->find<QAction>(action).trigger(); }
@@ -122,7 +122,7 @@ void QueryPanelsTest::theFocusGoesToTheViewAndBack()
 {
     trigger("action.focusSphere");
     const FocusState first = query().focus;
-    window_->viewport().fit({session().model()->description().bounds.min(), first.centre});
+    session().setCamera(fitted(session().view().camera, {session().model()->description().bounds.min(), first.centre}));
     QTest::mouseClick(&window_->find<QPushButton>("focus.toView"), Qt::LeftButton);
     QCOMPARE(query().focus.centre, window_->viewport().camera().target);
     QTest::mouseClick(&window_->find<QPushButton>("focus.reset"), Qt::LeftButton);
@@ -323,10 +323,10 @@ void QueryPanelsTest::theSurfacesAreSaved()
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll().count("\ng isovalue_") : qsizetype(-1);
     };
-    const auto visible = [&] { return std::ranges::count_if(session().view().isovalues(), &Isovalue::visible); };
+    const auto visible = [&] { return std::ranges::count_if(session().view().isovalues, &Isovalue::visible); };
     QVERIFY(visible() > 1);
     QCOMPARE(groups("surfaces.obj"), visible());
-    Isovalue hidden = session().view().isovalues().front();
+    Isovalue hidden = session().view().isovalues.front();
     hidden.visible = false;
     session().setIsovalue(0, hidden);
     QCOMPARE(groups("fewer.obj"), visible());

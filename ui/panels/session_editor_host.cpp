@@ -44,24 +44,21 @@ std::shared_ptr<const ValueHistogram> SessionEditorHost::logarithmicHistogram() 
 
 const TransferFunction& SessionEditorHost::function() const
 {
-    return session_.view().look().transfer;
+    return session_.view().appearance.transfer;
 }
 
 const std::vector<Isovalue>& SessionEditorHost::isovalues() const
 {
-    return session_.view().isovalues();
+    return session_.view().isovalues;
 }
 
 void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call)
 {
     const auto tells = [call](EditorChange change) { return [call, change] { call(change); }; };
-    const ViewState& view = session_.view();
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
-    connect(&view, &ViewState::lookChanged, receiver, tells(EditorChange::Function));
-    connect(&view, &ViewState::isovalueInserted, receiver, tells(EditorChange::Isovalues));
-    connect(&view, &ViewState::isovalueRemoved, receiver, tells(EditorChange::Isovalues));
-    connect(&view, &ViewState::isovalueChanged, receiver, tells(EditorChange::Isovalues));
+    session_.whenChanged(ViewPart::Transfer, receiver, tells(EditorChange::Function));
+    session_.whenChanged(ViewPart::Isovalues, receiver, tells(EditorChange::Isovalues));
     connect(pick_, &ValuePick::pickedChanged, receiver, tells(EditorChange::Picked));
 }
 

@@ -21,6 +21,13 @@ Error outOfMemory()
             "close other programs."};
 }
 
+/// Seen from wherever: scenes do not depend on that.
+bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
+{
+    return one.model == other.model && one.renderer == other.renderer && one.query == other.query &&
+           one.values == other.values;
+}
+
 } // namespace
 
 /// The meshes that a request needs: one, or with a renderer that blends a focus two.
@@ -127,6 +134,9 @@ ShownMesh SceneMaker::shownMesh(const MeshQuery& asked) const
 
 Result<BuiltScene> SceneMaker::make(const SceneRequest& request, const Progress& progress)
 try {
+    if (built_ && haveSameScene(last_, request))
+        return *built_;
+    built_.reset();
     BuiltScene built;
     built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
@@ -151,6 +161,9 @@ try {
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
+    last_ = request;
+    built_ = built;
+    built_->extractionSeconds = built_->sceneSeconds = 0; // if it is asked for again
     return built;
 } catch (const std::bad_alloc&) {
     clear();
@@ -170,6 +183,8 @@ void SceneMaker::clear()
     fineMesh_.reset();
     focus_.reset();
     extractor_.reset();
+    built_.reset();
+    last_ = {};
 }
 
 } // namespace tetra

@@ -36,7 +36,8 @@ struct BuiltScene {
 };
 
 /// Makes scenes, for the window as for the command line: extracts the mesh from what the last extraction left, or uses
-/// the last one again, and lets the renderer prepare it. Used from one thread at a time, but for mesh().
+/// the last one again, and lets the renderer prepare it. What the last request asked for is there already. Used from
+/// one thread at a time, but for mesh().
 class SceneMaker {
 public:
     Result<BuiltScene> make(const SceneRequest& request, const Progress& progress);
@@ -55,6 +56,8 @@ private:
     ShownMesh shownMesh(const MeshQuery& asked) const;
 
     std::optional<MeshExtractor> extractor_;
+    SceneRequest last_; ///< that `built_` is of
+    std::optional<BuiltScene> built_;
     const Renderer* renderer_ = nullptr;
     std::optional<MeshQuery> query_;                ///< that the mesh answers
     std::optional<TwoResolutions> focus_;           ///< that the session blends; none if it does not

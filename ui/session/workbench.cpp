@@ -38,14 +38,9 @@ ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter
 
 Workbench::Workbench(PluginHost& host, std::filesystem::path views) : host_(host), views_(std::move(views))
 {
-    const ViewState* view = &session_.view();
     connect(&session_, &Session::modelChanged, this, &Workbench::requestScene);
     connect(&session_, &Session::modelGrown, this, &Workbench::requestScene);
-    connect(view, &ViewState::queryChanged, this, &Workbench::requestScene);
-    connect(view, &ViewState::lookChanged, this, &Workbench::requestScene);
-    connect(view, &ViewState::isovalueInserted, this, &Workbench::requestScene);
-    connect(view, &ViewState::isovalueRemoved, this, &Workbench::requestScene);
-    connect(view, &ViewState::isovalueChanged, this, &Workbench::requestScene);
+    session_.whenChanged(ViewPart::Scene, this, &Workbench::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this, &Workbench::tell);
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
             [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
@@ -289,8 +284,8 @@ void Workbench::showLook(const Result<std::shared_ptr<const Model>>& look, const
 void Workbench::growTo(const std::shared_ptr<const Model>& model, const FieldExtent& field)
 {
     field_ = field;
-    const SessionDocument start = tetra::startingView(modes_, *model, field_);
-    session_.grow(model, start.isovalues, start.look);
+    const ViewValue start = tetra::startingView(modes_, *model, field_);
+    session_.grow(model, start.isovalues, start.appearance);
 }
 
 /// What was watched has not become a model.
@@ -360,7 +355,7 @@ void Workbench::setSessionFile(const std::filesystem::path& file)
 
 const Renderer* Workbench::renderer() const
 {
-    return rendererOf(modes_, session_.view().look().mode);
+    return rendererOf(modes_, session_.view().appearance.mode);
 }
 
 std::vector<Parameter> Workbench::renderingParameters() const
@@ -371,15 +366,12 @@ std::vector<Parameter> Workbench::renderingParameters() const
 
 std::vector<Parameter> Workbench::matteringParameters() const
 {
-    return tetra::matteringParameters(renderingParameters(), session_.view().look().settings);
+    return tetra::matteringParameters(renderingParameters(), session_.view().appearance.settings);
 }
 
 SceneRequest Workbench::sceneRequest() const
 {
-    const ViewState& view = session_.view();
-    if (preview_)
-        return sceneOf(filmOrder(preview_->camera), *preview_);
-    return sceneOf(session_.model(), renderer(), renderingParameters(), view.query(), view.look(), view.isovalues());
+    return sceneOf(session_.model(), renderer(), renderingParameters(), preview_.value_or(session_.view()));
 }
 
 void Workbench::requestScene()

@@ -76,8 +76,8 @@ public:
     void open(const QString& path);
     /// Opens what a session says that the file holds.
     void openSession(const std::filesystem::path& path, SessionSource source);
-    /// What is open and how it is seen; nothing without a model, or while a build is watched. The camera and the
-    /// background are the window's.
+    /// What is open and how it is seen; nothing without a model, or while a build is watched. The size of the view is
+    /// the window's.
     std::optional<SessionDocument> sessionDocument() const;
     /// The file of the session that is open; empty if it has none.
     const std::filesystem::path& sessionFile() const noexcept { return sessionFile_; }
@@ -89,8 +89,8 @@ public:
                      const std::function<void(bool saved)>& then = {});
     /// How models are seen that are not part of a session.
     KeptViews& views() noexcept { return views_; }
-    /// How the model would be seen if nobody had ever looked at it; but for the camera. There must be one.
-    SessionDocument startingView() const;
+    /// How the model would be seen if nobody had ever looked at it. There must be one.
+    ViewValue startingView() const;
     /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
     void openWithOptions(const QString& path);
     /// Makes the sample of that name (sampleKinds()) unless it is there from before, and opens its model.
@@ -134,13 +134,12 @@ public:
     LongTask& savingPicture() noexcept { return savingPicture_; }
     /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
     AnnotationContent annotations(const Camera& camera, const Colour& background) const;
-    /// Of the present view, which `camera` belongs to.
-    FilmFrame presentFrame(const Camera& camera) const;
     /// A film of the session's animation: what it takes of the model. There must be one, and a way to show it.
-    FilmOrder filmOrder(const Camera& camera) const;
-    /// Shows a frame of a film in place of the session's view; nothing: that again. The camera is the viewport's.
-    void previewFrame(const std::optional<FilmFrame>& frame);
-    const std::optional<FilmFrame>& previewedFrame() const noexcept { return preview_; }
+    FilmOrder filmOrder() const;
+    /// Shows another view, such as of a film, in place of the session's; nothing: that again. The camera is the
+    /// viewport's.
+    void previewView(const std::optional<ViewValue>& view);
+    const std::optional<ViewValue>& previewedView() const noexcept { return preview_; }
     /// One at a time: there must be none being saved.
     void saveFilm(const FilmOrder& order);
     LongTask& savingFilm() noexcept { return savingFilm_; }
@@ -175,9 +174,9 @@ signals:
     void choicesNeeded(const tetra::ImportQuestion& question);
     /// What the reader has against the choices; empty if the user stopped it.
     void importFailed(const QString& reason);
-    /// A model is shown as somebody left it, like this; `from` is the file of the session or picture that says so,
-    /// empty if that is how the model was seen last.
-    void viewRestored(const tetra::SessionDocument& document, const std::filesystem::path& from);
+    /// A model is shown as somebody left it; `from` is the file of the session or picture that says so, empty if that
+    /// is how the model was seen last.
+    void viewRestored(const std::filesystem::path& from);
     void sessionFileChanged();
     /// The build was asked to end.
     void buildStopping(bool keep);
@@ -265,7 +264,7 @@ private:
     LongTask savingPicture_;
     LongTask savingFilm_;
     std::filesystem::path filmTarget_;
-    std::optional<FilmFrame> preview_;
+    std::optional<ViewValue> preview_;
     LongTask savingMesh_;
     LongTask savingText_;
     LongTask loadingText_;

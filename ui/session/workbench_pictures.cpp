@@ -28,49 +28,36 @@ void Workbench::savePicture(const PictureOrder& order)
 
 AnnotationContent Workbench::annotations(const Camera& camera, const Colour& background) const
 {
-    AnnotationContent content;
-    if (const auto& model = session_.model()) {
-        const ViewState& view = session_.view();
-        const auto& shown = session_.shown();
-        content = annotationContent(*model, matteringParameters(), preview_ ? preview_->transfer : view.look().transfer,
-                                    preview_ ? preview_->isovalues : view.isovalues(), shown ? &*shown : nullptr);
-    }
-    content.state = session_.view().annotations();
-    content.camera = camera;
-    content.background = background;
-    return content;
+    ViewValue view = preview_.value_or(session_.view());
+    view.annotations = session_.view().annotations;
+    view.camera = camera;
+    view.background = background;
+    const auto& shown = session_.shown();
+    return session_.model()
+               ? annotationContent(*session_.model(), matteringParameters(), view, shown ? &*shown : nullptr)
+               : AnnotationContent{.state = view.annotations, .camera = camera, .background = background};
 }
 
-SessionDocument Workbench::startingView() const
+ViewValue Workbench::startingView() const
 {
-    return tetra::startingView(modes_, *session_.model(), field_);
+    return tetra::startingView(modes_, *session_.model(), field_, session_.shape());
 }
 
-FilmFrame Workbench::presentFrame(const Camera& camera) const
+FilmOrder Workbench::filmOrder() const
 {
-    const ViewState& view = session_.view();
-    return {
-        camera, view.look().transfer, view.isovalues(), view.query().error, view.query().byBudget, view.query().budget};
+    return {.model = session_.model(),
+            .renderer = renderer(),
+            .parameters = renderingParameters(),
+            .view = session_.view()};
 }
 
-FilmOrder Workbench::filmOrder(const Camera& camera) const
+void Workbench::previewView(const std::optional<ViewValue>& view)
 {
-    const ViewState& view = session_.view();
-    FilmOrder order;
-    order.animation = view.animation();
-    order.start = presentFrame(camera);
-    order.scene = {session_.model(), renderer(), {}, {}, {}};
-    order.parameters = renderingParameters();
-    order.look = view.look();
-    order.query = view.query();
-    return order;
-}
-
-void Workbench::previewFrame(const std::optional<FilmFrame>& frame)
-{
-    std::optional<FilmFrame> next = session_.model() ? frame : std::nullopt;
-    if (next)
+    std::optional<ViewValue> next = session_.model() ? view : std::nullopt;
+    if (next) {
+        next->query = corrected(next->query, session_.view().query, *session_.model());
         next->camera = {}; // not the model's matter
+    }
     if (next == preview_)
         return;
     preview_ = next;

@@ -51,7 +51,7 @@ bool Workbench::saving() const noexcept
 /// What is asked for now; of the mesh that is seen where that is the one. Of two meshes that are blended neither is.
 MeshOrder Workbench::meshOrder(const std::filesystem::path& target) const
 {
-    MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query(), *session_.model()), target};
+    MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query, *session_.model()), target};
     const bool isBlended = renderer() != nullptr && renderer()->blendsFocus();
     // While the worker is busy its mesh may be that of a picture to come.
     if (!isBlended && !sceneBuilder_.busy() && session_.showsQuery())
@@ -66,7 +66,7 @@ void Workbench::saveMesh(const std::filesystem::path& target)
 
 void Workbench::saveSurfaces(const std::filesystem::path& target)
 {
-    saveMesh(target, [order = SurfaceOrder{meshOrder(target), session_.view().isovalues()}](const Progress& progress) {
+    saveMesh(target, [order = SurfaceOrder{meshOrder(target), session_.view().isovalues}](const Progress& progress) {
         return writeSurfaces(order, progress);
     });
 }

@@ -41,15 +41,14 @@ void Workbench::showModel(const OpenedModel& opened)
     if (!prepareToShow(opened))
         return;
     if (!opened.view) {
-        const SessionDocument start = tetra::startingView(modes_, *opened.model, field_);
-        return session_.open(opened.model, start.isovalues, start.look);
+        const ViewValue start = tetra::startingView(modes_, *opened.model, field_);
+        return session_.open(opened.model, start.isovalues, start.appearance);
     }
-    const SessionDocument view = restoredView(*opened.view, modes_, *opened.model, field_);
-    session_.open(opened.model, view.isovalues, view.look, view.query);
-    session_.restore(view.annotations, view.animation);
+    const SessionDocument kept = restoredView(*opened.view, modes_, *opened.model, field_);
+    session_.restore(opened.model, kept.view, kept.hasCamera);
     if (!opened.from.empty())
-        showSession(view, opened);
-    emit viewRestored(view, opened.from);
+        showSession(kept, opened);
+    emit viewRestored(opened.from);
 }
 
 /// What a session has beside the view of its model.
@@ -99,11 +98,8 @@ std::optional<SessionDocument> Workbench::sessionDocument() const
     document.identity = modelIdentity(model);
     document.bounds = model.description().bounds;
     document.range = model.description().range;
-    document.query = session_.view().query();
-    document.look = session_.view().look();
-    document.isovalues = session_.view().isovalues();
-    document.annotations = session_.view().annotations();
-    document.animation = session_.view().animation();
+    document.view = session_.view();
+    document.hasCamera = true;
     document.found = sessionFound_;
     return document;
 }

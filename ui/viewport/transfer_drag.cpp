@@ -38,7 +38,7 @@ bool TransferDrag::press(const QMouseEvent& event)
         !hasParameter<TransferFunction>(workbench_.matteringParameters()))
         return false;
     from_ = event.position();
-    function_ = workbench_.session().view().look().transfer;
+    function_ = workbench_.session().view().appearance.transfer;
     workbench_.session().beginGesture();
     return true;
 }

@@ -107,7 +107,7 @@ void ValuePick::look()
     const PickingRay line = viewport_.projection().pickingRay(*wanted_);
     wanted_.reset();
     seen_.find(scene, line,
-               [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](
+               [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues)](
                    const std::optional<SeenPlace>& seen) {
                    setPicked(seen ? pickedOf(*seen, *scene, isovalues) : std::nullopt);
                });

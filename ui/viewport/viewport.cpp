@@ -53,7 +53,8 @@ std::optional<double> pinchFactor(const QEvent& event)
 
 } // namespace
 
-Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
+Viewport::Viewport(Session& session, BackendChoice choice, QWidget* parent)
+    : QWidget(parent), session_(session), gesture_(session.newGesture())
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
@@ -65,7 +66,7 @@ Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
     pausing_.setInterval(seriesPause);
     connect(&pausing_, &QTimer::timeout, this, [this] {
         if (QGuiApplication::mouseButtons() == Qt::NoButton)
-            ++gesture_;
+            gesture_ = session_.newGesture();
     });
     glide_.setStartValue(0.0);
     glide_.setEndValue(1.0);
@@ -77,7 +78,14 @@ Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     useCanvas(makeCanvas(choice));
-    followPalette();
+    followBackground();
+    connect(&session, &Session::modelChanged, this, [this] {
+        endPreview();
+        showCamera();
+        followBackground();
+    });
+    session.whenChanged(ViewPart::Camera, this, &Viewport::followCamera);
+    session.whenChanged(ViewPart::Background, this, &Viewport::followBackground);
 }
 
 void Viewport::useCanvas(Canvas* canvas)
@@ -157,51 +165,53 @@ void Viewport::show()
 
 void Viewport::setCamera(const Camera& camera)
 {
-    if (camera != camera_)
-        moveCamera(camera);
+    if (camera != this->camera())
+        moveByHand(camera);
 }
 
-void Viewport::startFrom(const Camera& camera, const std::optional<Colour>& background)
+void Viewport::moveByHand(const Camera& camera)
 {
     endPreview();
-    ++gesture_;
+    expectChange();
+    pausing_.start();
+    byHand_ = true;
+    session_.setCamera(camera, gesture_);
+    byHand_ = false;
+}
+
+/// By hand and where the view only takes another shape the picture is there at once, and else on its way: undone, say.
+void Viewport::followCamera()
+{
+    if (!byHand_)
+        return glide();
+    if (!previewing_)
+        showCamera();
+}
+
+void Viewport::showCamera()
+{
     glide_.stop();
-    camera_ = camera;
-    view_.camera = camera;
-    background_ = background;
-    emit started();
-    followPalette();
+    view_.camera = camera();
+    canvas_->show(view_);
     emit cameraChanged();
 }
 
-void Viewport::startFitted(const Camera& camera, const Eigen::AlignedBox3d& bounds)
+void Viewport::glide()
 {
-    startBounds_ = bounds;
-    startFit_ = fitted(camera, bounds, aspectRatio());
-    startFrom(*startFit_, std::nullopt);
-}
-
-void Viewport::glideTo(const Camera& camera)
-{
-    endPreview();
-    if (camera == camera_)
-        return;
-    ++gesture_;
     glide_.stop();
     glideFrom_ = view_.camera;
-    camera_ = camera;
+    endPreview();
+    gesture_ = session_.newGesture(); // what follows by hand is a step of its own
     const bool glides = mayGlide(*this) && isVisible();
     if (glides)
         glide_.start();
     showGlide(glides ? 0 : 1); // tells at once: the choice is made
-    ++gesture_;
 }
 
 void Viewport::showGlide(double part)
 {
-    view_.camera = between(glideFrom_, camera_, part);
-    view_.moving = true;
-    resting_.start();
+    view_.camera = between(glideFrom_, camera(), part);
+    expectChange();
     canvas_->show(view_);
     emit cameraChanged();
 }
@@ -213,8 +223,7 @@ void Viewport::setPreview(const std::optional<Camera>& camera)
     glide_.stop();
     previewing_ = true;
     view_.camera = *camera;
-    view_.moving = true;
-    resting_.start();
+    expectChange();
     canvas_->show(view_);
     emit previewChanged(true);
 }
@@ -224,18 +233,9 @@ void Viewport::endPreview()
     if (!previewing_)
         return;
     previewing_ = false;
-    view_.camera = camera_;
+    view_.camera = camera();
     canvas_->show(view_);
     emit previewChanged(false);
-}
-
-void Viewport::setBackground(const std::optional<Colour>& background)
-{
-    if (background == background_)
-        return;
-    ++gesture_; // each choice is a step of its own
-    background_ = background;
-    followPalette();
 }
 
 void Viewport::setFollowing(bool following)
@@ -259,28 +259,6 @@ void Viewport::setFrameRate(std::optional<double> perSecond)
     canvas_->setFrameRate(perSecond.value_or(canvas_->usualFrameRate()));
 }
 
-void Viewport::fit(const Eigen::AlignedBox3d& bounds)
-{
-    glideTo(fitted(camera_, bounds, aspectRatio()));
-}
-
-double Viewport::aspectRatio() const
-{
-    return static_cast<double>(std::max(1, width())) / std::max(1, height());
-}
-
-void Viewport::seeFrom(NamedView view)
-{
-    glideTo(seenFrom(camera_, view));
-}
-
-void Viewport::setPerspective(bool perspective)
-{
-    Camera camera = camera_;
-    camera.perspective = perspective;
-    glideTo(camera);
-}
-
 QString Viewport::backendName() const
 {
     return canvas_->backendName();
@@ -296,19 +274,6 @@ QImage Viewport::picture() const
     return canvas_->picture();
 }
 
-void Viewport::moveCamera(const Camera& camera)
-{
-    endPreview();
-    glide_.stop();
-    camera_ = camera;
-    view_.camera = camera;
-    view_.moving = true;
-    resting_.start();
-    pausing_.start();
-    canvas_->show(view_);
-    emit cameraChanged();
-}
-
 void Viewport::rest()
 {
     view_.moving = following_;
@@ -318,13 +283,13 @@ void Viewport::rest()
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
     lastPosition_ = event->position();
-    ++gesture_;
+    gesture_ = session_.newGesture();
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
     QWidget::mouseReleaseEvent(event);
-    ++gesture_;
+    gesture_ = session_.newGesture();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -334,23 +299,23 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     const bool left = event->buttons().testFlag(Qt::LeftButton);
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->buttons().testFlag(Qt::MiddleButton) || (left && shift))
-        moveCamera(pannedByDrag(camera(), moved, size()));
+        moveByHand(pannedByDrag(camera(), moved, size()));
     else if (left)
-        moveCamera(turnedByDrag(camera(), before, lastPosition_, size()));
+        moveByHand(turnedByDrag(camera(), before, lastPosition_, size()));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
     if (isPan(*event))
-        moveCamera(pannedByDrag(camera(), event->pixelDelta(), size()));
+        moveByHand(pannedByDrag(camera(), event->pixelDelta(), size()));
     else
-        moveCamera(zoomedByWheel(camera(), event->angleDelta().y()));
+        moveByHand(zoomedByWheel(camera(), event->angleDelta().y()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
     if (const auto moved = movedByKey(camera(), *event))
-        moveCamera(*moved);
+        moveByHand(*moved);
     else
         QWidget::keyPressEvent(event);
 }
@@ -360,7 +325,7 @@ bool Viewport::event(QEvent* event)
     const auto factor = pinchFactor(*event);
     if (!factor)
         return QWidget::event(event);
-    moveCamera(zoomedByPinch(camera(), *factor));
+    moveByHand(zoomedByPinch(camera(), *factor));
     event->accept();
     return true;
 }
@@ -369,22 +334,21 @@ void Viewport::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
-        followPalette();
+        followBackground();
 }
 
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    if (startFit_ && camera_ == *startFit_ && !previewing_) {
-        startFit_ = fitted(camera_, startBounds_, aspectRatio());
-        startFrom(*startFit_, background_);
-    }
+    byHand_ = true;
+    session_.setShape(static_cast<double>(std::max(1, width())) / std::max(1, height()));
+    byHand_ = false;
 }
 
-void Viewport::followPalette()
+void Viewport::followBackground()
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    view_.background = background_.value_or(usualBackground(dark));
+    view_.background = session_.view().background.value_or(usualBackground(dark));
     canvas_->show(view_);
     emit backgroundChanged();
 }

@@ -138,13 +138,13 @@ void FilmDialog::connectControls()
         remaining_->setText(tr("Saved."));
         remaining_->show();
     });
-    connect(&workbench_.session().view(), &ViewState::animationChanged, this, &FilmDialog::lookAtTarget);
+    workbench_.session().whenChanged(ViewPart::Animation, this, &FilmDialog::lookAtTarget);
     connect(&workbench_.session(), &Session::modelChanged, this, &QDialog::reject);
 }
 
 void FilmDialog::ask()
 {
-    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations());
+    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
     if (!workbench_.savingFilm().running()) {
         target_->setText(workbench_.proposedPath("-film." + format_->currentData().toString()));
         remaining_->clear();
@@ -203,7 +203,7 @@ void FilmDialog::showSummary()
 {
     if (!workbench_.session().model())
         return;
-    const Animation& animation = workbench_.session().view().animation();
+    const Animation& animation = workbench_.session().view().animation;
     const int count = frameCount(animation);
     if (count == 0)
         return summary_->setText(tr("It has no frames yet: add two views or more in the panel Animation."));
@@ -219,7 +219,7 @@ void FilmDialog::lookAtTarget()
 {
     if (!isVisible() || !workbench_.session().model())
         return;
-    const int count = frameCount(workbench_.session().view().animation());
+    const int count = frameCount(workbench_.session().view().animation);
     looking_.start([this, target = filePath(target_->text()), count](const Progress&) -> std::function<void()> {
         return [this, found = filesInTheWay(target, count).size()] {
             inTheWay_ = found;
@@ -235,7 +235,7 @@ void FilmDialog::showTarget()
     if (!workbench_.session().model())
         return;
     showSummary();
-    const int count = frameCount(workbench_.session().view().animation());
+    const int count = frameCount(workbench_.session().view().animation);
     const std::filesystem::path target = filePath(target_->text());
     const QString first = pathText(framePath(target, 0, count).filename());
     QString hint = isVideoFile(target) ? QString() : tr("%1, …").arg(first);
@@ -278,7 +278,7 @@ void FilmDialog::save()
     form_->remember();
     QSettings().setValue(formatKey, format_->currentData());
     trial_.cancel();
-    frames_ = frameCount(workbench_.session().view().animation());
+    frames_ = frameCount(workbench_.session().view().animation);
     workbench_.saveFilm(order());
 }
 

@@ -36,27 +36,18 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
     waiting_.setInterval(keepAfter);
     connect(&waiting_, &QTimer::timeout, this, &KeepSession::keep);
     const Session* session = &workbench.session();
-    const ViewState* view = &session->view();
     connect(session, &Session::modelChanged, this, [this] {
         wasKept_ = false;
         changed();
     });
     connect(session, &Session::modelGrown, this, &KeepSession::changed);
-    connect(view, &ViewState::queryChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::lookChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::isovalueInserted, this, &KeepSession::changed);
-    connect(view, &ViewState::isovalueRemoved, this, &KeepSession::changed);
-    connect(view, &ViewState::isovalueChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::annotationsChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::animationChanged, this, &KeepSession::changed);
-    connect(&viewport, &Viewport::cameraChanged, this, &KeepSession::changed);
-    connect(&viewport, &Viewport::backgroundChanged, this, &KeepSession::changed);
+    connect(session, &Session::viewChanged, this, &KeepSession::changed);
     connect(&workbench, &Workbench::opening, this, [this] {
         if (waiting_.isActive())
             keep(); // it may be opened anew
     });
     connect(&workbench, &Workbench::leaving, this, &KeepSession::leave);
-    connect(&workbench, &Workbench::viewRestored, this, &KeepSession::restore);
+    connect(&workbench, &Workbench::viewRestored, this, &KeepSession::restored);
     connect(&workbench, &Workbench::pictureOpened, this, &KeepSession::offerPicture);
     connect(&workbench.views(), &KeptViews::failed, &messages,
             [&messages](const QString& text) { messages.add(text, MessageSubject::Program); });
@@ -75,11 +66,8 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
 std::optional<SessionDocument> KeepSession::document() const
 {
     auto document = workbench_.sessionDocument();
-    if (document) {
-        document->camera = viewport_.camera();
-        document->background = viewport_.chosenBackground();
+    if (document)
         document->viewSize = {viewport_.width(), viewport_.height()};
-    }
     return document;
 }
 
@@ -104,10 +92,9 @@ void KeepSession::saveAs(const std::function<void(bool saved)>& then)
                      });
 }
 
-void KeepSession::restore(const SessionDocument& document, const std::filesystem::path& from)
+void KeepSession::restored(const std::filesystem::path& from)
 {
     wasKept_ = true;
-    viewport_.startFrom(document.camera.value_or(viewport_.camera()), document.background);
     removeLost(from);
 }
 

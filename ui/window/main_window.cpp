@@ -12,7 +12,6 @@
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
 #include "ui/viewport/value_pick.h"
-#include "ui/viewport/view_history.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
@@ -73,8 +72,8 @@ QStringList filesOf(const QMimeData* data)
 
 MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
-      empty_(new EmptyPage(workbench_.sampling())), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
-      status_(new StatusLine(statusBar())),
+      empty_(new EmptyPage(workbench_.sampling())), viewport_(new Viewport(workbench.session(), backend)),
+      pages_(new QStackedWidget), status_(new StatusLine(statusBar())),
       regions_(new RegionActions(workbench_.session(), *viewport_, *actions_.region, *actions_.toolBar))
 {
     setObjectName("window");
@@ -100,9 +99,8 @@ MainWindow::~MainWindow()
     workbench_.setGate({});
     keptSession_->leave();
     // A drag that is still under way ends when its panel is destroyed, and then this is no longer a MainWindow.
-    const Session& session = workbench_.session();
-    for (const QObject* source : std::initializer_list<const QObject*>{&workbench_, &session, &session.view()})
-        source->disconnect(this);
+    workbench_.disconnect(this);
+    workbench_.session().disconnect(this);
 }
 
 QWidget* MainWindow::makeCentre()
@@ -114,7 +112,6 @@ QWidget* MainWindow::makeCentre()
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
     notice_ = new PictureNotice(*viewport_);
-    new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
     pages_->addWidget(viewport_);
@@ -205,23 +202,29 @@ void MainWindow::connectActions()
     });
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
-    connect(actions_.fit, &QAction::triggered, this, &MainWindow::fit);
+    connect(actions_.fit, &QAction::triggered, &workbench_.session(), &Session::fitCamera);
     connect(actions_.resetView, &QAction::triggered, this, &MainWindow::resetView);
-    connect(actions_.perspective, &QAction::toggled, viewport_, &Viewport::setPerspective);
+    Session& session = workbench_.session();
+    connect(actions_.perspective, &QAction::toggled, &session, [&session](bool on) {
+        Camera camera = session.view().camera;
+        camera.perspective = on;
+        session.setCamera(camera);
+    });
     for (int view = 0; view < actions_.namedViews.size(); ++view)
-        connect(actions_.namedViews[view], &QAction::triggered, viewport_,
-                [this, view] { viewport_->seeFrom(static_cast<NamedView>(view)); });
+        connect(actions_.namedViews[view], &QAction::triggered, &session,
+                [&session, view] { session.setCamera(seenFrom(session.view().camera, static_cast<NamedView>(view))); });
     connect(actions_.resetLayout, &QAction::triggered, this,
             [this] { layOutDocks(*this, docks_, workbench_.dataset() != nullptr); });
-    new OrientationActions(workbench_.session(), *viewport_, *actions_.orientation);
+    new OrientationActions(session, *actions_.orientation);
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
     new PickActions(workbench_.session(), *pick_, *actions_.picked);
     givePictureMenu(*viewport_, *pick_, actions_);
     connect(pick_, &ValuePick::pickedChanged, status_, [this] { status_->setPicked(pick_->text()); });
-    connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
-            [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
+    const auto showPerspective = [this] { actions_.perspective->setChecked(viewport_->camera().perspective); };
+    connect(&session, &Session::modelChanged, actions_.perspective, showPerspective);
+    session.whenChanged(ViewPart::Camera, actions_.perspective, showPerspective);
     connect(actions_.fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     connect(actions_.manual, &QAction::triggered, this, [this] {
@@ -369,28 +372,9 @@ void MainWindow::fillRecent()
     connect(forget, &QAction::triggered, this, [] { forgetRecentFiles(); });
 }
 
-void MainWindow::fit()
-{
-    if (const auto& model = workbench_.session().model())
-        viewport_->fit(model->description().bounds);
-}
-
-/// One step to undo.
 void MainWindow::resetView()
 {
-    Session& session = workbench_.session();
-    const ViewState& view = session.view();
-    const SessionDocument start = workbench_.startingView();
-    const Camera camera = fitted(Camera(), session.model()->description().bounds, viewport_->aspectRatio());
-    if (view.query() == start.query && view.look() == start.look && view.isovalues() == start.isovalues &&
-        view.annotations() == start.annotations && view.animation() == start.animation &&
-        viewport_->camera() == camera && !viewport_->chosenBackground())
-        return;
-    session.undoStack().beginMacro(tr("reset of view"));
-    session.setAll(start.query, start.look, start.isovalues, start.annotations, start.animation);
-    viewport_->glideTo(camera);
-    viewport_->setBackground(std::nullopt);
-    session.undoStack().endMacro();
+    workbench_.session().setView(workbench_.startingView(), tr("Reset View"));
 }
 
 /// Where the user has turned to something else the model does not push that away.
@@ -441,10 +425,7 @@ void MainWindow::showModel()
     showNotice();
     if (model) {
         pages_->setCurrentWidget(viewport_);
-        viewport_->startFitted(upright(viewport_->camera(), UpAxis::Z), model->description().bounds);
         viewport_->setFocus();
-    } else {
-        viewport_->startFrom(viewport_->camera(), std::nullopt);
     }
     showWhatCanBeClosed();
 }
@@ -484,12 +465,8 @@ void MainWindow::connectFollowing()
 {
     Session& session = workbench_.session();
     const auto follow = [this] { viewport_->setFollowing(workbench_.session().inGesture()); };
-    const ViewState* view = &session.view();
-    connect(view, &ViewState::queryChanged, this, follow);
-    connect(view, &ViewState::lookChanged, this, follow);
-    connect(view, &ViewState::lookChanged, viewport_, &Viewport::expectChange);
-    connect(view, &ViewState::isovalueChanged, this, follow);
-    connect(view, &ViewState::isovalueChanged, viewport_, &Viewport::expectChange);
+    session.whenChanged(ViewPart::Scene, this, follow);
+    session.whenChanged(ViewPart::Appearance | ViewPart::Isovalues, viewport_, &Viewport::expectChange);
     connect(&session, &Session::gestureChanged, this, [this](bool on) {
         if (!on)
             viewport_->setFollowing(false);

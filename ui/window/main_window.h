@@ -58,7 +58,6 @@ private:
     void saveSurfaces();
     void saveStatistics();
     void fillRecent();
-    void fit();
     void resetView();
     void offerBuilt(const QString& path, bool isShown);
     void showFile();

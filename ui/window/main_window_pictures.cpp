@@ -50,8 +50,8 @@ void MainWindow::savePicture()
 void MainWindow::copyPicture()
 {
     if (workbench_.session().model())
-        workbench_.savePicture(pictureOrder(
-            workbench_, *viewport_, {pixelsOf(*viewport_), 0, false, workbench_.session().view().annotations()}));
+        workbench_.savePicture(pictureOrder(workbench_, *viewport_,
+                                            {pixelsOf(*viewport_), 0, false, workbench_.session().view().annotations}));
 }
 
 void MainWindow::saveFilm()

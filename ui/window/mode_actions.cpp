@@ -16,7 +16,7 @@ ModeActions::ModeActions(Workbench& workbench, QMenu& menu, QToolBar& toolBar, Q
     : QObject(parent), workbench_(workbench), menu_(menu), toolBar_(toolBar), group_(new QActionGroup(this))
 {
     connect(&workbench_.session(), &Session::modelChanged, this, &ModeActions::fill);
-    connect(&workbench_.session().view(), &ViewState::lookChanged, this, &ModeActions::check);
+    workbench_.session().whenChanged(ViewPart::Appearance, this, &ModeActions::check);
     connect(group_, &QActionGroup::triggered, this,
             [this](const QAction* action) { emit chosen(action->data().toString()); });
     menu_.setEnabled(false);
@@ -48,7 +48,7 @@ void ModeActions::fill()
 
 void ModeActions::check()
 {
-    const QString mode = QString::fromStdString(workbench_.session().view().look().mode);
+    const QString mode = QString::fromStdString(workbench_.session().view().appearance.mode);
     for (QAction* action : group_->actions())
         action->setChecked(action->data().toString() == mode);
 }

@@ -140,13 +140,13 @@ void Photographer::takePanelsAtWork()
     trigger("action.focusBox");
     takePanel("dock.focus", "focus-box");
     trigger("action.focusBox"); // off again
-    QueryState query = session.view().query();
+    QueryState query = session.view().query;
     query.window.enabled = true;
     query.values.enabled = true;
     session.setQuery(query);
     takePanel("dock.region", "region-on");
     session.undoStack().undo();
-    session.setAnimation(keyFrames(workbench_.presentFrame(window_.findChild<Viewport*>()->camera())));
+    session.setAnimation(keyFrames(frameOf(session.view())));
     takePanel("dock.animation", "animation-keys");
     trigger("action.mode.volume");
     takePanel("dock.rendering", "rendering-volume");

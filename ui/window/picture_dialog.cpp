@@ -60,7 +60,7 @@ QWidget* PictureDialog::makeButtons()
 
 void PictureDialog::ask()
 {
-    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations());
+    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
     show();
     raise();
     activateWindow();

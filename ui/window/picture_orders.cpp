@@ -36,11 +36,11 @@ PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, 
 FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
     const ViewPicture picture = pictureOf(workbench, viewport, settings);
-    FilmOrder order = workbench.filmOrder(viewport.camera());
+    FilmOrder order = workbench.filmOrder();
     order.picture = pictureOrder(picture);
     order.finish = [content = picture.annotations, scale = annotationScale(picture.size, picture.viewSize)](
-                       QImage& image, const FilmFrame& frame, const ShownMesh& mesh) {
-        paintAnnotations(image, atFrame(content, frame, mesh), scale);
+                       QImage& image, const ViewValue& view, const ShownMesh& mesh) {
+        paintAnnotations(image, inView(content, view, mesh), scale);
     };
     return order;
 }

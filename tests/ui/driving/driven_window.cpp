@@ -57,7 +57,7 @@ void DrivenWindow::startAnew()
         waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
                   "the dataset is open");
     }
-    while (session().view().isovalueCount() > 1)
+    while (session().view().isovalues.size() > 1)
         session().removeIsovalue(1);
     session().undoStack().clear();
     window.setWindowState(Qt::WindowNoState);
@@ -66,21 +66,9 @@ void DrivenWindow::startAnew()
     remember();
 }
 
-Moment DrivenWindow::now() const
-{
-    const ViewState& view = session().view();
-    return {view.query(),
-            view.look(),
-            view.isovalues(),
-            view.annotations(),
-            view.animation(),
-            viewport().camera(),
-            viewport().chosenBackground()};
-}
-
 void DrivenWindow::remember()
 {
-    before_ = now();
+    before_ = session().view();
     stepsBefore_ = undoSteps();
 }
 
