@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <limits>
+
 using namespace tetra;
 
 /// What the window's logic says without any window: accuracy (R14, R26), isovalues (R19), undo.
@@ -21,6 +23,9 @@ private slots:
     void aDragIsOneStep();
     void aDragThatEndsWhereItBeganIsNoStep();
     void twoDragsAreTwoSteps();
+    void aDragOfSeveralPartsIsOneStep();
+    void changesTellTheirParts();
+    void aCameraThatNobodyMovedFollowsTheShape();
     void nothingIsAcceptedOutsideTheRange();
     void newIsovaluesFillTheWidestGapInFreeColours();
     void openingAnotherModelForgetsTheEdits();
@@ -133,6 +138,58 @@ void SessionTest::twoDragsAreTwoSteps()
     session_->setError(3);
     session_->setError(4);
     QCOMPARE(session_->undoStack().count(), 4);
+}
+
+void SessionTest::aDragOfSeveralPartsIsOneStep()
+{
+    const ViewValue before = session_->view();
+    session_->beginGesture();
+    for (const double value : {101, 102, 103}) {
+        session_->setError(value / 100);
+        session_->setIsovalue(0, Isovalue{value});
+        session_->setCamera(turned(session_->view().camera, 3, 0));
+    }
+    session_->endGesture();
+    const ViewValue after = session_->view();
+    QCOMPARE(session_->undoStack().count(), 1);
+    session_->undoStack().undo();
+    QVERIFY(session_->view() == before);
+    session_->undoStack().redo();
+    QVERIFY(session_->view() == after);
+}
+
+void SessionTest::changesTellTheirParts()
+{
+    std::vector<ViewParts> told;
+    connect(session_.get(), &Session::viewChanged, this, [&](ViewParts parts) { told.push_back(parts); });
+    session_->setError(0.5);
+    session_->setSetting("shaded", true);
+    ViewValue both = session_->view();
+    both.background = Colour{1, 0, 0};
+    both.annotations[AnnotationKind::Title].shown = true;
+    session_->setView(both, "Both");
+    QCOMPARE(session_->undoStack().undoText(), QString("Both"));
+    session_->setView(both);
+    Camera none = both.camera;
+    none.azimuth = std::numeric_limits<double>::quiet_NaN();
+    session_->setCamera(none);
+    session_->undoStack().undo();
+    const ViewParts pair = ViewPart::Annotations | ViewPart::Background;
+    QCOMPARE(told, (std::vector<ViewParts>{ViewPart::Query, ViewPart::Settings, pair, pair}));
+}
+
+void SessionTest::aCameraThatNobodyMovedFollowsTheShape()
+{
+    const Eigen::AlignedBox3d bounds = model_->description().bounds;
+    session_->setShape(3);
+    QVERIFY(session_->view().camera == fitted(session_->view().camera, bounds, 3));
+    session_->setCamera(turned(session_->view().camera, 50, 0));
+    const Camera moved = session_->view().camera;
+    session_->setShape(0.2);
+    QVERIFY(session_->view().camera == moved);
+    QCOMPARE(session_->undoStack().count(), 1);
+    session_->fitCamera();
+    QVERIFY(session_->view().camera == fitted(moved, bounds, 0.2));
 }
 
 void SessionTest::nothingIsAcceptedOutsideTheRange()

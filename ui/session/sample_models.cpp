@@ -13,8 +13,8 @@
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/query_state.h"
-#include "ui/session/scene_maker.h"
 #include "ui/session/target_path.h"
+#include "ui/session/view_picture.h"
 
 #include <tan/model.h>
 
