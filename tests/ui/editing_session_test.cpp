@@ -82,11 +82,11 @@ void EditingSessionTest::openModel()
     canvas_->resize(320, 240);
     canvas_->setView(view_);
     canvas_->show();
-    connect(&workbench_->sceneBuilder(), &SceneBuilder::sceneReady, this, [this](const BuiltScene& scene) {
+    connect(&workbench_->scenes().sceneBuilder(), &SceneBuilder::sceneReady, this, [this](const BuiltScene& scene) {
         view_.levels = {{scene.scene, scene.mesh.tetrahedra}};
         canvas_->setView(view_);
     });
-    connect(&workbench_->draftBuilder(), &DraftBuilder::draftsReady, this,
+    connect(&workbench_->scenes().draftBuilder(), &DraftBuilder::draftsReady, this,
             [this](const std::vector<DraftScene>& drafts) {
                 view_.levels.resize(std::min<std::size_t>(view_.levels.size(), 1));
                 for (const DraftScene& draft : drafts)
@@ -98,7 +98,7 @@ void EditingSessionTest::openModel()
         view_.moving = on;
         canvas_->setView(view_);
     });
-    workbench_->open(
+    workbench_->opening().open(
         QString::fromStdString(buildSampleModel(*host_, sampleDataset(16), folder_.path().toStdString()).string()));
     QTRY_VERIFY(workbench_->session().model());
     view_.camera = fitted(Camera(), workbench_->session().model()->description().bounds);
@@ -106,7 +106,7 @@ void EditingSessionTest::openModel()
 
 void EditingSessionTest::lookAtIt()
 {
-    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->sceneBuilder().busy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->scenes().sceneBuilder().busy(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(view_.moving || canvas_->settled(), 60'000);
 }
 
@@ -129,7 +129,7 @@ void EditingSessionTest::memoryDoesNotGrow()
     keepHeapSteady(); // as the program does
     openModel();
     std::vector<std::string> modes;
-    for (const auto& mode : workbench_->modes())
+    for (const auto& mode : workbench_->scenes().modes())
         modes.push_back(mode.id);
     RandomEdits some(workbench_->session(), modes, 7);
     double warm = 0;
