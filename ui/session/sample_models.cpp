@@ -13,8 +13,8 @@
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/query_state.h"
-#include "ui/session/scene_maker.h"
 #include "ui/session/target_path.h"
+#include "ui/session/view_picture.h"
 
 #include <tan/model.h>
 
@@ -108,7 +108,7 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
     if (wantedLook.boundary)
         view.isovalues.clear();
     const auto built = ScenePipeline().make(sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view),
-                                         progress.part(0.6, 0.8));
+                                            progress.part(0.6, 0.8));
     if (!built)
         return built.error();
     return drawPicture({.scene = built->scene,
