@@ -244,8 +244,11 @@ void Canvas::submit(Order order)
 
 Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::stop_token& stop)
 {
-    if (const Status made = backends.make(); !made)
-        return {.error = translatedMessage(made.error().message)};
+    Drawn drawn;
+    if (const Status made = backends.make(); !made) {
+        drawn.error = translatedMessage(made.error().message);
+        return drawn;
+    }
     RenderBackend& backend = order.moving ? *backends.moving : *backends.fine;
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
@@ -253,7 +256,6 @@ Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::st
     for (LineSet& lines : scene.lines) // as wide as in the full picture
         lines.width = static_cast<float>(lines.width / order.reduction);
     const auto picture = backend.render(scene, order.camera, order.options, Progress(stop, {}));
-    Drawn drawn;
     if (picture) {
         drawn.image = imageOf(*picture);
         drawn.statistics = backend.statistics();

@@ -90,6 +90,7 @@ Viewport::Viewport(Session& session, BackendChoice choice, QWidget* parent)
 void Viewport::useCanvas(Canvas* canvas)
 {
     if (canvas_ != nullptr) {
+        canvas_->disconnect(this);
         canvas_->hide();
         canvas_->deleteLater();
     }
