@@ -3367,6 +3367,17 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Canvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ColourButton</name>
     <message>
         <source>Colour</source>
@@ -3394,13 +3405,6 @@ Verwerfung %2</translation>
     <message>
         <source>Commands</source>
         <translation>Befehle</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::CpuCanvas</name>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
     </message>
 </context>
 <context>
@@ -3809,13 +3813,6 @@ Verwerfung %2</translation>
     <message>
         <source>A focus is not coarser than what is around it, so it gets %1.</source>
         <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::GlCanvas</name>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
     </message>
 </context>
 <context>
@@ -4419,6 +4416,33 @@ Verwerfung %2</translation>
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Opening</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
 </context>
 <context>
@@ -5037,6 +5061,13 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::SceneService</name>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SlicePreview</name>
     <message>
         <source>Preview of a layer</source>
@@ -5621,37 +5652,6 @@ Verwerfung %2</translation>
     <message>
         <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
         <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::Workbench</name>
-    <message>
-        <source>Models (*.tan)</source>
-        <translation>Modelle (*.tan)</translation>
-    </message>
-    <message>
-        <source>All that can be opened (%1)</source>
-        <translation>Alles, was sich öffnen lässt (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sitzungen (*.tansession)</translation>
-    </message>
-    <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
-    </message>
-    <message>
-        <source>Pictures with their sessions (*.png)</source>
-        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
 </context>
 </TS>

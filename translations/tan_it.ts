@@ -3367,6 +3367,17 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Canvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ColourButton</name>
     <message>
         <source>Colour</source>
@@ -3394,13 +3405,6 @@ deformazione %2</translation>
     <message>
         <source>Commands</source>
         <translation>Comandi</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::CpuCanvas</name>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
     </message>
 </context>
 <context>
@@ -3809,13 +3813,6 @@ deformazione %2</translation>
     <message>
         <source>A focus is not coarser than what is around it, so it gets %1.</source>
         <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::GlCanvas</name>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
     </message>
 </context>
 <context>
@@ -4419,6 +4416,33 @@ deformazione %2</translation>
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Opening</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelli (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Tutto ciò che si può aprire (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sessioni (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 <context>
@@ -5037,6 +5061,13 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::SceneService</name>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SlicePreview</name>
     <message>
         <source>Preview of a layer</source>
@@ -5621,37 +5652,6 @@ deformazione %2</translation>
     <message>
         <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
         <translation>OpenGL non si può usare, l&apos;immagine è disegnata dal processore. %1</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::Workbench</name>
-    <message>
-        <source>Models (*.tan)</source>
-        <translation>Modelli (*.tan)</translation>
-    </message>
-    <message>
-        <source>All that can be opened (%1)</source>
-        <translation>Tutto ciò che si può aprire (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tutti i file (*)</translation>
-    </message>
-    <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sessioni (*.tansession)</translation>
-    </message>
-    <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
-    </message>
-    <message>
-        <source>Pictures with their sessions (*.png)</source>
-        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 </TS>

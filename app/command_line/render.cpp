@@ -204,14 +204,13 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
 }
 
 /// With the scene, and with what can be said of it.
-Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view)
+Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view, ScenePipeline& pipeline)
 {
-    SceneMaker maker;
     const auto built =
-        confirmed(*view.model, maker.make(view.scene, invocation.progress.part(0, 0.6)), invocation.progress);
+        confirmed(*view.model, pipeline.make(view.scene, invocation.progress.part(0, 0.6)), invocation.progress);
     if (!built)
         return built.error();
-    const ExtractedMesh& mesh = *maker.mesh();
+    const ExtractedMesh& mesh = *pipeline.mesh();
     if (const Status some = checkNotEmpty(invocation.arguments, *view.model, mesh.mesh); !some && !view.isOfSession)
         return some.error();
     QJsonObject figures = figuresOf(*view.model, view.scene.query, mesh);
@@ -241,9 +240,8 @@ std::size_t triangleCount(const Scene& scene)
     return count;
 }
 
-void addStatistics(QJsonObject& figures, const RenderBackend& backend)
+void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
 {
-    const RenderStatistics statistics = backend.statistics();
     figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
     figures["fragments"] = static_cast<qint64>(statistics.fragments);
     figures["broken_cycles"] = static_cast<qint64>(statistics.brokenCycles);
@@ -345,9 +343,10 @@ Result<Outcome> runRender(const Invocation& invocation)
                                                 renderer->plugin->parameters({}), "mode '" + renderer->id + "'");
         !known)
         return known.error();
-    const auto backend = makeBackend(request->backend);
+    auto backend = makeBackend(request->backend);
     if (!backend)
         return backend.error();
+    ScenePipeline pipeline(*std::move(backend));
     std::optional<tbb::global_control> limit;
     if (request->picture.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->picture.threads));
@@ -356,17 +355,17 @@ Result<Outcome> runRender(const Invocation& invocation)
     if (!view)
         return view.error();
     const std::string mode = view->renderer.id;
-    const auto prepared = prepareScene(invocation, *std::move(view));
+    const auto prepared = prepareScene(invocation, *std::move(view), pipeline);
     if (!prepared)
         return prepared.error();
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
-    const auto picture = drawScene(order, **backend, request->picture.depth, invocation.progress.part(0.6, 1));
+    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(0.6, 1));
     if (!picture)
         return picture.error();
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
-    addStatistics(figures, **backend);
+    addStatistics(figures, pipeline.statistics());
     if (const Status written = writeFiles(*request, order, *picture, figures); !written)
         return written.error();
 

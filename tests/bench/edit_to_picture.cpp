@@ -96,7 +96,7 @@ private:
     Session& session() { return workbench_.session(); }
     bool settled()
     {
-        return !workbench_.sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
+        return !workbench_.scenes().sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
     }
 
     QTemporaryDir views_; ///< the model is seen as at first

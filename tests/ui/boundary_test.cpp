@@ -58,15 +58,15 @@ private:
     }
     std::string savedSession() const
     {
-        const auto document = window_->workbench.sessionDocument();
+        const auto document = window_->workbench.opening().sessionDocument();
         return document ? sessionToText(*document, window_->folderPath()) : std::string();
     }
     void openSession(const std::string& text) const
     {
-        window_->workbench.closeModel();
+        window_->workbench.opening().closeModel();
         const std::filesystem::path file = window_->folderPath() + "/opened.tansession";
         QVERIFY(writeTextFile(file, text));
-        window_->workbench.openSession(file, SessionSource::File);
+        window_->workbench.opening().openSession(file, SessionSource::File);
         QTRY_VERIFY_WITH_TIMEOUT(session().model() && window_->settled(), 30'000);
     }
 
@@ -158,7 +158,7 @@ void BoundaryTest::itFollowsTheMeshAndTheMode()
 
 void BoundaryTest::valuesHaveTheColoursOfTheTransferFunction()
 {
-    const auto bar = [&] { return window_->workbench.annotations({}, {}).transfer; };
+    const auto bar = [&] { return window_->workbench.scenes().annotations({}, {}).transfer; };
     QVERIFY(!bar());
     choose("values");
     QVERIFY(bar() && *bar() == session().view().appearance.transfer);
@@ -249,7 +249,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
 void BoundaryTest::buildOptionsAreThoseThatMatter()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     auto& builder = window_->find<QComboBox>("build.builder");
     builder.setCurrentIndex(builder.findData("refinement"));
     const auto isShown = [&](const QString& id) { return !window_->find<QWidget>("build.option." + id).isHidden(); };

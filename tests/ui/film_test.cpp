@@ -141,7 +141,7 @@ void FilmTest::aFilmIsWrittenAsPictures()
     target.setText(window_->folder.filePath("round.png"));
     QTRY_VERIFY(window_->find<QPushButton>("film.save").isEnabled());
     QCOMPARE(window_->find<QPushButton>("film.save").text(), QString("&Save"));
-    QSignalSpy saved(&window_->workbench, &Workbench::filmSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::filmSaved);
     window_->find<QPushButton>("film.save").click();
     QVERIFY(!target.isEnabled());
     QTRY_COMPARE(saved.count(), 1);
@@ -161,9 +161,9 @@ void FilmTest::aFilmThatIsCancelledLeavesNothing()
     session().setAnimation(animation);
     FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({320, 240}));
     order.target = window_->folder.filePath("long.png").toStdString();
-    LongTask& task = window_->workbench.savingFilm();
+    LongTask& task = window_->workbench.exporting().savingFilm();
     QSignalSpy progressed(&task, &LongTask::progressed);
-    window_->workbench.saveFilm(order);
+    window_->workbench.exporting().saveFilm(order);
     QTRY_VERIFY(progressed.count() > 1);
     QElapsedTimer clock;
     clock.start();

@@ -160,30 +160,30 @@ void FirstLookTest::theIsovalueOfRealData()
 void FirstLookTest::coloursFollowTheFinishedModel()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QSignalSpy grown(&session(), &Session::modelGrown);
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
     trigger("action.mode.volume"); // looking at it otherwise is no choice of colours
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
-    QTRY_VERIFY(!window_->workbench.showsBuild() && !grown.isEmpty());
+    QTRY_VERIFY(!window_->workbench.building().showsBuild() && !grown.isEmpty());
     const Appearance built = session().view().appearance;
     const auto isovalues = session().view().isovalues;
 
     const std::filesystem::path model = session().model()->path();
     WindowFixture fresh;
-    fresh.workbench.views().forget(model);
+    fresh.workbench.opening().views().forget(model);
     fresh.window.open(QString::fromStdString(model.string()));
     QTRY_VERIFY(fresh.workbench.session().model() != nullptr);
-    QVERIFY(built.transfer == fresh.workbench.startingView().appearance.transfer);
-    QVERIFY(isovalues == fresh.workbench.startingView().isovalues);
+    QVERIFY(built.transfer == fresh.workbench.scenes().startingView().appearance.transfer);
+    QVERIFY(isovalues == fresh.workbench.scenes().startingView().isovalues);
     QCOMPARE(built.mode, std::string("volume"));
 }
 
 void FirstLookTest::whatWasChosenWhileItGrewStays()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
     TransferFunction chosen = session().view().appearance.transfer;
@@ -193,7 +193,7 @@ void FirstLookTest::whatWasChosenWhileItGrewStays()
     isovalue.value = 11;
     session().setIsovalue(0, isovalue);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
-    QTRY_VERIFY(!window_->workbench.showsBuild());
+    QTRY_VERIFY(!window_->workbench.building().showsBuild());
     QVERIFY(session().view().appearance.transfer == chosen);
     QCOMPARE(session().view().isovalues.front().value, 11.0);
 }
@@ -290,7 +290,7 @@ void FirstLookTest::theOrientationIsKeptInTheSession()
     QTest::keyClick(&window_->viewport(), Qt::Key_Up);
     const Camera camera = window_->viewport().camera();
     const QString file = window_->folder.filePath("head.tansession");
-    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    QSignalSpy saved(&window_->workbench.opening(), &Opening::sessionSaved);
     trigger("action.saveSessionAs");
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(file);

@@ -81,9 +81,9 @@ void FocusModeTest::aBlendedFocusIsSavedAsOneMesh()
     QTRY_VERIFY(window_->settled() && window_->viewport().scene()->focus);
     const auto asked = MeshExtractor(session().model()).extract(session().shown()->query);
     QVERIFY(asked.ok());
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
     const QString path = folder_.filePath("focus.vtu");
-    window_->workbench.saveMesh(path.toStdString());
+    window_->workbench.exporting().saveMesh(path.toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));

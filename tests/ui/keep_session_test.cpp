@@ -145,7 +145,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
     window_->find<QAction>("action.saveSession").trigger();
     choose(path);
     QTRY_VERIFY(QFile::exists(path));
-    QTRY_COMPARE(window_->workbench.sessionFile(), filePath(path));
+    QTRY_COMPARE(window_->workbench.opening().sessionFile(), filePath(path));
     const auto isovalues = session().view().isovalues.size();
 
     // The next time there is nothing to ask.
@@ -171,7 +171,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
 void KeepSessionTest::aModelThatWasReplacedIsTold()
 {
     open(model_);
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
     document->identity ^= 1;
     const std::filesystem::path path = filePath(window_->folder.filePath("other.tansession"));
@@ -197,7 +197,7 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
 {
     open(model_);
     edit();
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
     window_.reset();
     const std::filesystem::path left = leave(*document);
@@ -213,7 +213,7 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
     QVERIFY(!std::filesystem::exists(left));
     QVERIFY(!window_->find<QWidget>("lost").isVisible());
     QCoreApplication::processEvents();
-    QVERIFY(window_->workbench.sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().empty());
     QCOMPARE(window_->messages(), QStringList());
 }
 
@@ -322,7 +322,7 @@ void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
 void KeepSessionTest::aKilledSessionIsModified()
 {
     open(model_);
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
     const std::filesystem::path file = filePath(window_->folder.filePath("work.tansession"));
     QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
@@ -336,7 +336,7 @@ void KeepSessionTest::aKilledSessionIsModified()
     next->find<QPushButton>("lost.restore").click();
     QTRY_VERIFY_WITH_TIMEOUT(next->workbench.session().model() != nullptr, 30'000);
     QCOMPARE(next->workbench.session().view().query.error, 3.5);
-    QCOMPARE(next->workbench.sessionFile(), file);
+    QCOMPARE(next->workbench.opening().sessionFile(), file);
     QVERIFY(next->window.isWindowModified());
 }
 
@@ -365,7 +365,7 @@ void KeepSessionTest::aViewIsBackAfterAQuit()
     QVERIFY(showsEdits());
     QCOMPARE(session().view().isovalues, isovalues);
     QCOMPARE(session().undoStack().count(), 0);
-    QVERIFY(window_->workbench.sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().empty());
     QVERIFY(!window_->window.isWindowModified());
     QCOMPARE(window_->messages(), QStringList());
     startAnew(); // without a change
@@ -455,7 +455,7 @@ void KeepSessionTest::aSessionLeavesTheViewOfItsModelAlone()
 {
     open(model_);
     edit();
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
     document->view.query.error = 8;
     const std::filesystem::path file = filePath(window_->folder.filePath("other.tansession"));
@@ -487,7 +487,8 @@ void KeepSessionTest::aLongFilmIsSavedAndOpened()
     session().setAnimation(animation);
     const std::filesystem::path file = filePath(folder_.filePath("long.tansession"));
     bool isSaved = false;
-    window_->workbench.saveSession(file, *window_->workbench.sessionDocument(), [&](bool saved) { isSaved = saved; });
+    window_->workbench.opening().saveSession(file, *window_->workbench.opening().sessionDocument(),
+                                             [&](bool saved) { isSaved = saved; });
     QTRY_VERIFY(isSaved);
     QVERIFY(std::filesystem::file_size(file) > 1 << 20);
     startAnew();
@@ -534,7 +535,7 @@ void KeepSessionTest::aPictureWhoseSessionIsDamagedIsNamed()
     window_->window.open(path);
     QTRY_COMPARE(window_->messages().size(), 1);
     window_->find<QPushButton>("message.answer").click();
-    QTRY_VERIFY(!window_->workbench.reading().running() && window_->messages().size() == 1);
+    QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->messages().size() == 1);
     QVERIFY2(window_->messages().first().contains("old.png: The session cannot be read"),
              qPrintable(window_->messages().first()));
 }

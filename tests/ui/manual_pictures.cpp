@@ -44,7 +44,7 @@ public:
     void openModel(const char* name)
     {
         const QString path = places_.models.filePath(name);
-        fixture_.workbench.views().forget(path.toStdString()); // as at first, not as another sitting left it
+        fixture_.workbench.opening().views().forget(path.toStdString()); // as at first, not as another sitting left it
         fixture_.window.open(path);
         settle();
     }

@@ -68,7 +68,7 @@ PictureSettings OutputTest::settings(QSize size) const
 /// As the user does, by the dialogs.
 void OutputTest::savePictureTo(const QString& path) const
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     window_->find<QPushButton>("picture.save").click();
     auto& file = window_->find<QFileDialog>("pictureDialog");
     file.selectFile(path);
@@ -185,7 +185,7 @@ void OutputTest::aPictureRestoresItsView()
     window_->window.open(path);
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->messages().first().contains("view.png"));
-    QSignalSpy opened(&window_->workbench, &Workbench::viewRestored);
+    QSignalSpy opened(&window_->workbench.opening(), &Opening::viewRestored);
     window_->find<QPushButton>("message.answer").click();
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().view().query.error, 3.0);
@@ -207,13 +207,13 @@ void OutputTest::backgroundsCanBeTransparent()
 
 void OutputTest::picturesWaitForEachOther()
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     for (int i = 0; i < 4; ++i) {
         PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings({400, 300}));
         order.target = window_->folder.filePath(QString("p%1.png").arg(i)).toStdString();
-        window_->workbench.savePicture(order);
+        window_->workbench.exporting().savePicture(order);
     }
-    QCOMPARE(window_->workbench.savingPicture().waiting(), 3);
+    QCOMPARE(window_->workbench.exporting().savingPicture().waiting(), 3);
     QTRY_COMPARE(saved.count(), 4);
     for (int i = 0; i < 4; ++i)
         QVERIFY(saved[i].first().toString().endsWith(QString("p%1.png").arg(i)));

@@ -370,8 +370,8 @@ void PanelsTest::theDetailStaysWithAnotherBuilder()
 {
     const auto read = [this](const Dataset& dataset) {
         window_->window.open(QString::fromStdString(writeNrrd(dataset, window_->folderPath())));
-        QTRY_VERIFY(!window_->workbench.reading().running() && window_->workbench.dataset());
-        QTRY_COMPARE(window_->workbench.dataset()->pointCount(), dataset.pointCount());
+        QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->workbench.opening().dataset());
+        QTRY_COMPARE(window_->workbench.opening().dataset()->pointCount(), dataset.pointCount());
     };
     const auto chosen = [this] {
         QStringList names;

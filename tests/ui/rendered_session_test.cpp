@@ -71,7 +71,7 @@ void RenderedSessionTest::initTestCase()
 
 void RenderedSessionTest::saveSession(const QString& name) const
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    QSignalSpy saved(&window_->workbench.opening(), &Opening::sessionSaved);
     window_->find<QAction>("action.saveSessionAs").trigger();
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path(name));
@@ -81,10 +81,10 @@ void RenderedSessionTest::saveSession(const QString& name) const
 
 QImage RenderedSessionTest::savedPicture(const PictureSettings& settings) const
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings);
     order.target = path("window.png").toStdString();
-    window_->workbench.savePicture(order);
+    window_->workbench.exporting().savePicture(order);
     return waitFor([&] { return saved.count() == 1; }) ? QImage(path("window.png")) : QImage();
 }
 
@@ -179,7 +179,7 @@ void RenderedSessionTest::aPictureHoldsItsSession()
     QTRY_VERIFY(upToDate());
     window_->find<QAction>("action.savePicture").trigger();
     window_->find<QAbstractButton>("picture.save").click();
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     auto& dialog = window_->find<QFileDialog>("pictureDialog");
     emit dialog.fileSelected(path("shown.png"));
     dialog.reject();

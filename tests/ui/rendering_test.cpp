@@ -94,7 +94,7 @@ void RenderingTest::choose(const char* dialog, const QString& path) const
 
 void RenderingTest::theModeChangesWithoutAnotherMesh()
 {
-    QSignalSpy scenes(&window_->workbench.sceneBuilder(), &SceneBuilder::sceneReady);
+    QSignalSpy scenes(&window_->workbench.scenes().sceneBuilder(), &SceneBuilder::sceneReady);
     QCOMPARE(session().view().appearance.mode, std::string("isosurface"));
     window_->find<QAction>("action.mode.volume").trigger();
     QTRY_COMPARE(scenes.count(), 1);

@@ -191,8 +191,8 @@ void StoryTest::aDetailInFocusWithABudget()
     window.find<QSpinBox>("accuracy.budget").setValue(20'000);
     QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
     QVERIFY(session.shown()->tetrahedra <= 20'000 && session.shown()->tetrahedra > 15'000);
-    QSignalSpy saved(&window.workbench, &Workbench::meshSaved);
-    window.workbench.saveMesh(window.folder.filePath("detail.vtu").toStdString());
+    QSignalSpy saved(&window.workbench.exporting(), &Exporting::meshSaved);
+    window.workbench.exporting().saveMesh(window.folder.filePath("detail.vtu").toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QCOMPARE(window.messages(), QStringList());
 }

@@ -66,21 +66,22 @@ void UndoFuzzTest::edit(RandomEdits& some, std::mt19937& random)
 
 void UndoFuzzTest::waitForTheScene()
 {
-    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->sceneBuilder().busy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->scenes().sceneBuilder().busy(), 60'000);
 }
 
 /// A mode that is not known is not opened again.
 void UndoFuzzTest::saveAndOpenAgain()
 {
-    session().setMode(workbench_->modes().front().id);
+    session().setMode(workbench_->scenes().modes().front().id);
     const ViewValue saved = session().view();
     const std::filesystem::path file = folder_.filePath("left.tansession").toStdString();
     bool isSaved = false;
-    workbench_->saveSession(file, *workbench_->sessionDocument(), [&](bool worked) { isSaved = worked; });
+    workbench_->opening().saveSession(file, *workbench_->opening().sessionDocument(),
+                                      [&](bool worked) { isSaved = worked; });
     QTRY_VERIFY(isSaved);
     session().setView(states_.front());
-    const QSignalSpy opened(workbench_.get(), &Workbench::viewRestored);
-    workbench_->openSession(file, SessionSource::File);
+    const QSignalSpy opened(&workbench_->opening(), &Opening::viewRestored);
+    workbench_->opening().openSession(file, SessionSource::File);
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().undoStack().count(), 0);
     QVERIFY2(session().view() == saved, qPrintable(QString::number(differingParts(session().view(), saved).toInt())));
@@ -90,10 +91,10 @@ void UndoFuzzTest::undoingAllEndsWhereItBegan()
 {
     QFETCH(unsigned, seed);
     workbench_ = std::make_unique<Workbench>(*host_);
-    workbench_->open(model_);
+    workbench_->opening().open(model_);
     QTRY_VERIFY(session().model());
     std::vector<std::string> modes{"no such mode"};
-    for (const auto& mode : workbench_->modes())
+    for (const auto& mode : workbench_->scenes().modes())
         modes.push_back(mode.id);
     QVERIFY(modes.size() > 2);
 

@@ -219,7 +219,7 @@ void ValuePickTest::aPickWaitsForThePicture()
     Isovalue isovalue = session().view().isovalues.front();
     isovalue.value = session().range().minimum + 0.7 * session().range().extent();
     session().setIsovalue(0, isovalue);
-    QVERIFY(window_->workbench.sceneBuilder().busy());
+    QVERIFY(window_->workbench.scenes().sceneBuilder().busy());
     click(middle()); // the picture shows another isovalue yet
     QTRY_VERIFY(picked().has_value());
     QCOMPARE(picked()->value, isovalue.value);

@@ -121,7 +121,7 @@ void ViewHistoryTest::aLongDragCostsNothingButThePictures()
 {
     Viewport& viewport = window_->viewport();
     const Camera before = viewport.camera();
-    const QSignalSpy scenes(&window_->workbench.sceneBuilder(), &SceneBuilder::busyChanged);
+    const QSignalSpy scenes(&window_->workbench.scenes().sceneBuilder(), &SceneBuilder::busyChanged);
     QTest::mousePress(&viewport, Qt::LeftButton, {}, {100, 100});
     constexpr int moves = 300;
     for (int part = 1; part <= moves; ++part) {

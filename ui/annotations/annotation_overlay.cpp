@@ -42,7 +42,7 @@ void AnnotationOverlay::paintEvent(QPaintEvent* event)
     if (!workbench_.session().model())
         return;
     QPainter painter(this);
-    paintAnnotations(painter, workbench_.annotations(viewport_.shownCamera(), viewport_.background()), size());
+    paintAnnotations(painter, workbench_.scenes().annotations(viewport_.shownCamera(), viewport_.background()), size());
 }
 
 } // namespace tetra

@@ -213,7 +213,7 @@ void AnimationPanel::showFrame(int frame)
         return;
     const ViewValue shown = viewAtFrame(workbench_.session().view(), frame);
     if (animation.kind == Animation::Kind::KeyFrames)
-        workbench_.previewView(shown);
+        workbench_.scenes().previewView(shown);
     viewport_.setPreview(shown.camera);
     play_->setText(tr("Stop"));
 }
@@ -223,7 +223,7 @@ void AnimationPanel::stop()
     playing_.stop();
     play_->setText(tr("Play"));
     viewport_.setPreview(std::nullopt);
-    workbench_.previewView(std::nullopt);
+    workbench_.scenes().previewView(std::nullopt);
     const QSignalBlocker blocker(position_);
     position_->setValue(0);
 }

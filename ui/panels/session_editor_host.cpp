@@ -96,7 +96,7 @@ void SessionEditorHost::loadText(QWidget* parent, const EditorFile& file,
                                  const std::function<Status(const std::string& text)>& use)
 {
     askForTextFile(parent, file.dialog, file.title, file.filter,
-                   [this, use](const QString& path) { workbench_.loadText(filePath(path), use); });
+                   [this, use](const QString& path) { workbench_.exporting().loadText(filePath(path), use); });
 }
 
 void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
@@ -104,9 +104,10 @@ void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
 {
     if (!hasModel())
         return;
-    askForTextTarget(parent, file.dialog, file.title, file.filter, workbench_.proposedPath(file.ending),
+    askForTextTarget(parent, file.dialog, file.title, file.filter, workbench_.opening().proposedPath(file.ending),
                      [this, make](const QString& path) {
-                         workbench_.saveText(filePath(path), make(QFileInfo(path).completeBaseName().toStdString()));
+                         workbench_.exporting().saveText(filePath(path),
+                                                         make(QFileInfo(path).completeBaseName().toStdString()));
                      });
 }
 

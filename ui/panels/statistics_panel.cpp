@@ -50,8 +50,8 @@ void fitHeight(QTreeWidget& table)
 } // namespace
 
 StatisticsPanel::StatisticsPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
-    : QWidget(parent), session_(workbench.session()), scenes_(workbench.sceneBuilder()), curve_(new AccuracyCurve),
-      table_(makeTable()), factGrid_(new QGridLayout), histogram_(new HistogramView),
+    : QWidget(parent), session_(workbench.session()), scenes_(workbench.scenes().sceneBuilder()),
+      curve_(new AccuracyCurve), table_(makeTable()), factGrid_(new QGridLayout), histogram_(new HistogramView),
       copy_(new QPushButton(tr("Cop&y"))), save_(new QPushButton(tr("&Save…")))
 {
     setObjectName("statistics");

@@ -249,8 +249,8 @@ void ViewPanel::connectControls()
     });
     connect(save_, &QPushButton::clicked, this, [this] {
         askForTextTarget(this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
-                         workbench_.proposedPath("-camera.json"), [this](const QString& path) {
-                             workbench_.saveText(filePath(path), cameraToText(viewport_.camera()));
+                         workbench_.opening().proposedPath("-camera.json"), [this](const QString& path) {
+                             workbench_.exporting().saveText(filePath(path), cameraToText(viewport_.camera()));
                          });
     });
     connect(&viewport_, &Viewport::cameraChanged, this, &ViewPanel::showCamera);
@@ -260,7 +260,7 @@ void ViewPanel::connectControls()
 
 void ViewPanel::load(const QString& path)
 {
-    workbench_.loadText(filePath(path), [this](const std::string& text) -> Status {
+    workbench_.exporting().loadText(filePath(path), [this](const std::string& text) -> Status {
         Session& session = workbench_.session();
         if (!session.model())
             return {};

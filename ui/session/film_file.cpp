@@ -25,16 +25,10 @@ Error cancelledError()
     return {ErrorKind::Cancelled, "Cancelled."};
 }
 
-/// What one frame leaves to the next: the scene as far as it fits, and the order of its cells.
-struct Studio {
-    SceneMaker scenes;
-    std::unique_ptr<RenderBackend> backend = makeCpuBackend();
-};
-
-Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, Studio& studio, const Progress& progress)
+Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& pipeline, const Progress& progress)
 {
     view.query = corrected(view.query, order.view.query, *order.model); // key frames may be of another model
-    const auto built = studio.scenes.make(sceneOf(order.model, order.renderer, order.parameters, view), progress);
+    const auto built = pipeline.make(sceneOf(order.model, order.renderer, order.parameters, view), progress);
     if (!built)
         return built.error();
     PictureOrder picture = order.picture;
@@ -42,7 +36,7 @@ Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, Studio& studio,
     picture.camera = view.camera;
     if (order.finish)
         picture.finish = [&](QImage& image) { order.finish(image, view, built->mesh); };
-    const auto drawn = drawScene(picture, *studio.backend, false, progress);
+    const auto drawn = pipeline.draw(picture, false, progress);
     if (!drawn)
         return drawn.error();
     return finishedPicture(picture, *drawn);
@@ -55,11 +49,11 @@ std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
 
 Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
 {
-    Studio studio;
+    ScenePipeline pipeline; // what one frame leaves to the next: the scene as far as it fits, the order of its cells
     const int count = frameCount(order.view.animation);
     for (int i = 0; i < count; ++i) {
         progress.report(static_cast<double>(i) / count, {});
-        const auto image = drawFrame(order, viewAtFrame(order.view, i), studio, progress.withCallback({}));
+        const auto image = drawFrame(order, viewAtFrame(order.view, i), pipeline, progress.withCallback({}));
         if (!image)
             return image.error();
         if (progress.cancelled())

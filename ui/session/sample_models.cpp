@@ -107,8 +107,8 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
     view.appearance.settings[boundaryId] = std::string(wantedLook.boundary ? boundaryValues : boundaryOff);
     if (wantedLook.boundary)
         view.isovalues.clear();
-    const auto built = SceneMaker().make(sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view),
-                                         progress.part(0.6, 0.8));
+    const auto built = ScenePipeline().make(sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view),
+                                            progress.part(0.6, 0.8));
     if (!built)
         return built.error();
     return drawPicture({.scene = built->scene,

@@ -2,7 +2,6 @@
 #include "ui/viewport/viewport.h"
 
 #include "ui/session/view_picture.h"
-#include "ui/viewport/make_canvas.h"
 #include "ui/widgets/motion.h"
 
 #include <QEvent>
@@ -77,7 +76,7 @@ Viewport::Viewport(Session& session, BackendChoice choice, QWidget* parent)
     grabGesture(Qt::PinchGesture);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
-    useCanvas(makeCanvas(choice));
+    useCanvas(new Canvas(choice));
     followBackground();
     connect(&session, &Session::modelChanged, this, [this] {
         endPreview();
@@ -91,22 +90,23 @@ Viewport::Viewport(Session& session, BackendChoice choice, QWidget* parent)
 void Viewport::useCanvas(Canvas* canvas)
 {
     if (canvas_ != nullptr) {
-        canvas_->widget()->hide();
-        canvas_->widget()->deleteLater();
+        canvas_->disconnect(this);
+        canvas_->hide();
+        canvas_->deleteLater();
     }
     canvas_ = canvas;
-    canvas_->widget()->setObjectName("viewport.canvas");
-    canvas_->widget()->setMouseTracking(true);
-    canvas_->framePainted = [this](const FrameReport& report) { emit framePainted(report); };
-    canvas_->failed = [this](const QString& text) { emit failed(text); };
-    canvas_->unusable = [this](const QString& text) {
+    canvas_->setObjectName("viewport.canvas");
+    canvas_->setMouseTracking(true);
+    connect(canvas_, &Canvas::framePainted, this, &Viewport::framePainted);
+    connect(canvas_, &Canvas::failed, this, &Viewport::failed);
+    connect(canvas_, &Canvas::unusable, this, [this](const QString& text) {
         emit failed(tr("OpenGL cannot be used, the picture is drawn by the processor instead. %1").arg(text));
-        useCanvas(makeCanvas(BackendChoice::Cpu));
-    };
+        useCanvas(new Canvas);
+    });
     setFrameRate(frameRate_);
-    layout()->addWidget(canvas_->widget());
-    canvas_->widget()->lower(); // below what tools draw over it
-    canvas_->show(view_);
+    layout()->addWidget(canvas_);
+    canvas_->lower(); // below what tools draw over it
+    canvas_->setView(view_);
 }
 
 void Viewport::setScene(std::shared_ptr<const Scene> scene, std::uint64_t tetrahedra)
@@ -124,7 +124,7 @@ void Viewport::setDrafts(std::vector<SceneLevel> drafts)
     for (const SceneLevel& draft : drafts_)
         if (!view_.levels.empty())
             view_.levels.push_back(withOutlines(draft));
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::setOutlines(std::vector<LineSet> outlines)
@@ -160,7 +160,7 @@ void Viewport::show()
         for (const SceneLevel& draft : drafts_)
             view_.levels.push_back(withOutlines(draft));
     }
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::setCamera(const Camera& camera)
@@ -192,7 +192,7 @@ void Viewport::showCamera()
 {
     glide_.stop();
     view_.camera = camera();
-    canvas_->show(view_);
+    canvas_->setView(view_);
     emit cameraChanged();
 }
 
@@ -212,7 +212,7 @@ void Viewport::showGlide(double part)
 {
     view_.camera = between(glideFrom_, camera(), part);
     expectChange();
-    canvas_->show(view_);
+    canvas_->setView(view_);
     emit cameraChanged();
 }
 
@@ -224,7 +224,7 @@ void Viewport::setPreview(const std::optional<Camera>& camera)
     previewing_ = true;
     view_.camera = *camera;
     expectChange();
-    canvas_->show(view_);
+    canvas_->setView(view_);
     emit previewChanged(true);
 }
 
@@ -234,7 +234,7 @@ void Viewport::endPreview()
         return;
     previewing_ = false;
     view_.camera = camera();
-    canvas_->show(view_);
+    canvas_->setView(view_);
     emit previewChanged(false);
 }
 
@@ -244,7 +244,7 @@ void Viewport::setFollowing(bool following)
         return;
     following_ = following;
     view_.moving = following || resting_.isActive();
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::expectChange()
@@ -277,7 +277,7 @@ QImage Viewport::picture() const
 void Viewport::rest()
 {
     view_.moving = following_;
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)
@@ -349,7 +349,7 @@ void Viewport::followBackground()
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
     view_.background = session_.view().background.value_or(usualBackground(dark));
-    canvas_->show(view_);
+    canvas_->setView(view_);
     emit backgroundChanged();
 }
 

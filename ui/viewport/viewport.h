@@ -4,7 +4,6 @@
 #include "ui/session/session.h"
 #include "ui/viewport/camera_controls.h"
 #include "ui/viewport/canvas.h"
-#include "ui/viewport/make_canvas.h"
 #include "ui/viewport/picture_projection.h"
 
 #include <QTimer>

@@ -128,12 +128,12 @@ void FilmDialog::connectControls()
     connect(target_, &QLineEdit::textChanged, this, &FilmDialog::lookAtTarget);
     connect(browse_, &QPushButton::clicked, this, &FilmDialog::browse);
     connect(save_, &QPushButton::clicked, this, &FilmDialog::save);
-    LongTask& task = workbench_.savingFilm();
+    LongTask& task = workbench_.exporting().savingFilm();
     connect(cancel_, &QPushButton::clicked, &task, &LongTask::cancel);
     connect(&task, &LongTask::started, this, &FilmDialog::showRunning);
     connect(&task, &LongTask::progressed, this, &FilmDialog::showProgress);
     connect(&task, &LongTask::finished, this, &FilmDialog::showRunning);
-    connect(&workbench_, &Workbench::filmSaved, this, [this] {
+    connect(&workbench_.exporting(), &Exporting::filmSaved, this, [this] {
         lookAtTarget();
         remaining_->setText(tr("Saved."));
         remaining_->show();
@@ -145,8 +145,8 @@ void FilmDialog::connectControls()
 void FilmDialog::ask()
 {
     form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
-    if (!workbench_.savingFilm().running()) {
-        target_->setText(workbench_.proposedPath("-film." + format_->currentData().toString()));
+    if (!workbench_.exporting().savingFilm().running()) {
+        target_->setText(workbench_.opening().proposedPath("-film." + format_->currentData().toString()));
         remaining_->clear();
     }
     lookAtTarget();
@@ -244,13 +244,13 @@ void FilmDialog::showTarget()
         hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(inTheWay_));
     hint_->setText(hint);
     save_->setText(replaces ? tr("&Replace and Save") : tr("&Save"));
-    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.savingFilm().running() &&
+    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.exporting().savingFilm().running() &&
                       !looking_.running());
 }
 
 void FilmDialog::showRunning()
 {
-    const bool running = workbench_.savingFilm().running();
+    const bool running = workbench_.exporting().savingFilm().running();
     for (QWidget* widget : std::initializer_list<QWidget*>{form_, format_, target_, browse_})
         widget->setEnabled(!running);
     cancel_->setEnabled(running);
@@ -273,13 +273,13 @@ void FilmDialog::showProgress(const TaskProgress& progress)
 
 void FilmDialog::save()
 {
-    if (!workbench_.session().model() || workbench_.savingFilm().running())
+    if (!workbench_.session().model() || workbench_.exporting().savingFilm().running())
         return;
     form_->remember();
     QSettings().setValue(formatKey, format_->currentData());
     trial_.cancel();
     frames_ = frameCount(workbench_.session().view().animation);
-    workbench_.saveFilm(order());
+    workbench_.exporting().saveFilm(order());
 }
 
 } // namespace tetra

@@ -27,7 +27,7 @@ void ModeActions::fill()
     const bool isOpen = workbench_.session().model() != nullptr;
     if (group_->actions().isEmpty() && isOpen) {
         int key = 1;
-        for (const Provided<Renderer>& mode : workbench_.modes()) {
+        for (const Provided<Renderer>& mode : workbench_.scenes().modes()) {
             auto* action = new QAction(pluginText(mode.name), group_);
             action->setObjectName("action.mode." + QString::fromStdString(mode.id));
             action->setData(QString::fromStdString(mode.id));

@@ -23,11 +23,11 @@ Driver openingRecent()
     return showing(
         "action.recent.*",
         [before](const DrivenWindow& window) {
-            return window.session().model() != before->first || window.workbench.dataset() != before->second;
+            return window.session().model() != before->first || window.workbench.opening().dataset() != before->second;
         },
         [before](DrivenWindow& window) {
             fillRecentMenu(window);
-            *before = {window.session().model(), window.workbench.dataset()};
+            *before = {window.session().model(), window.workbench.opening().dataset()};
         });
 }
 
