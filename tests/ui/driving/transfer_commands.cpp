@@ -52,7 +52,8 @@ void selectTwo(DrivenWindow& window)
 Driver change(const QString& name, const Driver::Step& prepare)
 {
     return {"transfer.change." + name,
-            [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; }, prepare};
+            [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; },
+            prepare};
 }
 
 Drivers changes()
@@ -169,9 +170,11 @@ Drivers transferCommands()
         zoom("all", &zoomIn),
         opening("transfer.save.paraview", "transferParaviewDialog", &beginUneven),
         {"transfer.preset.*",
-         [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; }, &beginUneven},
+         [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; },
+         &beginUneven},
         {"transfer.colours.*",
-         [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; }, &beginUneven},
+         [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; },
+         &beginUneven},
     };
     return allOf({changes(), groups(), others});
 }
