@@ -40,7 +40,7 @@ private:
     quint64 cleared_ = 0; ///< requests up to this number are dropped
     bool busy_ = false;
     std::chrono::milliseconds patience_;
-    std::shared_ptr<SceneMaker> maker_;
+    std::shared_ptr<ScenePipeline> pipeline_;
     LatestJob job_;
 };
 

@@ -21,10 +21,17 @@ Error outOfMemory()
             "close other programs."};
 }
 
+/// Seen from wherever: scenes do not depend on that.
+bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
+{
+    return one.model == other.model && one.renderer == other.renderer && one.query == other.query &&
+           one.values == other.values;
+}
+
 } // namespace
 
 /// The meshes that a request needs: one, or with a renderer that blends a focus two.
-struct SceneMaker::NeededMeshes {
+struct ScenePipeline::NeededMeshes {
     MeshQuery query;
     std::optional<TwoResolutions> focus; ///< then `query` is the one outside
 
@@ -37,33 +44,39 @@ struct SceneMaker::NeededMeshes {
     }
 };
 
-void SceneMaker::setMesh(std::shared_ptr<const ExtractedMesh> next)
+void ScenePipeline::setMesh(std::shared_ptr<const ExtractedMesh> next)
 {
     const std::lock_guard lock(mutex_);
     mesh_ = std::move(next);
 }
 
-bool SceneMaker::has(const SceneRequest& request, const NeededMeshes& needed) const
+bool ScenePipeline::has(const SceneRequest& request, const NeededMeshes& needed) const
 {
-    return mesh_ && extractor_ && extractor_->model() == request.model && query_ == needed.query;
+    return mesh_ && model_ == request.model && query_ == needed.query;
+}
+
+MeshExtractor& ScenePipeline::extractorOf(const std::shared_ptr<const Model>& model)
+{
+    if (!*extractor_ || (*extractor_)->model() != model)
+        extractor_->emplace(model);
+    return **extractor_;
 }
 
 /// Lets go of the last mesh first, so that the extractor can use its memory again.
-Status SceneMaker::extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
+Status ScenePipeline::extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
 {
     session_.reset();
     setMesh(nullptr);
     fineMesh_.reset();
     focus_.reset();
-    if (!extractor_ || extractor_->model() != request.model)
-        extractor_.emplace(request.model);
-    auto extracted = extractor_->extract(needed.query, progress);
+    auto extracted = extractorOf(request.model).extract(needed.query, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
         return intact;
     setMesh(*std::move(extracted));
     query_ = needed.query;
+    model_ = request.model;
     const ValueRange range = request.model->description().range;
     histogram_ = std::make_shared<const ValueHistogram>(
         valueHistogram(mesh_->mesh.values, range.minimum, range.maximum, histogramParts));
@@ -75,14 +88,14 @@ Status SceneMaker::extract(const SceneRequest& request, const NeededMeshes& need
 }
 
 /// The mesh in the focus, if there is one to blend.
-Status SceneMaker::extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
+Status ScenePipeline::extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
 {
     session_.reset();
     fineMesh_.reset();
     focus_.reset();
     if (!needed.focus)
         return {};
-    auto extracted = extractor_->extract(needed.focus->inside, progress);
+    auto extracted = extractorOf(request.model).extract(needed.focus->inside, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
@@ -92,7 +105,7 @@ Status SceneMaker::extractFine(const SceneRequest& request, const NeededMeshes& 
     return {};
 }
 
-void SceneMaker::open(const SceneRequest& request, const NeededMeshes& needed)
+void ScenePipeline::open(const SceneRequest& request, const NeededMeshes& needed)
 {
     const Eigen::AlignedBox3d bounds = request.model->description().bounds;
     const std::shared_ptr<const TetrahedralMesh> whole(mesh_, &mesh_->mesh);
@@ -103,7 +116,7 @@ void SceneMaker::open(const SceneRequest& request, const NeededMeshes& needed)
     renderer_ = request.renderer;
 }
 
-ShownMesh SceneMaker::shownMesh(const MeshQuery& asked) const
+ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
 {
     ShownMesh shown{.query = asked,
                     .vertices = mesh_->mesh.positions.size(),
@@ -125,8 +138,11 @@ ShownMesh SceneMaker::shownMesh(const MeshQuery& asked) const
     return shown;
 }
 
-Result<BuiltScene> SceneMaker::make(const SceneRequest& request, const Progress& progress)
+Result<BuiltScene> ScenePipeline::make(const SceneRequest& request, const Progress& progress)
 try {
+    if (built_ && haveSameScene(last_, request))
+        return *built_;
+    built_.reset();
     BuiltScene built;
     built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
@@ -151,25 +167,55 @@ try {
     for (const Surface& surface : built.scene->surfaces)
         built.triangles += surface.mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
+    last_ = request;
+    built_ = built;
+    built_->extractionSeconds = built_->sceneSeconds = 0; // if it is asked for again
     return built;
 } catch (const std::bad_alloc&) {
     clear();
     return outOfMemory();
 }
 
-std::shared_ptr<const ExtractedMesh> SceneMaker::mesh() const
+Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, const Progress& progress)
+{
+    PictureOptions options;
+    options.width = order.width;
+    options.height = order.height;
+    options.background = order.background;
+    options.transparentBackground = order.transparent;
+    options.samplesPerAxis = order.samplesPerAxis;
+    options.threads = order.threads;
+    options.depth = withDepth;
+    Scene scene = order.scene ? *order.scene : Scene();
+    for (LineSet& lines : scene.lines)
+        lines.width = static_cast<float>(lines.width * order.lineScale);
+    return backend_->render(scene, order.camera, options, progress);
+}
+
+std::shared_ptr<const ExtractedMesh> ScenePipeline::mesh() const
 {
     const std::lock_guard lock(mutex_);
     return mesh_;
 }
 
-void SceneMaker::clear()
+void ScenePipeline::clear()
 {
     session_.reset();
     setMesh(nullptr);
     fineMesh_.reset();
     focus_.reset();
-    extractor_.reset();
+    extractor_->reset();
+    model_.reset();
+    built_.reset();
+    last_ = {};
+}
+
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
+{
+    const auto picture = ScenePipeline().draw(order, false, progress);
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
 }
 
 } // namespace tetra

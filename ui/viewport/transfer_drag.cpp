@@ -35,10 +35,10 @@ TransferDrag::TransferDrag(Workbench& workbench, Viewport& viewport)
 bool TransferDrag::press(const QMouseEvent& event)
 {
     if (event.button() != Qt::LeftButton || event.modifiers() != Qt::ControlModifier || !workbench_.session().model() ||
-        !hasParameter<TransferFunction>(workbench_.matteringParameters()))
+        !hasParameter<TransferFunction>(workbench_.scenes().matteringParameters()))
         return false;
     from_ = event.position();
-    function_ = workbench_.session().view().look().transfer;
+    function_ = workbench_.session().view().appearance.transfer;
     workbench_.session().beginGesture();
     return true;
 }

@@ -67,7 +67,8 @@ ValuePick::ValuePick(Workbench& workbench, Viewport& viewport)
     connect(&viewport, &Viewport::previewChanged, this, repaint);
     connect(&workbench.session(), &Session::modelChanged, this, &ValuePick::forget);
     // The viewport gets the scene by the same signal.
-    connect(&workbench.sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look, Qt::QueuedConnection);
+    connect(&workbench.scenes().sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look,
+            Qt::QueuedConnection);
 }
 
 QString ValuePick::text() const
@@ -102,12 +103,12 @@ void ValuePick::forget()
 void ValuePick::look()
 {
     const auto scene = viewport_.scene();
-    if (!wanted_ || !scene || viewport_.previewing() || workbench_.sceneBuilder().busy())
+    if (!wanted_ || !scene || viewport_.previewing() || workbench_.scenes().sceneBuilder().busy())
         return;
     const PickingRay line = viewport_.projection().pickingRay(*wanted_);
     wanted_.reset();
     seen_.find(scene, line,
-               [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](
+               [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues)](
                    const std::optional<SeenPlace>& seen) {
                    setPicked(seen ? pickedOf(*seen, *scene, isovalues) : std::nullopt);
                });
