@@ -10,6 +10,12 @@
 
 namespace tetra {
 
+const Drawable* drawableOf(const Scene& scene, std::string_view id)
+{
+    const auto found = std::ranges::find(scene.drawables, id, &Drawable::id);
+    return found != scene.drawables.end() ? &*found : nullptr;
+}
+
 LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width)
 {
     LineSet lines;

@@ -11,11 +11,6 @@ Status checkMesh(const TriangleMesh& mesh);
 /// An error if a segment has an end that does not exist. O(segments).
 Status checkLines(const LineSet& lines);
 
-/// The scene has a volume to be seen.
-bool hasVolume(const Scene& scene);
-/// That volume has a focus with a fine volume.
-bool hasFocus(const Scene& scene);
-
 /// In pixels. Numbers of samples, the one after the last included, have 16 bits where a volume is drawn.
 inline constexpr int largestPictureSide = 32767;
 

@@ -41,6 +41,10 @@ template <class Work> auto callPlugin(const std::string& id, Work&& work) -> dec
         return outOfMemoryInPlugin(id);
     } catch (const std::exception& problem) {
         return thrownByPlugin(id, problem);
+    } catch (...) {
+        return Error{ErrorKind::BadInput, Message::say("The plugin '%1' failed without saying why. This is a mistake "
+                                                       "in the plugin; tell its author.",
+                                                       id)};
     }
 }
 

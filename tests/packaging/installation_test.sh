@@ -84,4 +84,13 @@ tan build cube.grid -o cube.tan 2>messages
 tan verify cube.tan --against cube.grid --lod 0 --json | grep '"ok": true' >/dev/null
 echo "2 2 3  0 1 2 3  4 5 6 seven  8 9 10 11" >bad.grid
 check test "$(tan info bad.grid 2>&1 | grep -c 'is no number')" = 1
+
+# A renderer of somebody else: by its options, and refused with a sentence.
+build_example renderer
+export TAN_PLUGIN_PATH=$scratch/renderer
+tan render wells.tan --mode example.shells --shells 3 --size 64x48 -o shells.png --json >shells.json
+check test "$(head -c 4 shells.png | tail -c 3)" = PNG
+check grep -q '"triangles": [1-9]' shells.json
+check test "$(tan render wells.tan --mode example.shells --shells 99 -o none.png 2>&1 | grep -c shells)" = 1
+check test ! -e none.png
 echo "passed"

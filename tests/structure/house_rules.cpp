@@ -86,7 +86,7 @@ const std::vector<Room>& rooms()
         {"plugins/samples", {"core"}},
         {"plugins/host", {"core", "plugins/api"}},
         {"plugins/builders", {"core", "plugins/api"}},
-        {"plugins/renderers", {"core", "plugins/api"}},
+        {"plugins/renderers", {"core/include", "plugins/api"}},
         {"plugins/widgets", {"core"}},
         {"plugins/editors", {"core", "plugins/api", "plugins/widgets"}},
         {"plugins/readers", {"core", "plugins/api"}},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/draft_builder.h"
 #include "ui/viewport/cpu_canvas.h"
@@ -85,7 +86,7 @@ void DraftBuilderTest::meshesFallBelowTheShownOne()
     for (std::size_t i = 0; i < made.size(); ++i) {
         QVERIFY(made[i].tetrahedra <= budgets[i]);
         QVERIFY(made[i].tetrahedra > budgets[i] / 2);
-        QVERIFY(made[i].scene->volume.has_value());
+        QVERIFY(testing::partsOf(*made[i].scene).volume.has_value());
     }
 }
 
@@ -104,8 +105,9 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     SceneRequest other = full.request;
     other.values["shaded"] = true;
     builder.requestLook(other);
-    QTRY_VERIFY(newest().size() == expected && newest().front().scene->volume->shaded);
-    QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
+    QTRY_VERIFY(newest().size() == expected && testing::partsOf(*newest().front().scene).volume->shaded);
+    QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
+             testing::partsOf(*before.front().scene).volume->mesh);
     SceneRequest elsewhere = full.request;
     elsewhere.query.error = 3.0;
     ready.clear();

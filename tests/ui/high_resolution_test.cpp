@@ -20,7 +20,7 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     constexpr float width = 3;
     auto scene = std::make_shared<Scene>();
     scene->bounds = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
-    scene->lines.push_back({{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width});
+    scene->drawables.push_back({.id = "line", .shape = LineSet{{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width}});
     Viewport viewport(BackendChoice::Cpu);
     viewport.resize(200, 160);
     static_cast<QWidget&>(viewport).show();
@@ -38,7 +38,7 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     for (int y = 0; y < image.height(); ++y)
         covered += 1 - image.pixelColor(image.width() / 2, y).blueF();
     QVERIFY2(std::abs(covered - 2 * width) < 0.7, qPrintable(QString::number(covered)));
-    QCOMPARE(viewport.scene()->lines.front().width, width); // that pictures are made of
+    QCOMPARE(shapesOf<LineSet>(*viewport.scene()).front()->width, width); // that pictures are made of
 }
 
 QTEST_MAIN(HighResolutionTest)

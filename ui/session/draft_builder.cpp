@@ -75,8 +75,9 @@ bool DraftBuilder::Workshop::extractNext(const Progress& progress)
 bool DraftBuilder::Workshop::prepare(Rung& rung, std::vector<DraftScene>& drafts, const Progress& progress)
 {
     if (!rung.session)
-        rung.session = present->renderer->open({rung.mesh, &rung.mesh->mesh}, present->model->description().bounds);
-    auto scene = rung.session->prepare(present->values, present->camera, progress);
+        rung.session = present->renderer->open(
+            {.mesh = {rung.mesh, &rung.mesh->mesh}, .bounds = present->model->description().bounds});
+    auto scene = rung.session->prepare({present->values, present->camera, present->width, present->height}, progress);
     if (!scene)
         return false;
     drafts.insert(drafts.begin(), {*std::move(scene), rung.mesh->mesh.tetrahedra.size()});
@@ -123,7 +124,7 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
     if (shown.tetrahedra == 0)
         return clear();
     const bool isSameMesh = last_ && haveSameMesh(*last_, request);
-    const bool isKnown = isSameMesh && last_->renderer == request.renderer && last_->values == request.values;
+    const bool isKnown = last_ && haveSameScene(*last_, request);
     shown_ = shown;
     if (!isSameMesh) {
         cleared_ = newest_; // drafts of another mesh, on their way yet

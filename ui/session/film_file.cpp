@@ -8,16 +8,13 @@
 #include "ui/session/target_path.h"
 #include "ui/session/video_encoding.h"
 
-#include <QEventLoop>
 #include <QString>
-#include <QTimer>
 
 #include <algorithm>
 
 namespace tetra {
 namespace {
 
-constexpr int askEvery = 50; // milliseconds
 constexpr int leastDigits = 4;
 constexpr double drawingPart = 0.93; ///< of the time of a video
 constexpr const char* framePattern = "%06d.png";
@@ -27,49 +24,7 @@ Error cancelledError()
     return {ErrorKind::Cancelled, "Cancelled."};
 }
 
-/// Makes scenes one after the other, waiting for each; the last one is used again as long as it fits. Lives in the
-/// worker.
-class SceneSource {
-public:
-    Result<BuiltScene> make(const SceneRequest& request, const Progress& progress)
-    {
-        const bool isSame = made_ && request.query == last_.query && request.values == last_.values;
-        if (isSame)
-            return *made_;
-        Result<BuiltScene> result = cancelledError();
-        const auto ready = QObject::connect(&builder_, &SceneBuilder::sceneReady, &loop_, [&](const BuiltScene& scene) {
-            result = scene;
-            loop_.quit();
-        });
-        const auto failed = QObject::connect(&builder_, &SceneBuilder::failed, &loop_, [&](const Error& error) {
-            result = error;
-            loop_.quit();
-        });
-        QTimer asking;
-        QObject::connect(&asking, &QTimer::timeout, &loop_, [&] {
-            if (progress.cancelled())
-                loop_.quit();
-        });
-        asking.start(askEvery);
-        builder_.request(request);
-        loop_.exec();
-        QObject::disconnect(ready);
-        QObject::disconnect(failed);
-        if (result) {
-            made_ = *result;
-            last_ = request;
-        }
-        return result;
-    }
-
-private:
-    QEventLoop loop_; ///< first: timers need its dispatcher
-    SceneBuilder builder_;
-    SceneRequest last_;
-    std::optional<BuiltScene> made_;
-};
-
-Result<QImage> drawFrame(const FilmOrder& order, const FilmFrame& frame, SceneSource& scenes, const Progress& progress)
+Result<QImage> drawFrame(const FilmOrder& order, const FilmFrame& frame, SceneMaker& scenes, const Progress& progress)
 {
     const auto built = scenes.make(sceneOf(order, frame), progress);
     if (!built)
@@ -89,7 +44,7 @@ std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
 
 Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
 {
-    SceneSource scenes;
+    SceneMaker scenes;
     const int count = frameCount(order.animation);
     for (int i = 0; i < count; ++i) {
         progress.report(static_cast<double>(i) / count, {});
@@ -146,6 +101,11 @@ SceneRequest sceneOf(const FilmOrder& order, const FilmFrame& frame)
     Look look = order.look;
     look.transfer = frame.transfer;
     request.values = rendererValues(order.parameters, look, frame.isovalues);
+    request.camera = frame.camera;
+    if (order.picture.width > 0 && order.picture.height > 0) {
+        request.width = order.picture.width;
+        request.height = order.picture.height;
+    }
     return request;
 }
 

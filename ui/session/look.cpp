@@ -31,12 +31,12 @@ bool fits(const Parameter& parameter, const ParameterValue& value)
            std::ranges::find(parameter.choices, *text) != parameter.choices.end();
 }
 
-/// The default of the first parameter of this type in any mode.
-template <class T> const T* firstDefault(const std::vector<std::vector<Parameter>>& modes)
+/// The default that the first mode with this parameter has.
+template <class T> const T* firstDefault(const std::vector<std::vector<Parameter>>& modes, std::string_view id)
 {
     for (const auto& parameters : modes)
         for (const Parameter& parameter : parameters)
-            if (const T* value = std::get_if<T>(&parameter.defaultValue))
+            if (const T* value = std::get_if<T>(&parameter.defaultValue); value != nullptr && parameter.id == id)
                 return value;
     return nullptr;
 }
@@ -61,7 +61,7 @@ std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
 Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field, DomainClass domain)
 {
     const auto parameters = parametersOf(modes, field);
-    const auto* transfer = firstDefault<TransferFunction>(parameters);
+    const auto* transfer = firstDefault<TransferFunction>(parameters, transferId);
     const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
     Look look{modes.empty() ? std::string() : modes.front().id,
               transfer != nullptr
@@ -75,7 +75,7 @@ Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExten
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
 {
     const auto parameters = parametersOf(modes, field);
-    const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters);
+    const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters, isovaluesId);
     return isovalues != nullptr ? *isovalues : std::vector<Isovalue>{};
 }
 
@@ -91,9 +91,9 @@ ParameterValues rendererValues(const std::vector<Parameter>& parameters, const L
 {
     ParameterValues values;
     for (const Parameter& parameter : parameters) {
-        if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
+        if (parameter.id == isovaluesId && std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
             values[parameter.id] = isovalues;
-        else if (std::holds_alternative<TransferFunction>(parameter.defaultValue))
+        else if (parameter.id == transferId && std::holds_alternative<TransferFunction>(parameter.defaultValue))
             values[parameter.id] = look.transfer;
         else if (const auto found = look.settings.find(parameter.id);
                  found != look.settings.end() && fits(parameter, found->second))
@@ -109,6 +109,11 @@ std::vector<Parameter> matteringParameters(const std::vector<Parameter>& paramet
         if (matters(parameter, parameters, values))
             mattering.push_back(parameter);
     return mattering;
+}
+
+bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id)
+{
+    return std::ranges::find(parameters, id, &Parameter::id) != parameters.end();
 }
 
 std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters)

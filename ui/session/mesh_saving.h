@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/scene_maker.h"
+
 #include <tan/base.h>
 #include <tan/model.h>
 #include <tan/query.h>
@@ -8,7 +10,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace tetra {
 
@@ -24,14 +26,15 @@ struct MeshOrder {
 /// keeps. The format is that of the file's ending. Errors as of writeMeshFile().
 Status writeMesh(const MeshOrder& order, const Progress& progress);
 
-/// Isosurfaces to save, of the mesh that is seen or is extracted first.
+/// Surfaces to save: those of a scene that say so (Drawable::saved).
 struct SurfaceOrder {
-    MeshOrder mesh;
-    std::vector<Isovalue> isovalues; ///< those that are visible are written
+    SceneRequest scene;
+    std::optional<BuiltScene> built; ///< of the request, if that is there already; else it is made
+    std::filesystem::path target;
 };
 
-/// Writes the surfaces with their colours, as far as the format has any; it is that of the file's ending. Errors as of
-/// writeSurfaceFile(), and WrongUsage if no isovalue is visible.
+/// Writes the surfaces under their labels, with their values and their colours, as far as the format has any; it is
+/// that of the file's ending. Errors as of writeSurfaceFile(), and WrongUsage if there is no surface to save.
 Status writeSurfaces(const SurfaceOrder& order, const Progress& progress);
 
 } // namespace tetra

@@ -7,6 +7,7 @@
 #include <QBuffer>
 
 #include <cmath>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -15,8 +16,9 @@ constexpr double inchesPerMetre = 1 / 0.0254;
 
 Scene withLines(Scene scene, double scale)
 {
-    for (LineSet& lines : scene.lines)
-        lines.width = static_cast<float>(lines.width * scale);
+    for (Drawable& drawable : scene.drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width = static_cast<float>(lines->width * scale);
     return scene;
 }
 
@@ -58,6 +60,15 @@ Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
     if (!picture)
         return picture.error();
     return finishedPicture(order, *picture);
+}
+
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
+{
+    const auto built = SceneMaker().make(scene, progress.part(0, 0.5));
+    if (!built)
+        return built.error();
+    order.scene = built->scene;
+    return drawPicture(order, progress.part(0.5, 1));
 }
 
 Status writePicture(const QImage& picture, const std::filesystem::path& target)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/scene_maker.h"
+
 #include <tan/base.h>
 #include <tan/render.h>
 
@@ -38,6 +40,8 @@ QImage finishedPicture(const PictureOrder& order, const Picture& picture);
 
 /// Both, with the CPU back end.
 Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
+/// The same of the scene of a request, in place of that of the order.
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress);
 
 /// Writes a PNG file, whole or not at all.
 Status writePicture(const QImage& picture, const std::filesystem::path& target);

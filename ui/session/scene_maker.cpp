@@ -23,6 +23,15 @@ Error outOfMemory()
 
 } // namespace
 
+bool haveSameScene(const SceneRequest& first, const SceneRequest& second)
+{
+    if (first.model != second.model || first.renderer != second.renderer || !(first.query == second.query) ||
+        first.values != second.values)
+        return false;
+    return first.renderer == nullptr || !first.renderer->needs().view ||
+           (first.camera == second.camera && first.width == second.width && first.height == second.height);
+}
+
 /// The meshes that a request needs: one, or with a renderer that blends a focus two.
 struct SceneMaker::NeededMeshes {
     MeshQuery query;
@@ -30,7 +39,7 @@ struct SceneMaker::NeededMeshes {
 
     explicit NeededMeshes(const SceneRequest& request) : query(request.query)
     {
-        if (request.renderer->blendsFocus())
+        if (request.renderer->needs().focusMesh)
             focus = twoResolutions(request.query);
         if (focus)
             query = focus->outside;
@@ -51,6 +60,7 @@ bool SceneMaker::has(const SceneRequest& request, const NeededMeshes& needed) co
 /// Lets go of the last mesh first, so that the extractor can use its memory again.
 Status SceneMaker::extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
 {
+    forgetScene();
     session_.reset();
     setMesh(nullptr);
     fineMesh_.reset();
@@ -77,6 +87,7 @@ Status SceneMaker::extract(const SceneRequest& request, const NeededMeshes& need
 /// The mesh in the focus, if there is one to blend.
 Status SceneMaker::extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
 {
+    forgetScene();
     session_.reset();
     fineMesh_.reset();
     focus_.reset();
@@ -94,12 +105,10 @@ Status SceneMaker::extractFine(const SceneRequest& request, const NeededMeshes& 
 
 void SceneMaker::open(const SceneRequest& request, const NeededMeshes& needed)
 {
-    const Eigen::AlignedBox3d bounds = request.model->description().bounds;
-    const std::shared_ptr<const TetrahedralMesh> whole(mesh_, &mesh_->mesh);
-    session_ = needed.focus
-                   ? request.renderer->openWithFocus(
-                         whole, {{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border}, bounds)
-                   : request.renderer->open(whole, bounds);
+    RendererMeshes meshes{.mesh = {mesh_, &mesh_->mesh}, .bounds = request.model->description().bounds};
+    if (needed.focus)
+        meshes.focus = FocusMesh{{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border};
+    session_ = request.renderer->open(meshes);
     renderer_ = request.renderer;
 }
 
@@ -130,6 +139,11 @@ try {
     BuiltScene built;
     built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
+    if (made_ && haveSameScene(*made_, request)) {
+        scene_.extractionSeconds = 0;
+        scene_.sceneSeconds = secondsSince(start);
+        return scene_;
+    }
     const NeededMeshes needed(request);
     if (!has(request, needed)) {
         if (const Status extracted = extract(request, needed, progress.part(0, 0.3)); !extracted)
@@ -143,14 +157,21 @@ try {
     }
     if (!session_ || renderer_ != request.renderer)
         open(request, needed);
-    auto scene = session_->prepare(request.values, request.camera, progress.part(0.5, 1));
-    if (!scene)
+    const RendererView view{request.values, request.camera, request.width, request.height};
+    auto scene = session_->prepare(view, progress.part(0.5, 1));
+    if (!scene) {
+        if (scene.error().kind == ErrorKind::OutOfResource)
+            clear();
         return scene.error();
+    }
     built.scene = *std::move(scene);
     built.mesh = shownMesh(request.query);
-    for (const Surface& surface : built.scene->surfaces)
-        built.triangles += surface.mesh->triangles.size();
+    for (const Surface* surface : shapesOf<Surface>(*built.scene))
+        if (surface->mesh)
+            built.triangles += surface->mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
+    made_ = request;
+    scene_ = built;
     return built;
 } catch (const std::bad_alloc&) {
     clear();
@@ -163,8 +184,15 @@ std::shared_ptr<const ExtractedMesh> SceneMaker::mesh() const
     return mesh_;
 }
 
+void SceneMaker::forgetScene()
+{
+    made_.reset();
+    scene_ = {};
+}
+
 void SceneMaker::clear()
 {
+    forgetScene();
     session_.reset();
     setMesh(nullptr);
     fineMesh_.reset();

@@ -22,8 +22,13 @@ struct SceneRequest {
     const Renderer* renderer = nullptr;
     MeshQuery query;
     ParameterValues values;
-    Camera camera;
+    Camera camera; ///< this and the size of the picture matter if the renderer needs them
+    int width = 1024;
+    int height = 768;
 };
+
+/// Whether the scene of `first` is also that of `second`.
+bool haveSameScene(const SceneRequest& first, const SceneRequest& second);
 
 /// What was made of a request.
 struct BuiltScene {
@@ -36,7 +41,8 @@ struct BuiltScene {
 };
 
 /// Makes scenes, for the window as for the command line: extracts the mesh from what the last extraction left, or uses
-/// the last one again, and lets the renderer prepare it. Used from one thread at a time, but for mesh().
+/// the last one again, and lets the renderer prepare it; the last scene comes again if nothing that it depends on has
+/// changed. Used from one thread at a time, but for mesh().
 class SceneMaker {
 public:
     Result<BuiltScene> make(const SceneRequest& request, const Progress& progress);
@@ -48,6 +54,7 @@ public:
 private:
     struct NeededMeshes;
     void setMesh(std::shared_ptr<const ExtractedMesh> next);
+    void forgetScene();
     bool has(const SceneRequest& request, const NeededMeshes& needed) const;
     Status extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
     Status extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
@@ -55,6 +62,8 @@ private:
     ShownMesh shownMesh(const MeshQuery& asked) const;
 
     std::optional<MeshExtractor> extractor_;
+    std::optional<SceneRequest> made_; ///< of the last scene, if that can come again
+    BuiltScene scene_;                 ///< of it
     const Renderer* renderer_ = nullptr;
     std::optional<MeshQuery> query_;                ///< that the mesh answers
     std::optional<TwoResolutions> focus_;           ///< that the session blends; none if it does not

@@ -66,7 +66,9 @@ QJsonValue toJson(const ParameterValue& value)
         return QJsonObject{{"number", *number}};
     if (const std::string* text = std::get_if<std::string>(&value))
         return QString::fromStdString(*text);
-    return {};
+    if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
+        return QJsonObject{{"isovalues", toJson(*isovalues)}};
+    return QJsonObject{{"transfer", toJson(std::get<TransferFunction>(value))}};
 }
 
 std::optional<ParameterValue> settingOf(const QJsonValue& value)
@@ -80,6 +82,16 @@ std::optional<ParameterValue> settingOf(const QJsonValue& value)
         return ParameterValue(static_cast<std::int64_t>(tagged.value("integer").toInteger()));
     if (tagged.value("number").isDouble())
         return ParameterValue(tagged.value("number").toDouble());
+    std::optional<Error> error;
+    if (tagged.value("isovalues").isArray())
+        if (auto isovalues = isovaluesOf(tagged.value("isovalues").toArray(), error); !error)
+            return ParameterValue(std::move(isovalues));
+    if (tagged.value("transfer").isObject()) {
+        TransferFunction transfer;
+        readTransfer(tagged.value("transfer"), transfer, error);
+        if (!error)
+            return ParameterValue(std::move(transfer));
+    }
     return std::nullopt;
 }
 

@@ -374,12 +374,39 @@ std::vector<Parameter> Workbench::matteringParameters() const
     return tetra::matteringParameters(renderingParameters(), session_.view().look().settings);
 }
 
-SceneRequest Workbench::sceneRequest() const
+/// Of the session's own view.
+SceneRequest Workbench::sessionRequest() const
 {
     const ViewState& view = session_.view();
-    if (preview_)
-        return sceneOf(filmOrder(preview_->camera), *preview_);
-    return sceneOf(session_.model(), renderer(), renderingParameters(), view.query(), view.look(), view.isovalues());
+    SceneRequest request =
+        sceneOf(session_.model(), renderer(), renderingParameters(), view.query(), view.look(), view.isovalues());
+    request.camera = camera_;
+    request.width = pixels_.width();
+    request.height = pixels_.height();
+    return request;
+}
+
+/// Of what is to be seen now.
+SceneRequest Workbench::sceneRequest() const
+{
+    SceneRequest request = sessionRequest();
+    if (preview_) {
+        request = sceneOf(filmOrder(camera_), *preview_);
+        request.camera = camera_; // the viewport looks through that of the frame
+        request.width = pixels_.width();
+        request.height = pixels_.height();
+    }
+    return request;
+}
+
+void Workbench::setSeenFrom(const Camera& camera, QSize pixels)
+{
+    if (camera == camera_ && pixels == pixels_)
+        return;
+    camera_ = camera;
+    pixels_ = pixels;
+    if (const Renderer* mode = renderer(); mode != nullptr && mode->needs().view)
+        requestScene();
 }
 
 void Workbench::requestScene()

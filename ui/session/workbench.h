@@ -18,6 +18,7 @@
 
 #include <tan/data.h>
 
+#include <QSize>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -129,6 +130,8 @@ public:
     /// Where a file about the model goes unless the user says otherwise: beside it, or while its build is watched to
     /// where it will be; of a sample to the user's documents. `ending` follows the model's name. There must be a model.
     QString proposedPath(const QString& ending) const;
+    /// Where the model is seen from, in a picture of this size in pixels: for renderers whose scenes depend on it.
+    void setSeenFrom(const Camera& camera, QSize pixels);
     /// Saves a picture, or copies it, once those that were ordered before are done.
     void savePicture(const PictureOrder& order);
     LongTask& savingPicture() noexcept { return savingPicture_; }
@@ -148,7 +151,7 @@ public:
     const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
     /// Saves the mesh that is asked for now, whether the picture shows it already or not. There must be a model.
     void saveMesh(const std::filesystem::path& target);
-    /// Saves the visible isosurfaces of that mesh, likewise.
+    /// Saves the surfaces that the scene of that mesh says can be saved, likewise.
     void saveSurfaces(const std::filesystem::path& target);
     /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
     void saveStatistics(const std::filesystem::path& target);
@@ -236,6 +239,7 @@ private:
     void showBuilt(const BuildOrder& order, const Result<OpenedModel>& built);
     bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
     const Renderer* renderer() const;
+    SceneRequest sessionRequest() const;
     SceneRequest sceneRequest() const;
     void requestScene();
     void requestDrafts(const BuiltScene& scene);
@@ -254,7 +258,9 @@ private:
     ImportOptions imported_; ///< how the dataset was opened
     std::vector<Provided<Renderer>> modes_;
     FieldExtent field_; ///< of the model that is open
-    KeptViews views_;   ///< before the workers that look into it
+    Camera camera_;     ///< setSeenFrom() with these
+    QSize pixels_{1024, 768};
+    KeptViews views_; ///< before the workers that look into it
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
     LongTask reading_;

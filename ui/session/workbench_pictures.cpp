@@ -8,22 +8,30 @@ namespace tetra {
 
 void Workbench::savePicture(const PictureOrder& order)
 {
-    savingPicture_.enqueue([this, order, model = session_.model()](const Progress& progress) -> std::function<void()> {
-        const auto picture = drawPicture(order, progress);
-        const Status right = model ? model->confirm(progress.withCallback({})) : Status();
-        const Status done = !picture               ? Status(picture.error())
-                            : !right               ? right
-                            : order.target.empty() ? Status()
-                                                   : writePicture(*picture, order.target);
-        return [this, order, done, picture] {
-            if (!tellSave(done))
-                return;
-            if (order.target.empty())
-                emit pictureDrawn(*picture);
-            else
-                emit pictureSaved(pathText(order.target));
-        };
-    });
+    std::optional<SceneRequest> ofItsOwn; // a scene for this camera and size, if the mode depends on them
+    if (session_.model() && renderer() != nullptr && renderer()->needs().view && order.scene) {
+        ofItsOwn = sessionRequest();
+        ofItsOwn->camera = order.camera;
+        ofItsOwn->width = order.width;
+        ofItsOwn->height = order.height;
+    }
+    savingPicture_.enqueue(
+        [this, order, ofItsOwn, model = session_.model()](const Progress& progress) -> std::function<void()> {
+            const auto picture = ofItsOwn ? drawPicture(order, *ofItsOwn, progress) : drawPicture(order, progress);
+            const Status right = model ? model->confirm(progress.withCallback({})) : Status();
+            const Status done = !picture               ? Status(picture.error())
+                                : !right               ? right
+                                : order.target.empty() ? Status()
+                                                       : writePicture(*picture, order.target);
+            return [this, order, done, picture] {
+                if (!tellSave(done))
+                    return;
+                if (order.target.empty())
+                    emit pictureDrawn(*picture);
+                else
+                    emit pictureSaved(pathText(order.target));
+            };
+        });
 }
 
 AnnotationContent Workbench::annotations(const Camera& camera, const Colour& background) const

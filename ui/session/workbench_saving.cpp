@@ -52,7 +52,7 @@ bool Workbench::saving() const noexcept
 MeshOrder Workbench::meshOrder(const std::filesystem::path& target) const
 {
     MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query(), *session_.model()), target};
-    const bool isBlended = renderer() != nullptr && renderer()->blendsFocus();
+    const bool isBlended = renderer() != nullptr && renderer()->needs().focusMesh;
     // While the worker is busy its mesh may be that of a picture to come.
     if (!isBlended && !sceneBuilder_.busy() && session_.showsQuery())
         order.mesh = sceneBuilder_.mesh();
@@ -66,9 +66,11 @@ void Workbench::saveMesh(const std::filesystem::path& target)
 
 void Workbench::saveSurfaces(const std::filesystem::path& target)
 {
-    saveMesh(target, [order = SurfaceOrder{meshOrder(target), session_.view().isovalues()}](const Progress& progress) {
-        return writeSurfaces(order, progress);
-    });
+    SurfaceOrder order{sessionRequest(), std::nullopt, target};
+    // While the worker is busy its scene may be another one.
+    if (!preview_ && !sceneBuilder_.busy() && session_.showsQuery())
+        order.built = sceneBuilder_.last();
+    saveMesh(target, [order](const Progress& progress) { return writeSurfaces(order, progress); });
 }
 
 void Workbench::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)

@@ -82,6 +82,7 @@ signals:
     /// Also while a picture glides to it.
     void cameraChanged();
     void previewChanged(bool on);
+    void resized();
     void backgroundChanged();
     void framePainted(const tetra::FrameReport& report);
     void failed(const QString& text);

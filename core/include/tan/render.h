@@ -17,8 +17,8 @@
 ///     if (!volume)
 ///         return volume.error();
 ///     tetra::Scene scene;
-///     scene.surfaces = *surfaces;
-///     scene.volume = *volume;
+///     scene.drawables.push_back({.id = "surface", .shape = surfaces->front(), .value = isovalue});
+///     scene.drawables.push_back({.id = "volume", .shape = *volume});
 ///     for (const Eigen::Vector3f& position : mesh->positions)
 ///         scene.bounds.extend(position.cast<double>());
 ///     const tetra::Camera camera = tetra::fitted({.azimuth = 60, .elevation = 25}, scene.bounds);
@@ -173,21 +173,19 @@ struct Volume {
     std::shared_ptr<const VolumeMesh> mesh;
     std::shared_ptr<const VolumeTransfer> transfer; ///< of that mesh
     bool shaded = false;                            ///< lit from both sides, as a surface across the gradient would be
+    /// Where surfaces lie in it (R21) each ends one piece of a ray through a cell and begins the next; if this is set
+    /// what lies in a cell is drawn before the cell, as in the paper: quicker, and not exact.
+    bool wholeCells = false;
 };
 
-/// A part of a volume that is drawn from a finer mesh (R24). Along each ray the optical depths of the fine volume and
-/// the other one are blended with the weights w and 1 - w, so that no seam shows (S18). The weight is 1 in the region
-/// and falls with the distance from it, to 0 at `border`.
+/// Two volumes of one field blended into one: a finer one within a region, and another one outside (R24). Along each
+/// ray their optical depths are blended with the weights w and 1 - w, so that no seam shows (S18). The weight of the
+/// fine one is 1 in the region and falls with the distance from it, to 0 at `border`.
 struct FocusVolume {
-    Volume fine; ///< fills all of the domain that is nearer to the region than `border`
+    Volume outside; ///< its `wholeCells` is that of both
+    Volume fine;    ///< fills all of the domain that is nearer to the region than `border`
     std::variant<Box, Sphere> region;
     double border = 0; ///< in the units of the dataset; 0 is a sharp one
-};
-
-/// How a volume is drawn where surfaces lie in it (R21).
-enum class HybridOrder {
-    Exact,    ///< a surface ends one piece of a ray through a cell and begins the next
-    WithCell, ///< as in the paper: what lies in a cell is drawn before the cell
 };
 
 /// A half-space: points with normal . x >= offset are shown (of a HalfSpace it is the other side). OpenGL takes at
@@ -197,16 +195,43 @@ struct ClipPlane {
     double offset = 0;
 };
 
-/// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
-struct Scene {
-    std::vector<Surface> surfaces;
-    std::vector<LineSet> lines;
-    Eigen::AlignedBox3d bounds; ///< of the domain; depth is scaled by it, and what lies outside may be cut off
-    std::optional<Volume> volume{};
-    std::optional<FocusVolume> focus{}; ///< of the volume, which it must have then
-    HybridOrder hybridOrder = HybridOrder::Exact;
-    std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and the volume, not lines
+/// What can be drawn.
+using Shape = std::variant<Surface, LineSet, Volume, FocusVolume>;
+
+/// A thing in a scene.
+struct Drawable {
+    std::string
+        id; ///< its name in the scene, which no other drawable has; the same thing has it in the next scene, too
+    std::string label{}; ///< for people: "Isosurface 0.3"
+    Shape shape;
+    /// The value that its field has all over it, as of an isosurface. None: of a surface `mesh->values` tell, if it has
+    /// any; of a volume its field.
+    std::optional<double> value{};
+    bool saved = false; ///< a surface that belongs into the file where the surfaces of a scene are saved, by its label
 };
+
+/// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
+/// Surfaces and volumes are sorted as exactly as light needs it, whatever their places in the list; opaque surfaces and
+/// lines hide what lies behind. There may be one volume, or one blend of two: cells of two meshes that lie in the same
+/// place have no order, so two volumes are only drawn together where a weight says how they share each ray.
+struct Scene {
+    Eigen::AlignedBox3d bounds{};        ///< of the domain; depth is scaled by it, and what lies outside may be cut off
+    std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and volumes, not lines
+    std::vector<Drawable> drawables{};
+};
+
+/// The shapes of one kind in a scene, in their order; they live as long as the scene.
+template <class Kind> std::vector<const Kind*> shapesOf(const Scene& scene)
+{
+    std::vector<const Kind*> shapes;
+    for (const Drawable& drawable : scene.drawables)
+        if (const Kind* shape = std::get_if<Kind>(&drawable.shape))
+            shapes.push_back(shape);
+    return shapes;
+}
+
+/// The drawable of this name; null if there is none.
+TAN_API const Drawable* drawableOf(const Scene& scene, std::string_view id);
 
 /// The twelve edges of a box, as the outline of a domain.
 TAN_API LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width = 1);
@@ -257,6 +282,9 @@ public:
     /// threads. What was finished before a cancellation or an error is kept. Errors: an isovalue that is no number or
     /// has an opacity outside 0 to 1, cancelled, not enough memory.
     Result<std::vector<Surface>> update(std::span<const Isovalue> isovalues, const Progress& progress = {});
+    /// The same as parts of a scene, each with its value and to be saved: "isosurface-1", "isosurface-2" ... by their
+    /// places in the whole list.
+    Result<std::vector<Drawable>> drawables(std::span<const Isovalue> isovalues, const Progress& progress = {});
 
 private:
     Status extractMissing(std::span<const Isovalue> isovalues, const Progress& progress);

@@ -338,13 +338,13 @@ Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform
     DrawList list;
     const Projector projector(transform, places);
     Builder builder(projector, list, progress);
-    for (const Surface& surface : scene.surfaces)
-        if (Status status = builder.addSurface(surface); !status)
+    for (const Surface* surface : shapesOf<Surface>(scene))
+        if (Status status = builder.addSurface(*surface); !status)
             return status.error();
-    for (const LineSet& lines : scene.lines) {
-        if (Status status = checkLines(lines); !status)
+    for (const LineSet* lines : shapesOf<LineSet>(scene)) {
+        if (Status status = checkLines(*lines); !status)
             return status.error();
-        builder.addLines(lines, samplesPerPixelAxis);
+        builder.addLines(*lines, samplesPerPixelAxis);
     }
     return list;
 }

@@ -263,6 +263,8 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         return status;
     if (Status status = checkClipPlanes(scene.clipPlanes); !status)
         return status;
+    if (Status status = checkVolumes(scene); !status)
+        return status;
     if (progress.cancelled())
         return cancelledError(drawingScene);
     progress.report(0, drawingScene);
@@ -270,7 +272,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     const int width = options.width * options.samplesPerAxis;
     const int height = options.height * options.samplesPerAxis;
     volume_.dropDead();
-    const bool withVolume = hasVolume(scene);
+    const bool withVolume = volumeOf(scene) != nullptr;
     const SampleView view{camera, width, height, drawnBounds(scene), withVolume};
     if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;

@@ -46,14 +46,14 @@ Status SurfacePainter::collectSurfaces()
     surfaces_.clear();
     meshes_.dropDead();
     std::uint64_t triangles = 0;
-    for (const Surface& surface : scene_->surfaces) {
-        if (!surface.mesh || !(surface.opacity > 0))
+    for (const Surface* surface : shapesOf<Surface>(*scene_)) {
+        if (!surface->mesh || !(surface->opacity > 0))
             continue;
-        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface.mesh);
+        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface->mesh);
         if (!buffers)
             return buffers.error();
-        surfaces_.push_back({&surface, *buffers, static_cast<unsigned>(triangles)});
-        triangles += surface.mesh->triangles.size();
+        surfaces_.push_back({surface, *buffers, static_cast<unsigned>(triangles)});
+        triangles += surface->mesh->triangles.size();
     }
     if (triangles >= std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource,
@@ -63,8 +63,8 @@ Status SurfacePainter::collectSurfaces()
 
 Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, double samplesPerPixelAxis)
 {
-    for (const LineSet& lines : scene.lines)
-        if (Status status = checkLines(lines); !status)
+    for (const LineSet* lines : shapesOf<LineSet>(scene))
+        if (Status status = checkLines(*lines); !status)
             return status;
     scene_ = &scene;
     transform_ = makeViewTransform(view.camera, view.width, view.height, view.bounds);
@@ -122,8 +122,8 @@ void SurfacePainter::drawOpaque() const
     for (const DrawnSurface& drawn : surfaces_)
         if (isOpaque(*drawn.surface))
             draw(*programs_.opaque, drawn);
-    for (const LineSet& lines : scene_->lines)
-        draw(lines);
+    for (const LineSet* lines : shapesOf<LineSet>(*scene_))
+        draw(*lines);
 }
 
 void SurfacePainter::drawTranslucent(const GlProgram& program) const

@@ -2,11 +2,11 @@
 #include "core/render/gl/volume_painter.h"
 
 #include "core/render/gl/gl_program.h"
-#include "core/render/scene_checks.h"
 #include "core/render/shading.h"
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"
+#include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_view.h"
 
 #include <tan/render.h>
@@ -173,9 +173,6 @@ Status VolumePainter::prepareBuffers(const Volume& volume, const CachedOrder::Re
 Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
                                     const Progress& progress, DrawnVolume& drawn)
 {
-    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("A volume of the scene and its transfer function do not belong together.")};
     drawn.shaded = volume.shaded;
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;
@@ -196,14 +193,16 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     cuts_ = cutsOf(scene.clipPlanes, view_, origin_);
     const double aspectRatio = static_cast<double>(view.width) / view.height;
     boundOfDepth_ = boundOfDepth(projectionMatrix(camera, aspectRatio, view.bounds), camera.perspective, view_.unit);
-    wholeCells_ = scene.hybridOrder == HybridOrder::WithCell;
+    const Volume& volume = *volumeOf(scene);
+    const FocusVolume* focus = focusOf(scene);
+    wholeCells_ = volume.wholeCells;
     region_.reset();
-    if (!hasFocus(scene))
-        return prepareVolume(*scene.volume, view, options, progress, coarse_);
-    region_ = regionInView(*scene.focus, view_);
-    if (Status status = prepareVolume(*scene.volume, view, options, progress.part(0, 0.5), coarse_); !status)
+    if (focus == nullptr)
+        return prepareVolume(volume, view, options, progress, coarse_);
+    region_ = regionInView(*focus, view_);
+    if (Status status = prepareVolume(volume, view, options, progress.part(0, 0.5), coarse_); !status)
         return status;
-    return prepareVolume(scene.focus->fine, view, options, progress.part(0.5, 1), fine_);
+    return prepareVolume(focus->fine, view, options, progress.part(0.5, 1), fine_);
 }
 
 void VolumePainter::setUniforms(const GlProgram& program) const

@@ -110,11 +110,11 @@ std::optional<TriangleCrossing> crossing(const PickingRay& line, const std::arra
     return TriangleCrossing{other.dot(beside) / volume, u, v, volume > 0};
 }
 
-double valueAtCrossing(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
-                       const TriangleCrossing& met)
+std::optional<double> valueAtCrossing(const Drawable& drawable, const TriangleMesh& mesh,
+                                      const std::array<std::uint32_t, 3>& triangle, const TriangleCrossing& met)
 {
-    if (mesh.values.empty())
-        return 0;
+    if (drawable.value || mesh.values.empty())
+        return drawable.value;
     const double first = mesh.values[triangle[0]];
     return first + met.u * (mesh.values[triangle[1]] - first) + met.v * (mesh.values[triangle[2]] - first);
 }
@@ -127,21 +127,24 @@ bool isSame(const SurfaceCrossing& one, const SurfaceCrossing& other)
 
 } // namespace
 
-std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const PickingRay& line,
-                                              const PickingInterval& part)
+std::vector<SurfaceCrossing> surfaceCrossings(const Scene& scene, const PickingRay& line, const PickingInterval& part)
 {
     std::vector<SurfaceCrossing> crossings;
-    for (std::size_t surface = 0; surface < surfaces.size(); ++surface) {
-        const TriangleMesh& mesh = *surfaces[surface].mesh;
+    for (const Drawable& drawable : scene.drawables) {
+        const auto* surface = std::get_if<Surface>(&drawable.shape);
+        if (surface == nullptr || !surface->mesh)
+            continue;
+        const TriangleMesh& mesh = *surface->mesh;
         for (const auto& triangle : mesh.triangles) {
             const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
                 return mesh.positions[triangle[i]].cast<double>();
             };
             const auto met = crossing(line, {corner(0), corner(1), corner(2)});
-            if (met && part.contains(met->at) && !(met->front && surfaces[surface].backFacesOnly))
-                crossings.push_back({met->at, surface, valueAtCrossing(mesh, triangle, *met)});
+            if (met && part.contains(met->at) && !(met->front && surface->backFacesOnly))
+                crossings.push_back({met->at, &drawable, valueAtCrossing(drawable, mesh, triangle, *met)});
         }
     }
+    // A pointer into the list of drawables is a place in their order.
     std::ranges::sort(crossings, {}, [](const SurfaceCrossing& one) { return std::tuple(one.surface, one.at); });
     const auto doubled = std::ranges::unique(crossings, isSame);
     crossings.erase(doubled.begin(), doubled.end());
@@ -325,12 +328,14 @@ constexpr double leastShare = 1.0 / 255;
 /// What is left of the light on its way, and who has taken most so far.
 class RayTransmittance {
 public:
-    explicit RayTransmittance(const PickingRay& line) : line_(line) {}
+    /// `volume`: the id of the one that slabs are of.
+    RayTransmittance(const PickingRay& line, std::string volume) : line_(line) { volume_.drawable = std::move(volume); }
 
-    void passSurface(const SurfaceCrossing& crossing, double opacity)
+    void passSurface(const SurfaceCrossing& crossing)
     {
+        const double opacity = std::get<Surface>(crossing.surface->shape).opacity;
         if (light_ * opacity > surface_.share)
-            surface_ = {line_.at(crossing.at), crossing.surface, crossing.value, light_ * opacity};
+            surface_ = {line_.at(crossing.at), crossing.surface->id, crossing.value, light_ * opacity};
         light_ *= 1 - opacity;
     }
 
@@ -385,20 +390,30 @@ PickingInterval partInFocus(const FocusVolume& focus, const PickingRay& line)
     return partWithin(line, Box{box.least - more, box.largest + more});
 }
 
+/// The volume of a scene, or the blend.
+const Drawable* volumeDrawable(const Scene& scene)
+{
+    const auto found = std::ranges::find_if(scene.drawables, [](const Drawable& drawable) {
+        return std::holds_alternative<Volume>(drawable.shape) || std::holds_alternative<FocusVolume>(drawable.shape);
+    });
+    return found != scene.drawables.end() ? &*found : nullptr;
+}
+
 std::vector<PickingSlab> slabsOf(const Scene& scene, const PickingRay& line, const PickingInterval& shown,
                                  const Progress& progress)
 {
-    if (!scene.volume)
+    const Volume* volume = volumeOf(scene);
+    const FocusVolume* focus = focusOf(scene);
+    if (volume == nullptr)
         return {};
-    const PickingInterval focused = scene.focus ? partInFocus(*scene.focus, line) : PickingInterval{1, 0};
+    const PickingInterval focused = focus != nullptr ? partInFocus(*focus, line) : PickingInterval{1, 0};
     if (focused.isEmpty())
-        return slabsAlong(*scene.volume, line, shown, progress);
+        return slabsAlong(*volume, line, shown, progress);
     const PickingInterval before{shown.from, std::min(shown.to, focused.from)};
     const PickingInterval behind{std::max(shown.from, focused.to), shown.to};
-    std::vector<PickingSlab> slabs = slabsAlong(*scene.volume, line, before, progress);
-    std::ranges::copy(slabsAlong(scene.focus->fine, line, commonPart(shown, focused), progress),
-                      std::back_inserter(slabs));
-    std::ranges::copy(slabsAlong(*scene.volume, line, behind, progress), std::back_inserter(slabs));
+    std::vector<PickingSlab> slabs = slabsAlong(*volume, line, before, progress);
+    std::ranges::copy(slabsAlong(focus->fine, line, commonPart(shown, focused), progress), std::back_inserter(slabs));
+    std::ranges::copy(slabsAlong(*volume, line, behind, progress), std::back_inserter(slabs));
     return slabs;
 }
 
@@ -420,11 +435,12 @@ std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, c
     const PickingInterval shown = shownPart(line, scene.clipPlanes);
     if (shown.isEmpty())
         return std::nullopt;
-    const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene.surfaces, line, shown);
+    const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene, line, shown);
     std::vector<PickingSlab> slabs = slabsOf(scene, line, shown, progress);
     if (progress.cancelled())
         return std::nullopt;
-    RayTransmittance transmittance(line);
+    const Drawable* volume = volumeDrawable(scene);
+    RayTransmittance transmittance(line, volume != nullptr ? volume->id : std::string());
     std::size_t next = 0;
     const auto passSlabsBefore = [&](double place) {
         for (; next < slabs.size() && slabs[next].part.to <= place; ++next)
@@ -434,7 +450,7 @@ std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, c
     };
     for (const SurfaceCrossing& crossing : crossings) {
         passSlabsBefore(crossing.at);
-        transmittance.passSurface(crossing, scene.surfaces[crossing.surface].opacity);
+        transmittance.passSurface(crossing);
     }
     passSlabsBefore(shown.to);
     return transmittance.mostSeen();

@@ -33,7 +33,7 @@ struct FocusTile {
 struct TileSurroundings {
     const ClipBounds* clips = nullptr;          ///< if any
     const SurfaceFragments* surfaces = nullptr; ///< if any
-    bool splitCells = true;                     ///< HybridOrder::Exact
+    bool splitCells = true;                     ///< !Volume::wholeCells
     bool depth = false;                         ///< wanted
     const FocusTile* focus = nullptr;           ///< if any
 };
