@@ -93,4 +93,8 @@ check test "$(head -c 4 shells.png | tail -c 3)" = PNG
 check grep -q '"triangles": [1-9]' shells.json
 check test "$(tan render wells.tan --mode example.shells --shells 99 -o none.png 2>&1 | grep -c shells)" = 1
 check test ! -e none.png
+build_example projection
+TAN_PLUGIN_PATH=$scratch/projection tan render wells.tan --mode example.projection --size 64x48 -o maximum.png --json >maximum.json
+check test "$(head -c 4 maximum.png | tail -c 3)" = PNG
+check grep -q '"cells_drawn": [1-9]' maximum.json
 echo "passed"

@@ -36,6 +36,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -168,6 +169,48 @@ struct LineSet {
     float width = 1; ///< in pixels of the picture
 };
 
+/// Pieces of rays through the cells of a volume, as arrays of `count` numbers. In a piece the value of the field goes
+/// in a straight line from `entry` to `exit`.
+struct OpticalPieces {
+    std::size_t count = 0;
+    const float* entry = nullptr;    ///< in the units of the data
+    const float* exit = nullptr;     ///< the same; farther from the eye
+    const float* length = nullptr;   ///< in the units of the dataset; 0 for one that does not count
+    const float* gradient = nullptr; ///< its magnitude, in values for a unit of length
+    // To be set:
+    float* red = nullptr; ///< light that the piece sends to the eye: colour times opacity, in [0, opacity]
+    float* green = nullptr;
+    float* blue = nullptr;
+    float* transmittance = nullptr; ///< part of the light from behind that gets through, in [0, 1]: 1 - opacity
+};
+
+/// What becomes of the pieces of one ray.
+enum class Combiner {
+    Over,    ///< each is put over what lies behind
+    Maximum, ///< the largest of each channel, and of the opacity
+    Sum,     ///< of each channel, and of the opacity, up to 1
+};
+
+/// What the pieces of a volume add to a ray, for both back ends: as a call for many pieces at once, and as a text of
+/// the shading language of OpenGL 3.3. The two must do the same. Pieces end at cells, opaque surfaces and clip planes;
+/// those that are put over each other at translucent surfaces, too. Other combinations lie before all translucent
+/// surfaces, and have no depth (PictureOptions::depth).
+struct OpticalModel {
+    Combiner combiner = Combiner::Over;
+    /// Sets the light of all pieces. Called from several threads.
+    std::function<void(const OpticalPieces& pieces)> evaluate;
+    /// A function that gives red, green, blue (times opacity) and opacity of one piece:
+    ///     vec4 lightOfPiece(float entry, float exit, float way, float gradient) { ... }
+    std::string shader;
+};
+
+/// The largest value along each ray, as opacity: 0 at `least`, 1 at `largest`; in one colour.
+TAN_API std::shared_ptr<const OpticalModel> maximumIntensity(double least, double largest, const Colour& colour);
+/// The sum of values along each ray, as opacity: a unit of length adds the value's place between `least` and `largest`,
+/// from 0 to 1, divided by `opaqueLength`.
+TAN_API std::shared_ptr<const OpticalModel> xRay(double least, double largest, double opaqueLength,
+                                                 const Colour& colour);
+
 /// A field seen through its transfer function as a translucent cloud (R20), in core/render/volume/volume_mesh.h.
 struct Volume {
     std::shared_ptr<const VolumeMesh> mesh;
@@ -176,6 +219,9 @@ struct Volume {
     /// Where surfaces lie in it (R21) each ends one piece of a ray through a cell and begins the next; if this is set
     /// what lies in a cell is drawn before the cell, as in the paper: quicker, and not exact.
     bool wholeCells = false;
+    /// How it is seen; none: by emission and absorption as the transfer function has them, lit if it is shaded. Cells
+    /// all of whose values the transfer function makes transparent are left out by any model. Not in a blend of two.
+    std::shared_ptr<const OpticalModel> model{};
 };
 
 /// Two volumes of one field blended into one: a finer one within a region, and another one outside (R24). Along each

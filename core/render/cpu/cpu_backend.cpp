@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <span>
@@ -105,6 +106,7 @@ struct ProjectedPart {
     ClipBounds clips;
     std::optional<ProjectedVolume> volume;
     SetupSource source; ///< of the volume
+    std::optional<TileModel> model;
     std::optional<ProjectedFocus> focus;
 };
 
@@ -118,6 +120,7 @@ public:
             volume_.emplace(part.source, view.volume);
         surroundings_.splitCells = part.scene.volume == nullptr || !part.scene.volume->wholeCells;
         surroundings_.depth = options.depth;
+        surroundings_.model = part.model ? &*part.model : nullptr;
         surroundings_.clips = part.clips.empty() ? nullptr : &part.clips;
     }
 
@@ -237,11 +240,13 @@ Status drawPart(const Scene& scene, const SceneVolumes& volumes, const PartView&
         return cancelledError(drawingParts);
     TileBins bins(*list, grid);
     ProjectedPart part{
-        volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}};
+        volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}, {}};
     if (volumes.volume != nullptr) {
         const Volume& volume = *volumes.volume;
         part.volume = projectVolume(*volume.mesh, *volume.transfer, orders.volume, view.volume, grid, progress);
-        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume, volume.shaded);
+        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume,
+                                    volume.shaded || volume.model != nullptr);
+        part.model = tileModelOf(volume, *part.volume, view.volume);
     }
     if (volumes.focus != nullptr) {
         const Volume& fine = volumes.focus->fine;
@@ -306,7 +311,13 @@ public:
             return status.error();
         if (Status status = checkVolumes(scene); !status)
             return status.error();
-        return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
+        try {
+            return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
+        } catch (const std::exception& problem) { // of an optical model
+            return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
+                                                           "plugin that made it; tell its author.",
+                                                           problem.what())};
+        }
     }
 
 private:

@@ -48,6 +48,7 @@ private:
     void startBlending() const;
     Status peel(bool withVolume, unsigned nearest, const Progress& progress);
     Status drawVolume(const VolumeLayers& layers, const Progress& progress);
+    Status drawVolumeBefore(unsigned nearest, const Progress& progress);
     Status drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress);
     Status findDepth(bool withVolume, const SampleView& view, const PictureOptions& options, const Progress& progress);
     void drawOverScreen() const;
@@ -214,6 +215,23 @@ void ScenePainter::Implementation::resolve(const PictureOptions& options, bool a
     drawOverScreen();
 }
 
+/// Draws a volume whose pieces are not put over each other, as a whole.
+Status ScenePainter::Implementation::drawVolumeBefore(unsigned nearest, const Progress& progress)
+{
+    gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
+    gl_.disable(gl::depthTest);
+    gl_.enable(gl::blend);
+    gl_.blendFunc(gl::one, gl::one);
+    gl_.blendEquation(volume_.combiner() == Combiner::Maximum ? gl::largest : gl::sum);
+    Status status = drawVolume({nearest}, progress);
+    gl_.blendEquation(gl::smallest);
+    programs_.limit->use();
+    drawOverScreen();
+    gl_.blendEquation(gl::sum);
+    endBlending(gl_);
+    return status;
+}
+
 /// Draws surfaces and volume that lie before the depths in the texture `nearest`.
 Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress)
 {
@@ -221,6 +239,11 @@ Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned n
     gl_.clearBufferfv(gl::colour, 0, transparentBlack.data());
     if (withVolume)
         gl_.clearBufferfv(gl::depth, 0, &farthestDepth);
+    if (withVolume && volume_.combiner() != Combiner::Over) {
+        if (Status status = drawVolumeBefore(nearest, progress); !status)
+            return status;
+        withVolume = false;
+    }
     if (surfaces_->anyTranslucent())
         return peel(withVolume, nearest, progress);
     if (!withVolume)
@@ -296,7 +319,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         status = drawTranslucent(withVolume, targets_.opaqueDepth.name(), progress.part(0.4, options.depth ? 0.5 : 1));
     resolve(options, layered, framebuffer);
     if (status && options.depth)
-        status = findDepth(withVolume, view, options, progress.part(0.5, 1));
+        status = findDepth(withVolume && volume_.combiner() == Combiner::Over, view, options, progress.part(0.5, 1));
     leaveDrawingState(gl_); // also if something went wrong
     gl_.bindFramebuffer(gl::framebuffer, framebuffer);
     if (status && gl_.getError() == gl::outOfMemory)

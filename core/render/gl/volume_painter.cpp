@@ -173,13 +173,34 @@ Status VolumePainter::prepareBuffers(const Volume& volume, const CachedOrder::Re
 Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
                                     const Progress& progress, DrawnVolume& drawn)
 {
-    drawn.shaded = volume.shaded;
+    drawn.shaded = volume.shaded && !volume.model;
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;
     fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
     const CachedOrder::Request order{
         volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
     return prepareBuffers(volume, order, options.threads, progress, drawn);
+}
+
+/// The program is kept for the next picture: compiling takes longer than drawing.
+Status VolumePainter::prepareModel(const Volume& volume)
+{
+    constexpr std::size_t mostKept = 16;
+    combiner_ = combinerOf(volume);
+    program_ = nullptr;
+    if (!volume.model)
+        return {};
+    auto found = models_.find(volume.model->shader);
+    if (found == models_.end()) {
+        auto program = makeModelProgram(gl_, volume.model->shader);
+        if (!program)
+            return program.error();
+        if (models_.size() >= mostKept)
+            models_.clear();
+        found = models_.emplace(volume.model->shader, *std::move(program)).first;
+    }
+    program_ = found->second.get();
+    return {};
 }
 
 Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const PictureOptions& options,
@@ -196,6 +217,8 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     const Volume& volume = *volumeOf(scene);
     const FocusVolume* focus = focusOf(scene);
     wholeCells_ = volume.wholeCells;
+    if (Status status = prepareModel(volume); !status)
+        return status;
     region_.reset();
     if (focus == nullptr)
         return prepareVolume(volume, view, options, progress, coarse_);
@@ -223,6 +246,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("cuts", cuts_);
     program.set("boundOfDepth", boundOfDepth_);
     program.set("wholeCells", wholeCells_ ? 1 : 0);
+    program.set("unit", static_cast<float>(view_.unit));
     program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
     // How long u and v are for one unit of length across the view, in units of w for one along it.
     program.set(
@@ -278,7 +302,7 @@ Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTarg
                                const VolumeLayers& layers, const VolumePart& part, const Progress& progress) const
 {
     const DrawnVolume& volume = part.fine ? fine_ : coarse_;
-    const GlProgram& program = *programs.volume;
+    const GlProgram& program = program_ != nullptr ? *program_ : *programs.volume;
     setPartUniforms(program, volume, part);
     program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
     program.set("layered", layers.behind != 0 ? 1 : 0);
@@ -290,7 +314,7 @@ Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTarg
     for (std::size_t i = 0; i < chunks.size(); ++i) {
         if (progress.cancelled())
             return cancelledError(drawingVolume);
-        if (i > 0 && i % chunksPerMark == 0)
+        if (i > 0 && i % chunksPerMark == 0 && combiner_ == Combiner::Over)
             markSaturated(*programs.saturated, targets);
         program.use();
         program.setTexture("corners", 5, chunks[i].corners.texture.name(), gl::textureBuffer);

@@ -222,6 +222,10 @@ Status checkVolume(const Volume& volume)
     if (isSeen(volume) && volume.transfer->classes.size() != volume.mesh->mesh->tetrahedra.size())
         return Error{ErrorKind::WrongUsage,
                      Message::say("A volume of the scene and its transfer function do not belong together.")};
+    if (volume.model && (!volume.model->evaluate || volume.model->shader.empty()))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("An optical model of the scene lacks its function or its shader. This is a mistake "
+                                  "in the plugin that made it; tell its author.")};
     return {};
 }
 
@@ -257,9 +261,14 @@ Status checkVolumes(const Scene& scene)
     }
     for (const FocusVolume* focus : shapesOf<FocusVolume>(scene)) {
         ++count;
-        for (const Volume* volume : {&focus->outside, &focus->fine})
+        for (const Volume* volume : {&focus->outside, &focus->fine}) {
             if (Status status = checkVolume(*volume); !status)
                 return status;
+            if (volume->model)
+                return Error{ErrorKind::WrongUsage,
+                             Message::say("A blend of two volumes is seen by emission and absorption alone. Take the "
+                                          "optical model away, or show one of the two.")};
+        }
     }
     if (count > 1)
         return Error{ErrorKind::WrongUsage, Message::say("A scene can have one volume, or one blend of two, and this "

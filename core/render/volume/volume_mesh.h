@@ -64,6 +64,12 @@ const FocusVolume* focusOf(const Scene& scene);
 /// An error if there is more than one volume or blend, or one whose parts do not belong together.
 Status checkVolumes(const Scene& scene);
 
+/// How the pieces of a volume become one: over each other unless its model says otherwise.
+inline Combiner combinerOf(const Volume& volume)
+{
+    return volume.model ? volume.model->combiner : Combiner::Over;
+}
+
 /// Of all that is drawn: near and far must be those of surfaces and volume alike.
 Eigen::AlignedBox3d drawnBounds(const Scene& scene);
 
