@@ -159,6 +159,7 @@ struct Surface {
     Colour colour;
     float opacity = 1;
     bool backFacesOnly = false; ///< triangles that the eye sees counterclockwise are not drawn
+    bool lit = true;            ///< else its colours are seen as they are
 };
 
 /// Straight lines of one colour, hidden by what lies before them.
@@ -241,8 +242,18 @@ struct ClipPlane {
     double offset = 0;
 };
 
+struct Drawable;
+
+/// What is drawn otherwise in each picture, as the camera has it: arrows that turn towards the eye, labels of one size,
+/// a frame around the picture. `draw` gives the drawables of a picture of `width` x `height` pixels: surfaces and
+/// lines, whose ids are those of this one and their own. Called by the back ends before each picture, in their thread;
+/// quick. A mesh that is handed out again is not sent to the graphics card again. Picking does not see it.
+struct CustomDrawable {
+    std::function<std::vector<Drawable>(const Camera& camera, int width, int height)> draw;
+};
+
 /// What can be drawn.
-using Shape = std::variant<Surface, LineSet, Volume, FocusVolume>;
+using Shape = std::variant<Surface, LineSet, Volume, FocusVolume, std::shared_ptr<const CustomDrawable>>;
 
 /// A thing in a scene.
 struct Drawable {
@@ -253,6 +264,10 @@ struct Drawable {
     /// The value that its field has all over it, as of an isosurface. None: of a surface `mesh->values` tell, if it has
     /// any; of a volume its field.
     std::optional<double> value{};
+    /// Surfaces and lines: drawn over everything that is no overlay, later ones over earlier ones, opaque, and not cut
+    /// by clip planes. What lies before the eye's near plane is still cut off. There is no depth there
+    /// (Picture::depth).
+    bool overlay = false;
     bool saved = false; ///< a surface that belongs into the file where the surfaces of a scene are saved, by its label
 };
 

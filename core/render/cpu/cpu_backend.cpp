@@ -199,6 +199,8 @@ private:
     {
         if (nearness == TilePainter::neverHalf)
             return std::numeric_limits<float>::infinity();
+        if (nearness >= overlayNearness)
+            return 0;
         const double w = view_.volume.perspective ? 1.0 / nearness : -nearness;
         return static_cast<float>(w * view_.volume.unit);
     }
@@ -312,8 +314,11 @@ public:
         if (Status status = checkVolumes(scene); !status)
             return status.error();
         try {
-            return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
-        } catch (const std::exception& problem) { // of an optical model
+            const auto drawn = withDrawn(scene, camera, options.width, options.height);
+            return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception& problem) { // of an optical model, or of a custom drawable
             return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
                                                            "plugin that made it; tell its author.",
                                                            problem.what())};

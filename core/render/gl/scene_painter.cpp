@@ -11,6 +11,7 @@
 #include <tan/render.h>
 
 #include <chrono>
+#include <exception>
 #include <new>
 #include <optional>
 #include <string>
@@ -350,11 +351,16 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
                           const Progress& progress)
 {
     try {
-        return implementation_->draw(scene, camera, options, framebuffer, progress);
+        const auto drawn = withDrawn(scene, camera, options.width, options.height);
+        return implementation_->draw(drawn ? *drawn : scene, camera, options, framebuffer, progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorKind::OutOfResource,
                      Message::say("Not enough memory for a picture of this size and scene. Make the picture smaller or "
                                   "lower the accuracy of the mesh.")};
+    } catch (const std::exception& problem) { // of a custom drawable
+        return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
+                                                       "plugin that made it; tell its author.",
+                                                       problem.what())};
     }
 }
 

@@ -132,7 +132,7 @@ std::vector<SurfaceCrossing> surfaceCrossings(const Scene& scene, const PickingR
     std::vector<SurfaceCrossing> crossings;
     for (const Drawable& drawable : scene.drawables) {
         const auto* surface = std::get_if<Surface>(&drawable.shape);
-        if (surface == nullptr || !surface->mesh)
+        if (surface == nullptr || !surface->mesh || drawable.overlay)
             continue;
         const TriangleMesh& mesh = *surface->mesh;
         for (const auto& triangle : mesh.triangles) {
