@@ -316,8 +316,6 @@ public:
         try {
             const auto drawn = withDrawn(scene, camera, options.width, options.height);
             return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
-        } catch (const std::bad_alloc&) {
-            throw;
         } catch (const std::exception& problem) { // of an optical model, or of a custom drawable
             return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
                                                            "plugin that made it; tell its author.",

@@ -6,6 +6,8 @@
 
 #include <tan/render.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -340,7 +342,7 @@ double gradientOf(const TetrahedralMesh& mesh, std::size_t cell)
     Eigen::Vector3d rises;
     for (int i = 0; i < 3; ++i) {
         const std::uint32_t corner = corners[static_cast<std::size_t>(i) + 1];
-        edges.row(i) = (mesh.positions[corner] - mesh.positions[corners[0]]).cast<double>();
+        edges.row(i) = (mesh.positions[corner] - mesh.positions[corners[0]]).cast<double>().transpose();
         rises[i] = double(mesh.values[corner]) - mesh.values[corners[0]];
     }
     const double volume = edges.determinant();
