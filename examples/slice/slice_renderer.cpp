@@ -87,7 +87,7 @@ public:
         scene->drawables.push_back(
             {.id = "slice",
              .label = "Slice",
-             .shape = Surface{.mesh = std::make_shared<const TriangleMesh>(coloured), .lit = false},
+             .shape = Surface{.mesh = std::make_shared<const TriangleMesh>(coloured), .colour = {}, .lit = false},
              .saved = true});
         const auto length = float(meshes_.bounds.diagonal().norm() / 15);
         const auto arrows = [places = slice.arrows, length](const Camera& camera, int, int) {

@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+#include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 using namespace tetra;

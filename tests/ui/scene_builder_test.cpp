@@ -234,8 +234,8 @@ void SceneBuilderTest::theSurfacesOfAnotherRendererAreSaved()
     mesh->triangles = {{0, 1, 2}};
     mesh->values = {1, 2, 3};
     Scene scene;
-    scene.drawables = {{.id = "kept", .label = "my slice", .shape = Surface{mesh}, .saved = true},
-                       {.id = "other", .label = "helper", .shape = Surface{mesh}}};
+    scene.drawables = {{.id = "kept", .label = "my slice", .shape = Surface{mesh, {}}, .saved = true},
+                       {.id = "other", .label = "helper", .shape = Surface{mesh, {}}}};
     const OutsideRenderer renderer([&] { return std::make_shared<const Scene>(scene); });
     SceneRequest wanted = request(2, {});
     wanted.renderer = &renderer;
