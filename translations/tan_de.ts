@@ -325,13 +325,6 @@
     </message>
 </context>
 <context>
-    <name>AddIsovalue</name>
-    <message>
-        <source>Add Isovalue</source>
-        <translation>Isowert hinzufügen</translation>
-    </message>
-</context>
-<context>
     <name>Annotations</name>
     <message>
         <source>Value</source>
@@ -398,28 +391,23 @@
     </message>
 </context>
 <context>
-    <name>ChangeAnimation</name>
+    <name>ChangeView</name>
+    <message>
+        <source>Add Isovalue</source>
+        <translation>Isowert hinzufügen</translation>
+    </message>
     <message>
         <source>Change Animation</source>
         <translation>Animation ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeAnnotations</name>
     <message>
         <source>Change Annotations</source>
         <translation>Beschriftung ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeIsovalue</name>
     <message>
         <source>Change Isovalue</source>
         <translation>Isowert ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeLook</name>
     <message>
         <source>Change Rendering Mode</source>
         <translation>Darstellungsart ändern</translation>
@@ -432,9 +420,6 @@
         <source>Change Rendering</source>
         <translation>Darstellung ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeQuery</name>
     <message>
         <source>Change Focus</source>
         <translation>Fokus ändern</translation>
@@ -455,9 +440,6 @@
         <source>Change Accuracy</source>
         <translation>Genauigkeit ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeView</name>
     <message>
         <source>Change Background</source>
         <translation>Hintergrund ändern</translation>
@@ -465,6 +447,10 @@
     <message>
         <source>Move Camera</source>
         <translation>Kamera bewegen</translation>
+    </message>
+    <message>
+        <source>Remove Isovalue</source>
+        <translation>Isowert entfernen</translation>
     </message>
 </context>
 <context>
@@ -1662,13 +1648,6 @@
     <message>
         <source>Diverging: opaque at both ends</source>
         <translation>Divergierend: deckend an beiden Enden</translation>
-    </message>
-</context>
-<context>
-    <name>RemoveIsovalue</name>
-    <message>
-        <source>Remove Isovalue</source>
-        <translation>Isowert entfernen</translation>
     </message>
 </context>
 <context>
@@ -3388,6 +3367,17 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Canvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ColourButton</name>
     <message>
         <source>Colour</source>
@@ -3415,13 +3405,6 @@ Verwerfung %2</translation>
     <message>
         <source>Commands</source>
         <translation>Befehle</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::CpuCanvas</name>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
     </message>
 </context>
 <context>
@@ -3833,13 +3816,6 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
-    <name>tetra::GlCanvas</name>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
-    </message>
-</context>
-<context>
     <name>tetra::HistogramView</name>
     <message>
         <source>Histogram</source>
@@ -4156,8 +4132,8 @@ Verwerfung %2</translation>
         <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
     </message>
     <message>
-        <source>show of a key frame</source>
-        <translation>Zeigen eines Schlüsselbilds</translation>
+        <source>Show Key Frame</source>
+        <translation>Schlüsselbild zeigen</translation>
     </message>
     <message>
         <source>View</source>
@@ -4365,8 +4341,8 @@ Verwerfung %2</translation>
         <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
     </message>
     <message>
-        <source>reset of view</source>
-        <translation>Zurücksetzen der Ansicht</translation>
+        <source>Reset View</source>
+        <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
         <source>The model %1 is built.</source>
@@ -4440,6 +4416,33 @@ Verwerfung %2</translation>
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Opening</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
 </context>
 <context>
@@ -5058,6 +5061,13 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::SceneService</name>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SlicePreview</name>
     <message>
         <source>Preview of a layer</source>
@@ -5642,37 +5652,6 @@ Verwerfung %2</translation>
     <message>
         <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
         <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::Workbench</name>
-    <message>
-        <source>Models (*.tan)</source>
-        <translation>Modelle (*.tan)</translation>
-    </message>
-    <message>
-        <source>All that can be opened (%1)</source>
-        <translation>Alles, was sich öffnen lässt (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sitzungen (*.tansession)</translation>
-    </message>
-    <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
-    </message>
-    <message>
-        <source>Pictures with their sessions (*.png)</source>
-        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
 </context>
 </TS>

@@ -325,13 +325,6 @@
     </message>
 </context>
 <context>
-    <name>AddIsovalue</name>
-    <message>
-        <source>Add Isovalue</source>
-        <translation>Aggiungi isovalore</translation>
-    </message>
-</context>
-<context>
     <name>Annotations</name>
     <message>
         <source>Value</source>
@@ -398,28 +391,23 @@
     </message>
 </context>
 <context>
-    <name>ChangeAnimation</name>
+    <name>ChangeView</name>
+    <message>
+        <source>Add Isovalue</source>
+        <translation>Aggiungi isovalore</translation>
+    </message>
     <message>
         <source>Change Animation</source>
         <translation>Modifica animazione</translation>
     </message>
-</context>
-<context>
-    <name>ChangeAnnotations</name>
     <message>
         <source>Change Annotations</source>
         <translation>Modifica annotazioni</translation>
     </message>
-</context>
-<context>
-    <name>ChangeIsovalue</name>
     <message>
         <source>Change Isovalue</source>
         <translation>Modifica isovalore</translation>
     </message>
-</context>
-<context>
-    <name>ChangeLook</name>
     <message>
         <source>Change Rendering Mode</source>
         <translation>Modifica modalità di resa</translation>
@@ -432,9 +420,6 @@
         <source>Change Rendering</source>
         <translation>Modifica resa</translation>
     </message>
-</context>
-<context>
-    <name>ChangeQuery</name>
     <message>
         <source>Change Focus</source>
         <translation>Modifica focus</translation>
@@ -455,9 +440,6 @@
         <source>Change Accuracy</source>
         <translation>Modifica accuratezza</translation>
     </message>
-</context>
-<context>
-    <name>ChangeView</name>
     <message>
         <source>Change Background</source>
         <translation>Modifica sfondo</translation>
@@ -465,6 +447,10 @@
     <message>
         <source>Move Camera</source>
         <translation>Sposta la camera</translation>
+    </message>
+    <message>
+        <source>Remove Isovalue</source>
+        <translation>Rimuovi isovalore</translation>
     </message>
 </context>
 <context>
@@ -1662,13 +1648,6 @@
     <message>
         <source>Diverging: opaque at both ends</source>
         <translation>Divergente: opaca ai due estremi</translation>
-    </message>
-</context>
-<context>
-    <name>RemoveIsovalue</name>
-    <message>
-        <source>Remove Isovalue</source>
-        <translation>Rimuovi isovalore</translation>
     </message>
 </context>
 <context>
@@ -3388,6 +3367,17 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Canvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ColourButton</name>
     <message>
         <source>Colour</source>
@@ -3415,13 +3405,6 @@ deformazione %2</translation>
     <message>
         <source>Commands</source>
         <translation>Comandi</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::CpuCanvas</name>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
     </message>
 </context>
 <context>
@@ -3833,13 +3816,6 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
-    <name>tetra::GlCanvas</name>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
-    </message>
-</context>
-<context>
     <name>tetra::HistogramView</name>
     <message>
         <source>Histogram</source>
@@ -4164,8 +4140,8 @@ deformazione %2</translation>
         <translation>Lo scambia con il fotogramma chiave seguente (Alt+Giù)</translation>
     </message>
     <message>
-        <source>show of a key frame</source>
-        <translation>visione di un fotogramma chiave</translation>
+        <source>Show Key Frame</source>
+        <translation>Mostra fotogramma chiave</translation>
     </message>
 </context>
 <context>
@@ -4365,8 +4341,8 @@ deformazione %2</translation>
         <translation>Immagine copiata, %1 × %2 pixel</translation>
     </message>
     <message>
-        <source>reset of view</source>
-        <translation>reimpostazione della vista</translation>
+        <source>Reset View</source>
+        <translation>Reimposta la vista</translation>
     </message>
     <message>
         <source>The model %1 is built.</source>
@@ -4440,6 +4416,33 @@ deformazione %2</translation>
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Opening</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelli (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Tutto ciò che si può aprire (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sessioni (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 <context>
@@ -5058,6 +5061,13 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::SceneService</name>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SlicePreview</name>
     <message>
         <source>Preview of a layer</source>
@@ -5642,37 +5652,6 @@ deformazione %2</translation>
     <message>
         <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
         <translation>OpenGL non si può usare, l&apos;immagine è disegnata dal processore. %1</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::Workbench</name>
-    <message>
-        <source>Models (*.tan)</source>
-        <translation>Modelli (*.tan)</translation>
-    </message>
-    <message>
-        <source>All that can be opened (%1)</source>
-        <translation>Tutto ciò che si può aprire (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tutti i file (*)</translation>
-    </message>
-    <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sessioni (*.tansession)</translation>
-    </message>
-    <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
-    </message>
-    <message>
-        <source>Pictures with their sessions (*.png)</source>
-        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 </TS>

@@ -71,7 +71,7 @@ public:
     /// Seconds from each edit to the first picture that shows it.
     std::vector<double> edit(bool dragging)
     {
-        const TransferFunction before = session().view().look().transfer;
+        const TransferFunction before = session().view().appearance.transfer;
         std::vector<double> seconds;
         if (dragging)
             session().beginGesture();
@@ -97,7 +97,7 @@ private:
     Session& session() { return workbench_.session(); }
     bool settled()
     {
-        return !workbench_.sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
+        return !workbench_.scenes().sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
     }
 
     QTemporaryDir views_; ///< the model is seen as at first

@@ -59,15 +59,15 @@ private:
     }
     std::string savedSession() const
     {
-        const auto document = window_->workbench.sessionDocument();
+        const auto document = window_->workbench.opening().sessionDocument();
         return document ? sessionToText(*document, window_->folderPath()) : std::string();
     }
     void openSession(const std::string& text) const
     {
-        window_->workbench.closeModel();
+        window_->workbench.opening().closeModel();
         const std::filesystem::path file = window_->folderPath() + "/opened.tansession";
         QVERIFY(writeTextFile(file, text));
-        window_->workbench.openSession(file, SessionSource::File);
+        window_->workbench.opening().openSession(file, SessionSource::File);
         QTRY_VERIFY_WITH_TIMEOUT(session().model() && window_->settled(), 30'000);
     }
 
@@ -109,7 +109,7 @@ void BoundaryTest::irregularModelsOpenWithIt()
     QVERIFY(boundary().opacity < 0.5f && boundary().mesh->colours.empty() && !boundary().mesh->values.empty());
     QVERIFY(!session().undoStack().canUndo());
     open(lattice_);
-    QVERIFY(session().view().look().settings.empty());
+    QVERIFY(session().view().appearance.settings.empty());
     QCOMPARE(scene().surfaces.size(), std::size_t(1));
     choose("translucent");
     QCOMPARE(scene().surfaces.size(), std::size_t(2));
@@ -159,12 +159,12 @@ void BoundaryTest::itFollowsTheMeshAndTheMode()
 
 void BoundaryTest::valuesHaveTheColoursOfTheTransferFunction()
 {
-    const auto bar = [&] { return window_->workbench.annotations({}, {}).transfer; };
+    const auto bar = [&] { return window_->workbench.scenes().annotations({}, {}).transfer; };
     QVERIFY(!bar());
     choose("values");
-    QVERIFY(bar() && *bar() == session().view().look().transfer);
+    QVERIFY(bar() && *bar() == session().view().appearance.transfer);
     QVERIFY(!boundary().mesh->colours.empty() && boundary().opacity == 1);
-    TransferFunction green = session().view().look().transfer;
+    TransferFunction green = session().view().appearance.transfer;
     for (ColourPoint& point : green.colours)
         point.colour = {0, 1, 0};
     session().setTransfer(green);
@@ -177,9 +177,9 @@ void BoundaryTest::sessionsKeepIt()
     session().setSetting("boundary-opacity", 0.75);
     session().setSetting("boundary-far-side", true);
     QTRY_VERIFY(window_->settled());
-    const ParameterValues settings = session().view().look().settings;
+    const ParameterValues settings = session().view().appearance.settings;
     openSession(savedSession());
-    QVERIFY(session().view().look().settings == settings);
+    QVERIFY(session().view().appearance.settings == settings);
     QVERIFY(boundary().opacity == 0.75f && boundary().backFacesOnly);
     QCOMPARE(window_->find<QDoubleSpinBox>("rendering.setting.boundary-opacity").value(), 0.75);
 }
@@ -199,7 +199,7 @@ void BoundaryTest::olderSessionsOpenAsTheyWere()
 
 void BoundaryTest::aClickOnItTellsItsValue()
 {
-    Isovalue hidden = session().view().isovalues().front();
+    Isovalue hidden = session().view().isovalues.front();
     hidden.visible = false;
     session().setIsovalue(0, hidden);
     choose("values");
@@ -251,7 +251,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
 void BoundaryTest::buildOptionsAreThoseThatMatter()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     auto& builder = window_->find<QComboBox>("build.builder");
     builder.setCurrentIndex(builder.findData("refinement"));
     const auto isShown = [&](const QString& id) { return !window_->find<QWidget>("build.option." + id).isHidden(); };

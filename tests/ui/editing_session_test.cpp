@@ -3,7 +3,7 @@
 #include "tests/ui/random_edits.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/workbench.h"
-#include "ui/viewport/cpu_canvas.h"
+#include "ui/viewport/canvas.h"
 #include "ui/work/steady_heap.h"
 
 #include <QFile>
@@ -66,7 +66,7 @@ private:
     QTemporaryDir folder_;
     std::unique_ptr<PluginHost> host_;
     std::unique_ptr<Workbench> workbench_;
-    std::unique_ptr<CpuCanvas> canvas_;
+    std::unique_ptr<Canvas> canvas_;
     View view_;
     int pictures_ = 0;
 };
@@ -76,29 +76,29 @@ void EditingSessionTest::openModel()
 {
     host_ = hostOfThisBuild();
     workbench_ = std::make_unique<Workbench>(*host_);
-    canvas_ = std::make_unique<CpuCanvas>();
-    canvas_->failed = [](const QString& text) { QFAIL(qPrintable(text)); };
-    canvas_->framePainted = [this](const FrameReport&) { ++pictures_; };
+    canvas_ = std::make_unique<Canvas>();
+    connect(canvas_.get(), &Canvas::failed, this, [](const QString& text) { QFAIL(qPrintable(text)); });
+    connect(canvas_.get(), &Canvas::framePainted, this, [this] { ++pictures_; });
     canvas_->resize(320, 240);
-    canvas_->show(view_);
-    canvas_->widget()->show();
-    connect(&workbench_->sceneBuilder(), &SceneBuilder::sceneReady, this, [this](const BuiltScene& scene) {
+    canvas_->setView(view_);
+    canvas_->show();
+    connect(&workbench_->scenes().sceneBuilder(), &SceneBuilder::sceneReady, this, [this](const BuiltScene& scene) {
         view_.levels = {{scene.scene, scene.mesh.tetrahedra}};
-        canvas_->show(view_);
+        canvas_->setView(view_);
     });
-    connect(&workbench_->draftBuilder(), &DraftBuilder::draftsReady, this,
+    connect(&workbench_->scenes().draftBuilder(), &DraftBuilder::draftsReady, this,
             [this](const std::vector<DraftScene>& drafts) {
                 view_.levels.resize(std::min<std::size_t>(view_.levels.size(), 1));
                 for (const DraftScene& draft : drafts)
                     if (!view_.levels.empty())
                         view_.levels.push_back({draft.scene, draft.tetrahedra});
-                canvas_->show(view_);
+                canvas_->setView(view_);
             });
     connect(&workbench_->session(), &Session::gestureChanged, this, [this](bool on) {
         view_.moving = on;
-        canvas_->show(view_);
+        canvas_->setView(view_);
     });
-    workbench_->open(
+    workbench_->opening().open(
         QString::fromStdString(buildSampleModel(*host_, sampleDataset(16), folder_.path().toStdString()).string()));
     QTRY_VERIFY(workbench_->session().model());
     view_.camera = fitted(Camera(), workbench_->session().model()->description().bounds);
@@ -106,7 +106,7 @@ void EditingSessionTest::openModel()
 
 void EditingSessionTest::lookAtIt()
 {
-    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->sceneBuilder().busy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!workbench_->scenes().sceneBuilder().busy(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(view_.moving || canvas_->settled(), 60'000);
 }
 
@@ -129,7 +129,7 @@ void EditingSessionTest::memoryDoesNotGrow()
     keepHeapSteady(); // as the program does
     openModel();
     std::vector<std::string> modes;
-    for (const auto& mode : workbench_->modes())
+    for (const auto& mode : workbench_->scenes().modes())
         modes.push_back(mode.id);
     RandomEdits some(workbench_->session(), modes, 7);
     double warm = 0;

@@ -57,15 +57,15 @@ void FocusModeTest::aFocusIsBlendedInItsMode()
     window_->find<QAction>("action.mode.focus").trigger();
     QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
     QVERIFY(!testing::partsOf(*window_->viewport().scene()).focus);
-    FocusState focus = session().view().query().focus;
+    FocusState focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     focus.falloff = 1.5;
     session().setFocus(focus);
     QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).focus);
     const testing::FinePart shown = *testing::partsOf(*window_->viewport().scene()).focus;
     QCOMPARE(shown.border, 1.5);
-    QCOMPARE(std::get<Sphere>(shown.region).radius, session().view().query().focus.radius);
-    focus = session().view().query().focus;
+    QCOMPARE(std::get<Sphere>(shown.region).radius, session().view().query.focus.radius);
+    focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Box;
     session().setFocus(focus);
     QTRY_VERIFY(window_->settled() &&
@@ -77,15 +77,15 @@ void FocusModeTest::aFocusIsBlendedInItsMode()
 void FocusModeTest::aBlendedFocusIsSavedAsOneMesh()
 {
     window_->find<QAction>("action.mode.focus").trigger();
-    FocusState focus = session().view().query().focus;
+    FocusState focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     session().setFocus(focus);
     QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).focus);
     const auto asked = MeshExtractor(session().model()).extract(session().shown()->query);
     QVERIFY(asked.ok());
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
     const QString path = folder_.filePath("focus.vtu");
-    window_->workbench.saveMesh(path.toStdString());
+    window_->workbench.exporting().saveMesh(path.toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_files.h"
 #include "ui/viewport/viewport.h"
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace tetra;
@@ -21,7 +23,13 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     auto scene = std::make_shared<Scene>();
     scene->bounds = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
     scene->drawables.push_back({.id = "line", .shape = LineSet{{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width}});
-    Viewport viewport(BackendChoice::Cpu);
+    const QTemporaryDir folder;
+    const auto host = hostOfThisBuild();
+    const auto model = Model::open(buildSampleModel(*host, sampleDataset(8), folder.path().toStdString()));
+    QVERIFY(model.ok());
+    Session session;
+    session.open(*model, {});
+    Viewport viewport(session, BackendChoice::Cpu);
     viewport.resize(200, 160);
     static_cast<QWidget&>(viewport).show();
     QCOMPARE(viewport.devicePixelRatioF(), 2.0);
@@ -29,7 +37,8 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     camera.perspective = false;
     camera.azimuth = 0;
     camera.elevation = 0;
-    viewport.startFrom(fitted(camera, scene->bounds), Colour{1, 1, 1});
+    session.setCamera(fitted(camera, scene->bounds));
+    session.setBackground(Colour{1, 1, 1});
     viewport.setScene(scene);
     QTRY_VERIFY(viewport.settled());
     const QImage image = viewport.grab().toImage();

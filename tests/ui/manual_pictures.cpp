@@ -44,7 +44,7 @@ public:
     void openModel(const char* name)
     {
         const QString path = places_.models.filePath(name);
-        fixture_.workbench.views().forget(path.toStdString()); // as at first, not as another sitting left it
+        fixture_.workbench.opening().views().forget(path.toStdString()); // as at first, not as another sitting left it
         fixture_.window.open(path);
         settle();
     }
@@ -115,7 +115,7 @@ void moving(Sitting& sitting)
     sitting.trigger("mode.volume");
     sitting.dock("transfer");
     sitting.raiseBorder();
-    const TransferFunction before = sitting.session().view().look().transfer;
+    const TransferFunction before = sitting.session().view().appearance.transfer;
     const std::size_t point = before.opacities.size() / 2;
     sitting.session().beginGesture();
     QElapsedTimer clock;
@@ -131,7 +131,7 @@ void moving(Sitting& sitting)
 void focus(Sitting& sitting)
 {
     sitting.openModel("engine.tan");
-    FocusState focus = sitting.session().view().query().focus;
+    FocusState focus = sitting.session().view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     focus.centre = {110, 28, 60};
     focus.radius = 30;

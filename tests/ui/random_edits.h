@@ -7,18 +7,8 @@
 
 namespace tetra {
 
-/// What undo and redo have to bring back.
-struct Seen {
-    QueryState query;
-    Look look;
-    std::vector<Isovalue> isovalues;
-    bool operator==(const Seen&) const = default;
-};
-
-Seen seen(const Session& session);
-
-/// Edits a session as somebody would who tries everything: each setter, all edits of transfer functions, drags of many
-/// edits, numbers that make no sense. The same seed makes the same edits.
+/// Edits a session as somebody would who tries everything: each part of the view, all edits of transfer functions,
+/// drags of many edits, numbers that make no sense. The same seed makes the same edits.
 class RandomEdits {
 public:
     /// `modes`: ids of renderers.
@@ -38,13 +28,18 @@ private:
     void editQuery();
     void editLook();
     void editIsovalues();
+    void editAnnotations();
+    void editAnimation();
+    void editCamera();
     void dragOrNot();
     FocusState anyFocus();
     WindowState anyWindow();
+    std::optional<Colour> anyBackground();
 
     Session& session_;
     std::vector<std::string> modes_;
     std::mt19937 random_;
+    Gesture series_; ///< of camera moves
 };
 
 } // namespace tetra

@@ -31,7 +31,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const QueryState& query() const { return session().view().query(); }
+    const QueryState& query() const { return session().view().query; }
     RegionTools& tools() const { return window_->find<RegionTools>("viewport.tools"); }
     bool upToDate() const { return window_->settled() && session().showsQuery(); }
     void trigger(const char* action) const { window_->find<QAction>(action).trigger(); }

@@ -38,7 +38,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const TransferFunction& function() const { return session().view().look().transfer; }
+    const TransferFunction& function() const { return session().view().appearance.transfer; }
     int undoSteps() const { return session().undoStack().index(); }
     void undo() const { window_->find<QAction>("action.undo").trigger(); }
     void showVolume() const;
@@ -95,8 +95,8 @@ void RenderingTest::choose(const char* dialog, const QString& path) const
 
 void RenderingTest::theModeChangesWithoutAnotherMesh()
 {
-    QSignalSpy scenes(&window_->workbench.sceneBuilder(), &SceneBuilder::sceneReady);
-    QCOMPARE(session().view().look().mode, std::string("isosurface"));
+    QSignalSpy scenes(&window_->workbench.scenes().sceneBuilder(), &SceneBuilder::sceneReady);
+    QCOMPARE(session().view().appearance.mode, std::string("isosurface"));
     window_->find<QAction>("action.mode.volume").trigger();
     QTRY_COMPARE(scenes.count(), 1);
     QVERIFY(testing::partsOf(*scenes.last()[0].value<BuiltScene>().scene).volume.has_value());
@@ -159,7 +159,7 @@ void RenderingTest::aSettingOfAnotherTypeIsLeftOut()
     choice.id = "order";
     choice.defaultValue = std::string("a");
     choice.choices = {"a", "b"};
-    Look look;
+    Appearance look;
     look.settings = {{"order", std::string("c")}};
     QVERIFY(rendererValues({choice}, look, {}).empty());
     look.settings["order"] = true;

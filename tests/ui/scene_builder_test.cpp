@@ -145,7 +145,7 @@ void SceneBuilderTest::onlyScenesThatDependOnTheViewAreMadeAnewForIt()
 {
     for (const bool asks : {false, true}) {
         const LineToEye renderer(asks);
-        SceneMaker maker;
+        ScenePipeline maker;
         SceneRequest request{model_, &renderer, {}, {}, {.azimuth = 10}, 300, 200};
         request.query.error = 1;
         const auto lineOf = [&] { return *shapesOf<LineSet>(*maker.make(request, {})->scene).front(); };
@@ -216,10 +216,10 @@ void SceneBuilderTest::whatARendererThrowsIsTold()
     } // waits for its worker, which the plugin's mistake does not end
 
     FilmOrder order;
-    order.animation.turntable.frames = 2;
-    order.scene = wanted;
-    order.start.error = 2;
-    order.query = startingQuery(*model_, 2);
+    order.model = model_;
+    order.renderer = renderer.get();
+    order.view.query = startingQuery(*model_, 2);
+    order.view.animation.turntable.frames = 2;
     order.picture.width = order.picture.height = 16;
     order.target = folder_.filePath("film.png").toStdString();
     const Status written = writeFilm(order, {});

@@ -77,10 +77,10 @@ void StatisticsTest::choosingALineChoosesItsAccuracy()
 {
     const int steps = session().undoStack().count();
     table().setCurrentItem(table().topLevelItem(1));
-    QCOMPARE(session().view().error(), accuracyPresets[1]);
+    QCOMPARE(session().view().query.error, accuracyPresets[1]);
     table().setFocus();
     QTest::keyClick(&table(), Qt::Key_Down);
-    QCOMPARE(session().view().error(), accuracyPresets[2]);
+    QCOMPARE(session().view().query.error, accuracyPresets[2]);
     QCOMPARE(session().undoStack().count(), steps + 2);
     window_->find<QAction>("action.undo").trigger();
     QVERIFY(table().currentItem() == table().topLevelItem(1));
@@ -92,7 +92,7 @@ void StatisticsTest::theTableFollowsTheSession()
     QVERIFY(table().currentItem() == table().topLevelItem(4));
     session().setError(7.5);
     QVERIFY(table().currentItem() == nullptr);
-    QCOMPARE(session().view().error(), 7.5);
+    QCOMPARE(session().view().query.error, 7.5);
     session().setBudget(100);
     QVERIFY(table().currentItem() == nullptr);
 }
@@ -106,7 +106,8 @@ void StatisticsTest::allOfItIsCopied()
     QVERIFY2(text.contains('\t' + QLocale().toString(static_cast<qulonglong>(last.tetrahedra)) + '\t'),
              qPrintable(text));
     QVERIFY(text.contains("Triangles\t"));
-    QVERIFY2(text.contains("\nGuaranteed\terror " + percentText(session().view().error()) + '\n'), qPrintable(text));
+    QVERIFY2(text.contains("\nGuaranteed\terror " + percentText(session().view().query.error) + '\n'),
+             qPrintable(text));
     QVERIFY(text.contains("A frame\t"));
     QCOMPARE(text.count('\n', Qt::CaseSensitive) > 12, true);
 }

@@ -3,7 +3,6 @@
 
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
-#include "ui/session/look.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
 
@@ -29,8 +28,7 @@ QString accuracyText(const ShownMesh& mesh)
 
 } // namespace
 
-AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters,
-                                    const TransferFunction& transfer, const std::vector<Isovalue>& isovalues,
+AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters, const ViewValue& view,
                                     const ShownMesh* mesh)
 {
     AnnotationContent content;
@@ -38,23 +36,26 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
         content.font = QGuiApplication::font();
     content.range = model.description().range;
     if (hasParameter(parameters, transferId))
-        content.transfer = transfer;
+        content.transfer = view.appearance.transfer;
     if (hasParameter(parameters, isovaluesId))
-        content.isovalues = seenOnes(isovalues);
+        content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
     content.title = QFileInfo(pathText(model.path())).completeBaseName();
     if (mesh != nullptr)
         content.accuracy = accuracyText(*mesh);
+    content.state = view.annotations;
+    content.camera = view.camera;
+    content.background = view.background.value_or(content.background);
     return content;
 }
 
-AnnotationContent atFrame(AnnotationContent content, const FilmFrame& frame, const ShownMesh& mesh)
+AnnotationContent inView(AnnotationContent content, const ViewValue& view, const ShownMesh& mesh)
 {
-    content.camera = frame.camera;
+    content.camera = view.camera;
     if (content.transfer)
-        content.transfer = frame.transfer;
+        content.transfer = view.appearance.transfer;
     if (content.isovalues)
-        content.isovalues = seenOnes(frame.isovalues);
+        content.isovalues = seenOnes(view.isovalues);
     content.accuracy = accuracyText(mesh);
     return content;
 }

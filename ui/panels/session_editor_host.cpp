@@ -44,24 +44,21 @@ std::shared_ptr<const ValueHistogram> SessionEditorHost::logarithmicHistogram() 
 
 const TransferFunction& SessionEditorHost::function() const
 {
-    return session_.view().look().transfer;
+    return session_.view().appearance.transfer;
 }
 
 const std::vector<Isovalue>& SessionEditorHost::isovalues() const
 {
-    return session_.view().isovalues();
+    return session_.view().isovalues;
 }
 
 void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call)
 {
     const auto tells = [call](EditorChange change) { return [call, change] { call(change); }; };
-    const ViewState& view = session_.view();
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
-    connect(&view, &ViewState::lookChanged, receiver, tells(EditorChange::Function));
-    connect(&view, &ViewState::isovalueInserted, receiver, tells(EditorChange::Isovalues));
-    connect(&view, &ViewState::isovalueRemoved, receiver, tells(EditorChange::Isovalues));
-    connect(&view, &ViewState::isovalueChanged, receiver, tells(EditorChange::Isovalues));
+    session_.whenChanged(ViewPart::Transfer, receiver, tells(EditorChange::Function));
+    session_.whenChanged(ViewPart::Isovalues, receiver, tells(EditorChange::Isovalues));
     connect(pick_, &ValuePick::pickedChanged, receiver, tells(EditorChange::Picked));
 }
 
@@ -99,7 +96,7 @@ void SessionEditorHost::loadText(QWidget* parent, const EditorFile& file,
                                  const std::function<Status(const std::string& text)>& use)
 {
     askForTextFile(parent, file.dialog, file.title, file.filter,
-                   [this, use](const QString& path) { workbench_.loadText(filePath(path), use); });
+                   [this, use](const QString& path) { workbench_.exporting().loadText(filePath(path), use); });
 }
 
 void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
@@ -107,9 +104,10 @@ void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
 {
     if (!hasModel())
         return;
-    askForTextTarget(parent, file.dialog, file.title, file.filter, workbench_.proposedPath(file.ending),
+    askForTextTarget(parent, file.dialog, file.title, file.filter, workbench_.opening().proposedPath(file.ending),
                      [this, make](const QString& path) {
-                         workbench_.saveText(filePath(path), make(QFileInfo(path).completeBaseName().toStdString()));
+                         workbench_.exporting().saveText(filePath(path),
+                                                         make(QFileInfo(path).completeBaseName().toStdString()));
                      });
 }
 

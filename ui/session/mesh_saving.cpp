@@ -91,7 +91,7 @@ Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
     if (const Status named = checkSurfaceFileName(order.target); !named)
         return named;
     if (!order.built) {
-        auto built = SceneMaker().make(order.scene, progress.part(0, made));
+        auto built = ScenePipeline().make(order.scene, progress.part(0, made));
         if (!built)
             return built.error();
         return writeSurfaces({order.scene, *std::move(built), order.target}, progress.part(made, 1));

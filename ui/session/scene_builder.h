@@ -43,7 +43,7 @@ private:
     bool busy_ = false;
     std::optional<BuiltScene> last_;
     std::chrono::milliseconds patience_;
-    std::shared_ptr<SceneMaker> maker_;
+    std::shared_ptr<ScenePipeline> pipeline_;
     LatestJob job_;
 };
 

@@ -36,10 +36,10 @@ TransferDrag::TransferDrag(Workbench& workbench, Viewport& viewport)
 bool TransferDrag::press(const QMouseEvent& event)
 {
     if (event.button() != Qt::LeftButton || event.modifiers() != Qt::ControlModifier || !workbench_.session().model() ||
-        !hasParameter(workbench_.matteringParameters(), transferId))
+        !hasParameter(workbench_.scenes().matteringParameters(), transferId))
         return false;
     from_ = event.position();
-    function_ = workbench_.session().view().look().transfer;
+    function_ = workbench_.session().view().appearance.transfer;
     workbench_.session().beginGesture();
     return true;
 }

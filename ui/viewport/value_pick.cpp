@@ -43,7 +43,8 @@ ValuePick::ValuePick(Workbench& workbench, Viewport& viewport)
     connect(&viewport, &Viewport::previewChanged, this, repaint);
     connect(&workbench.session(), &Session::modelChanged, this, &ValuePick::forget);
     // The viewport gets the scene by the same signal.
-    connect(&workbench.sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look, Qt::QueuedConnection);
+    connect(&workbench.scenes().sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look,
+            Qt::QueuedConnection);
 }
 
 QString ValuePick::text() const
@@ -78,7 +79,7 @@ void ValuePick::forget()
 void ValuePick::look()
 {
     const auto scene = viewport_.scene();
-    if (!wanted_ || !scene || viewport_.previewing() || workbench_.sceneBuilder().busy())
+    if (!wanted_ || !scene || viewport_.previewing() || workbench_.scenes().sceneBuilder().busy())
         return;
     const PickingRay line = viewport_.projection().pickingRay(*wanted_);
     wanted_.reset();

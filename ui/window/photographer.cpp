@@ -63,9 +63,9 @@ Photographer::Photographer(PluginHost& host, QDir folder, QString prefix)
 
 bool Photographer::takeAll()
 {
-    waitFor([this] { return !workbench_.thumbnails().running(); });
+    waitFor([this] { return !workbench_.opening().thumbnails().running(); });
     take("start", window_);
-    workbench_.openSample("c60");
+    workbench_.opening().openSample("c60");
     if (!waitFor([this] { return settled(); }))
         return false;
     take("window", window_);
@@ -81,7 +81,7 @@ bool Photographer::takeAll()
 bool Photographer::settled() const
 {
     const auto* viewport = window_.findChild<Viewport*>();
-    return workbench_.session().model() && !workbench_.sceneBuilder().busy() && viewport->scene() &&
+    return workbench_.session().model() && !workbench_.scenes().sceneBuilder().busy() && viewport->scene() &&
            viewport->settled();
 }
 
@@ -140,13 +140,13 @@ void Photographer::takePanelsAtWork()
     trigger("action.focusBox");
     takePanel("dock.focus", "focus-box");
     trigger("action.focusBox"); // off again
-    QueryState query = session.view().query();
+    QueryState query = session.view().query;
     query.window.enabled = true;
     query.values.enabled = true;
     session.setQuery(query);
     takePanel("dock.region", "region-on");
     session.undoStack().undo();
-    session.setAnimation(keyFrames(workbench_.presentFrame(window_.findChild<Viewport*>()->camera())));
+    session.setAnimation(keyFrames(frameOf(session.view())));
     takePanel("dock.animation", "animation-keys");
     trigger("action.mode.volume");
     takePanel("dock.rendering", "rendering-volume");
@@ -220,7 +220,7 @@ void Photographer::takeImports()
     const auto points = static_cast<qint64>(workbench_.session().model()->description().lattice.pointCount());
     isWhole_ &= writeBare(described, bare, points);
     for (const auto& [path, name] : {std::pair(described, "import"), std::pair(bare, "import-bare")}) {
-        workbench_.openWithOptions(path);
+        workbench_.opening().openWithOptions(path);
         waitFor([this] {
             const auto* dialog = qobject_cast<QWidget*>(find("importDialog"));
             return dialog != nullptr && dialog->isVisible();
@@ -229,7 +229,7 @@ void Photographer::takeImports()
     }
     QFile::remove(bare);
     window_.open(described);
-    waitFor([this] { return workbench_.dataset() != nullptr; });
+    waitFor([this] { return workbench_.opening().dataset() != nullptr; });
     takePanel("dock.build", "build-dataset");
     take("window-build", window_);
 }

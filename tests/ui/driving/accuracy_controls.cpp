@@ -31,21 +31,22 @@ void beginInStatistics(DrivenWindow& window)
 
 bool isByBudget(const DrivenWindow& window)
 {
-    return window.session().view().query().byBudget;
+    return window.session().view().query.byBudget;
 }
 
 bool hasOtherError(const DrivenWindow& window)
 {
-    return window.session().view().error() != window.before().query.error && window.settled();
+    return window.session().view().query.error != window.before().query.error && window.settled();
 }
 
 Drivers presets()
 {
     Drivers drivers;
     for (const double percent : accuracyPresets)
-        drivers.push_back({"accuracy.preset." + QString::number(percent),
-                           [percent](const DrivenWindow& window) { return window.session().view().error() == percent; },
-                           &beginBetweenPresets});
+        drivers.push_back(
+            {"accuracy.preset." + QString::number(percent),
+             [percent](const DrivenWindow& window) { return window.session().view().query.error == percent; },
+             &beginBetweenPresets});
     return drivers;
 }
 

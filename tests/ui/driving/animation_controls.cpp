@@ -10,10 +10,10 @@ namespace {
 /// Three views from other sides, the second one chosen.
 void beginWithKeyFrames(DrivenWindow& window)
 {
-    Animation animation = window.session().view().animation();
+    Animation animation = window.session().view().animation;
     animation.kind = Animation::Kind::KeyFrames;
     for (const double azimuth : {10.0, 70.0, 130.0}) {
-        FilmFrame frame = window.workbench.presentFrame(window.viewport().camera());
+        FilmFrame frame = frameOf(window.session().view());
         frame.camera.azimuth = azimuth;
         animation = withKey(animation, frame);
     }
@@ -24,7 +24,7 @@ void beginWithKeyFrames(DrivenWindow& window)
 
 Driver ofKeyFrames(const QString& name)
 {
-    return {"animation.keys." + name, changes(&Moment::animation), &beginWithKeyFrames};
+    return {"animation.keys." + name, changes(&ViewValue::animation), &beginWithKeyFrames};
 }
 
 bool showsAFrame(const DrivenWindow& window)
@@ -38,13 +38,13 @@ Drivers animationControls()
 {
     Drivers drivers;
     for (const char* name : {"kind", "rate", "axis", "degrees", "frames"})
-        drivers.push_back({QString("animation.") + name, changes(&Moment::animation), inDock("dock.animation")});
+        drivers.push_back({QString("animation.") + name, changes(&ViewValue::animation), inDock("dock.animation")});
     for (const char* name : {"add", "update", "remove", "up", "down"})
         drivers.push_back(ofKeyFrames(name));
     const Drivers others{
         {"animation.keys.show", [](const DrivenWindow& window) { return window.viewport().camera().azimuth == 70; },
          &beginWithKeyFrames},
-        {"animation.keys", changes(&Moment::animation), &beginWithKeyFrames,
+        {"animation.keys", changes(&ViewValue::animation), &beginWithKeyFrames,
          [](DrivenWindow& window) { window.press("animation.keys", Qt::Key_Delete); }},
         showing("animation.play", &showsAFrame, inDock("dock.animation")),
         showing("animation.position", &showsAFrame, inDock("dock.animation")),

@@ -31,7 +31,7 @@ Drivers coloursOf(const QString& button, const Driver::Condition& done, const Dr
 /// In a colour that is not in the palette.
 void makeIsovalueGrey(DrivenWindow& window)
 {
-    Isovalue isovalue = window.session().view().isovalues().front();
+    Isovalue isovalue = window.session().view().isovalues.front();
     isovalue.red = isovalue.green = isovalue.blue = 0.5F;
     window.session().setIsovalue(0, isovalue);
 }
@@ -46,9 +46,9 @@ void selectPoint(DrivenWindow& window)
 
 Drivers colourCommands()
 {
-    return allOf({coloursOf("isovalue.0.colour", changes(&Moment::isovalues), &makeIsovalueGrey),
-                  coloursOf("view.background", changes(&Moment::background), inDock("dock.view")),
-                  coloursOf("transfer.colour", changes(&Moment::look), &selectPoint)});
+    return allOf({coloursOf("isovalue.0.colour", changes(&ViewValue::isovalues), &makeIsovalueGrey),
+                  coloursOf("view.background", changes(&ViewValue::background), inDock("dock.view")),
+                  coloursOf("transfer.colour", changes(&ViewValue::appearance), &selectPoint)});
 }
 
 } // namespace tetra

@@ -45,19 +45,23 @@ void DrivenWindow::closeDialogs() const
 void DrivenWindow::startAnew()
 {
     closeDialogs();
-    workbench.stopBuild(false);
+    workbench.building().stopBuild(false);
     waitUntil([this] { return !workbench.building().running(); }, "no build runs");
     find<MessageBar>("messages").clear();
-    workbench.closeModel();
-    workbench.views().forget(filePath(model_)); // as at first
+    workbench.opening().closeModel();
+    workbench.opening().views().forget(filePath(model_)); // as at first
     window.open(model_);
     waitUntil([this] { return session().model() && settled(); }, "the model is open");
-    if (!workbench.dataset() || workbench.dataset()->source.path != volume_.toStdString()) {
+    if (!workbench.opening().dataset() || workbench.opening().dataset()->source.path != volume_.toStdString()) {
         window.open(volume_);
-        waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
-                  "the dataset is open");
+        waitUntil(
+            [this] {
+                return workbench.opening().dataset() &&
+                       workbench.opening().dataset()->source.path == volume_.toStdString();
+            },
+            "the dataset is open");
     }
-    while (session().view().isovalueCount() > 1)
+    while (session().view().isovalues.size() > 1)
         session().removeIsovalue(1);
     session().undoStack().clear();
     window.setWindowState(Qt::WindowNoState);
@@ -66,21 +70,9 @@ void DrivenWindow::startAnew()
     remember();
 }
 
-Moment DrivenWindow::now() const
-{
-    const ViewState& view = session().view();
-    return {view.query(),
-            view.look(),
-            view.isovalues(),
-            view.annotations(),
-            view.animation(),
-            viewport().camera(),
-            viewport().chosenBackground()};
-}
-
 void DrivenWindow::remember()
 {
-    before_ = now();
+    before_ = session().view();
     stepsBefore_ = undoSteps();
 }
 

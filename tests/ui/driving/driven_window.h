@@ -10,18 +10,6 @@ class QToolButton;
 
 namespace tetra {
 
-/// What of a window the user can change and undo, at a moment.
-struct Moment {
-    QueryState query;
-    Look look;
-    std::vector<Isovalue> isovalues;
-    AnnotationState annotations;
-    Animation animation;
-    Camera camera;
-    std::optional<Colour> background;
-    bool operator==(const Moment&) const = default;
-};
-
 /// A window with a small model and a dataset open, for tests that do one thing after the other in it and go back to the
 /// beginning in between.
 class DrivenWindow : public WindowFixture {
@@ -34,8 +22,8 @@ public:
     void startAnew();
     /// Keeps what is there now as what was there before.
     void remember();
-    const Moment& before() const noexcept { return before_; }
-    Moment now() const;
+    const ViewValue& before() const noexcept { return before_; }
+    const ViewValue& now() const { return session().view(); }
     int undoSteps() const { return session().undoStack().index(); }
     int stepsBefore() const noexcept { return stepsBefore_; }
 
@@ -55,7 +43,7 @@ public:
 private:
     QString model_;
     QString volume_;
-    Moment before_;
+    ViewValue before_;
     int stepsBefore_ = 0;
 };
 

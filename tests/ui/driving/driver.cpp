@@ -75,7 +75,7 @@ QString drive(DrivenWindow& window, const Driver& driver, const std::function<vo
         return {};
     if (window.undoSteps() != window.stepsBefore() + 1)
         return QString("it is %1 steps to be undone").arg(window.undoSteps() - window.stepsBefore());
-    const Moment after = window.now();
+    const ViewValue after = window.now();
     window.trigger("action.undo");
     if (window.now() != window.before())
         return "undo does not bring back what was there";

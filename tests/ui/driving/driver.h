@@ -27,8 +27,8 @@ Driver showing(const QString& name, Driver::Condition done, Driver::Step prepare
 /// It opens a dialog or another widget of this name.
 Driver opening(const QString& name, const QString& widget, Driver::Step prepare = {});
 
-/// Whether a part of the moment is another one than before.
-template <class Part> Driver::Condition changes(Part Moment::*part)
+/// Whether a part of the view is another one than before.
+template <class Part> Driver::Condition changes(Part ViewValue::*part)
 {
     return [part](const DrivenWindow& window) { return window.now().*part != window.before().*part; };
 }

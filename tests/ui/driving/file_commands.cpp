@@ -23,11 +23,11 @@ Driver openingRecent()
     return showing(
         "action.recent.*",
         [before](const DrivenWindow& window) {
-            return window.session().model() != before->first || window.workbench.dataset() != before->second;
+            return window.session().model() != before->first || window.workbench.opening().dataset() != before->second;
         },
         [before](DrivenWindow& window) {
             fillRecentMenu(window);
-            *before = {window.session().model(), window.workbench.dataset()};
+            *before = {window.session().model(), window.workbench.opening().dataset()};
         });
 }
 
@@ -45,10 +45,10 @@ Drivers editCommands()
 {
     return {
         showing(
-            "action.undo", [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 1; },
+            "action.undo", [](const DrivenWindow& window) { return window.session().view().isovalues.size() == 1; },
             [](DrivenWindow& window) { window.session().addIsovalue(); }),
         showing(
-            "action.redo", [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 2; },
+            "action.redo", [](const DrivenWindow& window) { return window.session().view().isovalues.size() == 2; },
             [](DrivenWindow& window) {
                 window.session().addIsovalue();
                 window.session().undoStack().undo();
@@ -59,7 +59,8 @@ Drivers editCommands()
                 return QGuiApplication::clipboard()->image().size() == window.viewport().size();
             },
             [](DrivenWindow&) { QGuiApplication::clipboard()->clear(); }),
-        {"action.addIsovalue", [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 2; }},
+        {"action.addIsovalue",
+         [](const DrivenWindow& window) { return window.session().view().isovalues.size() == 2; }},
         opening("action.palette", "palette"),
     };
 }

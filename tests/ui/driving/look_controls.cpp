@@ -26,7 +26,7 @@ Driver setting(const QString& id, Driver::Step use = {})
 {
     return {"rendering.setting." + id,
             [id](const DrivenWindow& window) {
-                return window.session().view().look().settings.contains(id.toStdString()) && window.settled();
+                return window.session().view().appearance.settings.contains(id.toStdString()) && window.settled();
             },
             inMode("hybrid", "dock.rendering"), std::move(use)};
 }
@@ -46,7 +46,7 @@ Driver boundarySetting(const QString& id)
 Drivers renderingControls()
 {
     return {
-        {"rendering.mode", changes(&Moment::look), inDock("dock.rendering")},
+        {"rendering.mode", changes(&ViewValue::appearance), inDock("dock.rendering")},
         setting("shaded"),
         setting("order"),
         setting("outline"),
@@ -69,7 +69,7 @@ Drivers renderingControls()
 
 Driver ofCamera(const QString& name, Driver::Step prepare = inDock("dock.view"))
 {
-    return {"view." + name, changes(&Moment::camera), std::move(prepare)};
+    return {"view." + name, changes(&ViewValue::camera), std::move(prepare)};
 }
 
 Drivers cameraControls()
@@ -95,9 +95,9 @@ Drivers annotationControls()
     Drivers drivers;
     for (std::size_t i = 0; i < annotationCount; ++i) {
         const QString name = QString("view.annotation.") + annotationNames[i];
-        drivers.push_back({name, changes(&Moment::annotations), inDock("dock.view")});
-        drivers.push_back({name + ".corner", changes(&Moment::annotations), [i](DrivenWindow& window) {
-                               AnnotationState state = window.session().view().annotations();
+        drivers.push_back({name, changes(&ViewValue::annotations), inDock("dock.view")});
+        drivers.push_back({name + ".corner", changes(&ViewValue::annotations), [i](DrivenWindow& window) {
+                               AnnotationState state = window.session().view().annotations;
                                state.places[i].shown = true;
                                window.session().setAnnotations(state);
                                window.raise("dock.view");
@@ -109,10 +109,10 @@ Drivers annotationControls()
 Drivers viewControls()
 {
     return {
-        {"view.background", changes(&Moment::background), inDock("dock.view"), choosingColour("view.background")},
-        {"view.usualBackground", changes(&Moment::background),
+        {"view.background", changes(&ViewValue::background), inDock("dock.view"), choosingColour("view.background")},
+        {"view.usualBackground", changes(&ViewValue::background),
          [](DrivenWindow& window) {
-             window.viewport().setBackground(Colour{1, 0, 0});
+             window.session().setBackground(Colour{1, 0, 0});
              window.raise("dock.view");
          }},
         opening("view.load", "cameraDialog", inDock("dock.view")),
@@ -124,10 +124,10 @@ Drivers isovalueControls()
 {
     Drivers drivers;
     for (const char* name : {"visible", "remove", "value.slider", "value.box", "opacity.slider", "opacity.box"})
-        drivers.push_back({QString("isovalue.0.") + name, changes(&Moment::isovalues), inDock("dock.isovalues")});
-    drivers.push_back({"isovalue.0.colour", changes(&Moment::isovalues), inDock("dock.isovalues"),
+        drivers.push_back({QString("isovalue.0.") + name, changes(&ViewValue::isovalues), inDock("dock.isovalues")});
+    drivers.push_back({"isovalue.0.colour", changes(&ViewValue::isovalues), inDock("dock.isovalues"),
                        choosingColour("isovalue.0.colour")});
-    drivers.push_back({"isovalues.add", changes(&Moment::isovalues), inDock("dock.isovalues")});
+    drivers.push_back({"isovalues.add", changes(&ViewValue::isovalues), inDock("dock.isovalues")});
     return drivers;
 }
 

@@ -32,16 +32,16 @@ void pickInTheMiddle(DrivenWindow& window)
 Drivers pickCommands()
 {
     const Driver::Condition hasTwoIsovalues = [](const DrivenWindow& window) {
-        return window.session().view().isovalueCount() == 2;
+        return window.session().view().isovalues.size() == 2;
     };
     const Driver::Condition isForgotten = [](const DrivenWindow& window) { return !isPicked(window); };
     return {
         showing("action.pickValue", &isPicked, &showVolume),
         {"action.isovalueHere", hasTwoIsovalues, &pickInTheMiddle},
-        {"action.pointHere", changes(&Moment::look), &pickInTheMiddle},
+        {"action.pointHere", changes(&ViewValue::appearance), &pickInTheMiddle},
         showing("action.forgetPicked", isForgotten, &pickInTheMiddle),
         {"transfer.change.picked.isovalue", hasTwoIsovalues, &pickInTheMiddle},
-        {"transfer.change.picked.point", changes(&Moment::look), &pickInTheMiddle},
+        {"transfer.change.picked.point", changes(&ViewValue::appearance), &pickInTheMiddle},
         showing("transfer.change.picked.forget", isForgotten, &pickInTheMiddle),
     };
 }

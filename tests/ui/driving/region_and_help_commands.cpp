@@ -11,13 +11,13 @@ namespace {
 
 Driver::Condition hasFocusOf(FocusState::Shape shape)
 {
-    return [shape](const DrivenWindow& window) { return window.session().view().query().focus.shape == shape; };
+    return [shape](const DrivenWindow& window) { return window.session().view().query.focus.shape == shape; };
 }
 
 /// The focus is somewhere else than the camera looks at.
 void switchFocusOn(DrivenWindow& window)
 {
-    FocusState focus = window.session().view().query().focus;
+    FocusState focus = window.session().view().query.focus;
     focus.shape = FocusState::Shape::Box;
     focus.centre *= 0.5;
     window.session().setFocus(focus);
@@ -30,10 +30,10 @@ Drivers regionCommands()
         {"action.focusBox", hasFocusOf(FocusState::Shape::Box)},
         {"action.focusToView",
          [](const DrivenWindow& window) {
-             return window.session().view().query().focus.centre == window.viewport().camera().target;
+             return window.session().view().query.focus.centre == window.viewport().camera().target;
          },
          &switchFocusOn},
-        {"action.window", [](const DrivenWindow& window) { return window.session().view().query().window.enabled; }},
+        {"action.window", [](const DrivenWindow& window) { return window.session().view().query.window.enabled; }},
     };
 }
 

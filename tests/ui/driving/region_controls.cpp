@@ -11,7 +11,7 @@ using Shape = FocusState::Shape;
 Driver::Step withFocus(Shape shape)
 {
     return [shape](DrivenWindow& window) {
-        FocusState focus = window.session().view().query().focus;
+        FocusState focus = window.session().view().query.focus;
         focus.shape = shape;
         focus.centre *= 0.5;
         window.session().setFocus(focus);
@@ -23,7 +23,7 @@ Driver ofFocus(const QString& name, Shape shape)
 {
     return {"focus." + name,
             [](const DrivenWindow& window) {
-                return window.session().view().query().focus != window.before().query.focus && window.settled();
+                return window.session().view().query.focus != window.before().query.focus && window.settled();
             },
             withFocus(shape)};
 }
@@ -44,7 +44,7 @@ Drivers focusControls()
 /// A window and a range of values, smaller than all there is.
 void beginInRegion(DrivenWindow& window)
 {
-    QueryState query = window.session().view().query();
+    QueryState query = window.session().view().query;
     query.window.enabled = true;
     query.window.window.box.least += 0.2 * (query.window.window.box.largest - query.window.window.box.least);
     const ValueRange range = window.session().range();
@@ -57,7 +57,7 @@ Driver ofRegion(const QString& name, const Driver::Step& prepare = &beginInRegio
 {
     return {"region." + name,
             [](const DrivenWindow& window) {
-                return window.session().view().query() != window.before().query && window.settled();
+                return window.session().view().query != window.before().query && window.settled();
             },
             prepare};
 }

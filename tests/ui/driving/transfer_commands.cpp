@@ -15,7 +15,7 @@ namespace {
 
 const TransferFunction& transferOf(const DrivenWindow& window)
 {
-    return window.session().view().look().transfer;
+    return window.session().view().appearance.transfer;
 }
 
 /// Points in no order of values or opacities, so that each edit has something to do.
@@ -52,7 +52,8 @@ void selectTwo(DrivenWindow& window)
 Driver change(const QString& name, const Driver::Step& prepare)
 {
     return {"transfer.change." + name,
-            [](const DrivenWindow& window) { return transferOf(window) != window.before().look.transfer; }, prepare};
+            [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; },
+            prepare};
 }
 
 Drivers changes()
@@ -155,7 +156,7 @@ Drivers transferCommands()
                 selectAll(window);
             }),
         {"transfer.change.addIsovalue",
-         [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 2; }, &beginUneven},
+         [](const DrivenWindow& window) { return window.session().view().isovalues.size() == 2; }, &beginUneven},
         choice("transfer.change.rule.stop", "transfer.change.rule.push"),
         choice("transfer.change.rule.push", "transfer.change.rule.pass"),
         choice("transfer.change.rule.pass", "transfer.change.rule.stop"),
@@ -169,9 +170,11 @@ Drivers transferCommands()
         zoom("all", &zoomIn),
         opening("transfer.save.paraview", "transferParaviewDialog", &beginUneven),
         {"transfer.preset.*",
-         [](const DrivenWindow& window) { return transferOf(window) != window.before().look.transfer; }, &beginUneven},
+         [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; },
+         &beginUneven},
         {"transfer.colours.*",
-         [](const DrivenWindow& window) { return transferOf(window) != window.before().look.transfer; }, &beginUneven},
+         [](const DrivenWindow& window) { return transferOf(window) != window.before().appearance.transfer; },
+         &beginUneven},
     };
     return allOf({changes(), groups(), others});
 }

@@ -13,7 +13,7 @@ namespace {
 
 bool hasOtherFunction(const DrivenWindow& window)
 {
-    return window.session().view().look().transfer != window.before().look.transfer;
+    return window.session().view().appearance.transfer != window.before().appearance.transfer;
 }
 
 void begin(DrivenWindow& window)

@@ -46,7 +46,8 @@ Drivers orientationCommands()
 Drivers cameraCommands()
 {
     return {
-        {"action.fit", changes(&Moment::camera), [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }},
+        {"action.fit", changes(&ViewValue::camera),
+         [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }},
         {"action.view.front", isSeenFrom(0, 0)},
         {"action.view.back", isSeenFrom(180, 0)},
         {"action.view.left", isSeenFrom(270, 0)},
@@ -56,11 +57,11 @@ Drivers cameraCommands()
         {"action.view.corner", isSeenFrom(30, 20), [](DrivenWindow& window) { window.trigger("action.view.top"); }},
         {"action.resetView",
          [](const DrivenWindow& window) {
-             return window.session().view().isovalueCount() == 1 && !window.viewport().chosenBackground();
+             return window.session().view().isovalues.size() == 1 && !window.session().view().background;
          },
          [](DrivenWindow& window) {
              window.session().addIsovalue();
-             window.viewport().setBackground(Colour{1, 0, 0});
+             window.session().setBackground(Colour{1, 0, 0});
          }},
         {"action.perspective", [](const DrivenWindow& window) { return !window.viewport().camera().perspective; }},
     };
@@ -70,7 +71,7 @@ Driver mode(const QString& id, const QString& before)
 {
     return {"action.mode." + id,
             [id](const DrivenWindow& window) {
-                return window.session().view().look().mode == id.toStdString() && window.settled();
+                return window.session().view().appearance.mode == id.toStdString() && window.settled();
             },
             [before](DrivenWindow& window) { window.choose(before); }};
 }
@@ -85,7 +86,7 @@ Drivers annotationCommands()
 {
     Drivers drivers;
     for (const char* name : annotationNames)
-        drivers.push_back({QString("action.annotation.") + name, changes(&Moment::annotations)});
+        drivers.push_back({QString("action.annotation.") + name, changes(&ViewValue::annotations)});
     return drivers;
 }
 

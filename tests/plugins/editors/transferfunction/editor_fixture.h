@@ -21,7 +21,7 @@ public:
         session().setTransfer(
             sequentialTransferFunction(session().range().minimum, session().range().maximum, function().unitDistance));
         // In the plot the isovalue stands where no test drags anything.
-        Isovalue isovalue = session().view().isovalues().front();
+        Isovalue isovalue = session().view().isovalues.front();
         isovalue.value = (session().range().minimum + session().range().maximum) / 2;
         session().setIsovalue(0, isovalue);
         find<QAction>("action.mode.volume").trigger();
@@ -29,7 +29,7 @@ public:
     }
 
     Session& session() const { return workbench.session(); }
-    const TransferFunction& transfer() const { return session().view().look().transfer; }
+    const TransferFunction& transfer() const { return session().view().appearance.transfer; }
     /// As the editor shows it.
     JoinedFunction function() const { return joined(transfer()); }
     int undoSteps() const { return session().undoStack().index(); }

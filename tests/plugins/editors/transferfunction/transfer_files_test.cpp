@@ -31,7 +31,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const TransferFunction& function() const { return session().view().look().transfer; }
+    const TransferFunction& function() const { return session().view().appearance.transfer; }
     int undoSteps() const { return session().undoStack().index(); }
     void choose(const char* dialog, const QString& path) const;
     QString written(const char* name, const QByteArray& text) const;

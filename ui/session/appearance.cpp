@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/look.h"
+#include "ui/session/appearance.h"
 
 #include "plugins/api/boundary_parameters.h"
 
@@ -58,18 +58,19 @@ std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
     return modes;
 }
 
-Look startingLook(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field, DomainClass domain)
+Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field,
+                              DomainClass domain)
 {
     const auto parameters = parametersOf(modes, field);
     const auto* transfer = firstDefault<TransferFunction>(parameters, transferId);
     const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
-    Look look{modes.empty() ? std::string() : modes.front().id,
-              transfer != nullptr
-                  ? *transfer
-                  : sequentialTransferFunction(field.range.minimum, field.range.maximum, diagonal / unitDistances)};
+    Appearance appearance{modes.empty() ? std::string() : modes.front().id,
+                          transfer != nullptr ? *transfer
+                                              : sequentialTransferFunction(field.range.minimum, field.range.maximum,
+                                                                           diagonal / unitDistances)};
     if (domain == DomainClass::Irregular)
-        look.settings[boundaryId] = std::string(boundaryTranslucent);
-    return look;
+        appearance.settings[boundaryId] = std::string(boundaryTranslucent);
+    return appearance;
 }
 
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
@@ -86,7 +87,7 @@ Isovalue corrected(Isovalue isovalue, const ValueRange& range)
     return isovalue;
 }
 
-ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Look& look,
+ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Appearance& appearance,
                                const std::vector<Isovalue>& isovalues)
 {
     ParameterValues values;
@@ -94,9 +95,9 @@ ParameterValues rendererValues(const std::vector<Parameter>& parameters, const L
         if (parameter.id == isovaluesId && std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
             values[parameter.id] = isovalues;
         else if (parameter.id == transferId && std::holds_alternative<TransferFunction>(parameter.defaultValue))
-            values[parameter.id] = look.transfer;
-        else if (const auto found = look.settings.find(parameter.id);
-                 found != look.settings.end() && fits(parameter, found->second))
+            values[parameter.id] = appearance.transfer;
+        else if (const auto found = appearance.settings.find(parameter.id);
+                 found != appearance.settings.end() && fits(parameter, found->second))
             values[parameter.id] = found->second;
     }
     return values;
