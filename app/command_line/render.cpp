@@ -10,6 +10,7 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "plugins/api/scene_parameters.h"
 #include "plugins/host/output_check.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
@@ -98,12 +99,10 @@ AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& pa
                             const ShownMesh& mesh)
 {
     ViewValue view;
-    for (const auto& [id, value] : values) {
-        if (const auto* function = std::get_if<TransferFunction>(&value))
-            view.appearance.transfer = *function;
-        if (const auto* list = std::get_if<std::vector<Isovalue>>(&value))
-            view.isovalues = *list;
-    }
+    if (const auto found = values.find(transferId); found != values.end())
+        view.appearance.transfer = std::get<TransferFunction>(found->second);
+    if (const auto found = values.find(isovaluesId); found != values.end())
+        view.isovalues = std::get<std::vector<Isovalue>>(found->second);
     return annotationContent(model, matteringParameters(parameters, values), view, &mesh);
 }
 
@@ -120,7 +119,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(roughExtentOf(*view.model)));
     if (!values)
         return values.error();
-    if (renderer.plugin->blendsFocus() && !twoResolutions(request.query))
+    if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
     const auto camera = cameraOf(invocation.arguments, fitted(Camera(), data.bounds, aspectRatioOf(request.picture)),
@@ -129,8 +128,13 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return camera.error();
     const FieldExtent field = extentOf(*view.model);
     const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
-    view.scene = {view.model, renderer.plugin, request.query,
-                  completed(*values, renderer.plugin->parameters(field), start), *camera};
+    view.scene = {view.model,
+                  renderer.plugin,
+                  request.query,
+                  completed(*values, renderer.plugin->parameters(field), start),
+                  *camera,
+                  request.picture.width,
+                  request.picture.height};
     view.picture.annotations = annotationsOf(invocation.arguments);
     view.picture.annotations.camera = *camera;
     view.picture.annotations.background = request.picture.background;
@@ -193,6 +197,8 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
         return camera.error();
     seen.camera = *camera;
     view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen);
+    view.scene.width = request.picture.width;
+    view.scene.height = request.picture.height;
     AnnotationContent& content = view.picture.annotations;
     content.state = seen.annotations;
     content.camera = *camera;
@@ -235,8 +241,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
 std::size_t triangleCount(const Scene& scene)
 {
     std::size_t count = 0;
-    for (const Surface& surface : scene.surfaces)
-        count += surface.mesh->triangles.size();
+    for (const Surface* surface : shapesOf<Surface>(scene))
+        count += surface->mesh ? surface->mesh->triangles.size() : 0;
     return count;
 }
 
@@ -256,9 +262,9 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
 {
     const std::string cells = std::to_string(tetrahedra) + " tetrahedra";
     const std::string triangles = std::to_string(triangleCount(scene)) + " triangles";
-    if (!scene.volume)
+    if (shapesOf<Volume>(scene).empty() && shapesOf<FocusVolume>(scene).empty())
         return triangles + " from " + cells;
-    return (scene.surfaces.empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
+    return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
 Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture, QJsonObject& figures)

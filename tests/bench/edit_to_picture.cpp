@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/edit_to_picture.h"
+#include "tests/core/render/scene_parts.h"
 
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -64,7 +65,7 @@ public:
         window_.open(QString::fromStdString(model.string()));
         secondsUntil([this] { return session().model() != nullptr && settled(); });
         session().setMode("volume");
-        secondsUntil([this] { return settled() && window_.viewport().scene()->volume.has_value(); });
+        secondsUntil([this] { return settled() && testing::partsOf(*window_.viewport().scene()).volume.has_value(); });
     }
 
     /// Seconds from each edit to the first picture that shows it.

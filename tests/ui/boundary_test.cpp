@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/annotations/annotation_content.h"
@@ -42,8 +43,8 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const Scene& scene() const { return *window_->viewport().scene(); }
-    const Surface& boundary() const { return scene().surfaces.back(); }
+    testing::SceneParts scene() const { return testing::partsOf(*window_->viewport().scene()); }
+    Surface boundary() const { return scene().surfaces.back(); }
     void open(const std::filesystem::path& file) const
     {
         window_->window.open(QString::fromStdString(file));
@@ -207,7 +208,8 @@ void BoundaryTest::aClickOnItTellsItsValue()
     QTRY_VERIFY(!pick.busy());
     QVERIFY(pick.picked() && !pick.picked()->onSurface);
     // The value of the vertex there is near by.
-    const TriangleMesh& mesh = *boundary().mesh;
+    const auto kept = boundary().mesh;
+    const TriangleMesh& mesh = *kept;
     const auto distance = [&](std::size_t v) {
         return (mesh.positions[v].cast<double>() - pick.picked()->place).norm();
     };
@@ -228,7 +230,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
         wall.triangles = {{0, 1, 2}};
         return std::make_shared<const TriangleMesh>(std::move(wall));
     };
-    Scene seen;
+    testing::SceneParts seen;
     seen.bounds = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
     seen.surfaces = {{mesh(0.5f), {}, 1}, {mesh(-0.5f), {}, 0.2f}};
     Camera camera = fitted({}, seen.bounds);

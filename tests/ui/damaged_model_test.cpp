@@ -93,7 +93,9 @@ void DamagedModelWindowTest::nothingIsSavedOfAnOldFile()
     const std::shared_ptr<const Model> model = workbench.session().model();
     const MeshOrder order{model, nullptr, {}, path("mesh.ply")};
     QVERIFY(!writeMesh(*window_->host, order, {}).ok());
-    QVERIFY(!writeSurfaces(*window_->host, {order, {Isovalue()}}, {}).ok());
+    const auto renderer = window_->workbench.host().renderer("isosurface");
+    QVERIFY(renderer.ok());
+    QVERIFY(!writeSurfaces(*window_->host, {{model, renderer->plugin, {}, {}, {}}, std::nullopt, path("mesh.ply")}, {}).ok());
     QVERIFY(!std::filesystem::exists(path("mesh.ply")));
 }
 

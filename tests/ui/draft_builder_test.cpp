@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/draft_builder.h"
 #include "ui/viewport/canvas.h"
@@ -129,7 +130,7 @@ void DraftBuilderTest::meshesFallBelowTheShownOne()
     for (std::size_t i = 0; i < made.size(); ++i) {
         QVERIFY(made[i].tetrahedra <= budgets[i]);
         QVERIFY(made[i].tetrahedra > budgets[i] / 2);
-        QVERIFY(made[i].scene->volume.has_value());
+        QVERIFY(testing::partsOf(*made[i].scene).volume.has_value());
     }
 }
 
@@ -148,8 +149,9 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     SceneRequest other = full.request;
     other.values["shaded"] = true;
     builder.requestLook(other);
-    QTRY_VERIFY(newest().size() == expected && newest().front().scene->volume->shaded);
-    QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
+    QTRY_VERIFY(newest().size() == expected && testing::partsOf(*newest().front().scene).volume->shaded);
+    QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
+             testing::partsOf(*before.front().scene).volume->mesh);
     SceneRequest elsewhere = full.request;
     elsewhere.query.error = 3.0;
     builder.requestLook(elsewhere); // of a mesh that is not known yet: as if it had not been asked for

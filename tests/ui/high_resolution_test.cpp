@@ -22,7 +22,7 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     constexpr float width = 3;
     auto scene = std::make_shared<Scene>();
     scene->bounds = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
-    scene->lines.push_back({{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width});
+    scene->drawables.push_back({.id = "line", .shape = LineSet{{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width}});
     const QTemporaryDir folder;
     const auto host = hostOfThisBuild();
     const auto model = Model::open(buildSampleModel(*host, sampleDataset(8), folder.path().toStdString()));
@@ -47,7 +47,7 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     for (int y = 0; y < image.height(); ++y)
         covered += 1 - image.pixelColor(image.width() / 2, y).blueF();
     QVERIFY2(std::abs(covered - 2 * width) < 0.7, qPrintable(QString::number(covered)));
-    QCOMPARE(viewport.scene()->lines.front().width, width); // that pictures are made of
+    QCOMPARE(shapesOf<LineSet>(*viewport.scene()).front()->width, width); // that pictures are made of
 }
 
 QTEST_MAIN(HighResolutionTest)

@@ -3,6 +3,7 @@
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/value_box.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/parameter_form.h"
@@ -222,7 +223,7 @@ void PanelsTest::isovaluesAreAddedEditedAndRemoved()
     QCOMPARE(session().view().isovalues, std::vector{last});
     QTest::mouseClick(&window_->find<QWidget>("isovalue.0.remove"), Qt::LeftButton);
     QVERIFY(window_->find<QLabel>("isovalues.hint").isVisible());
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->surfaces.empty());
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).surfaces.empty());
 }
 
 void PanelsTest::theColourMenuOffersThePalette()

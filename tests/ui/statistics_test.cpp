@@ -165,7 +165,8 @@ std::shared_ptr<const Scene> cyclicScene()
     auto scene = std::make_shared<Scene>();
     for (const Eigen::Vector3f& place : mesh->positions)
         scene->bounds.extend(place.cast<double>());
-    scene->volume = *VolumeCache(mesh).update(sequentialTransferFunction(0, 1, 1), false);
+    scene->drawables.push_back(
+        {.id = "volume", .shape = *VolumeCache(mesh).update(sequentialTransferFunction(0, 1, 1), false)});
     return scene;
 }
 

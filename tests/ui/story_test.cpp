@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
 
@@ -91,7 +92,7 @@ void StoryTest::addTwoIsovalues(const WindowFixture& window)
     QCOMPARE(isovalues[1].opacity, 0.35F);
     QVERIFY(!isovalues[2].visible);
     QTRY_VERIFY_WITH_TIMEOUT(window.settled(), 20000);
-    QCOMPARE(window.viewport().scene()->surfaces.size(), std::size_t{2});
+    QCOMPARE(testing::partsOf(*window.viewport().scene()).surfaces.size(), std::size_t{2});
 }
 
 void StoryTest::openBuildLook()
@@ -154,8 +155,8 @@ void StoryTest::scatteredPoints()
     const QString facts = window.find<QLabel>("build.facts").text();
     QVERIFY2(facts.contains("1001 scattered points"), qPrintable(facts));
     QVERIFY2(facts.contains("1 point on the place of another one was merged with it."), qPrintable(facts));
-    QVERIFY(!window.viewport().scene()->surfaces.empty());
-    QVERIFY(window.viewport().scene()->surfaces[0].mesh->triangles.size() > 100);
+    QVERIFY(!testing::partsOf(*window.viewport().scene()).surfaces.empty());
+    QVERIFY(testing::partsOf(*window.viewport().scene()).surfaces[0].mesh->triangles.size() > 100);
     dragAccuracy(window);
 }
 

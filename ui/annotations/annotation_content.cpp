@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
@@ -34,9 +35,9 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr) // else no text will be painted
         content.font = QGuiApplication::font();
     content.range = model.description().range;
-    if (hasParameter<TransferFunction>(parameters))
+    if (hasParameter(parameters, transferId))
         content.transfer = view.appearance.transfer;
-    if (hasParameter<std::vector<Isovalue>>(parameters))
+    if (hasParameter(parameters, isovaluesId))
         content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
     content.title = QFileInfo(pathText(model.path())).completeBaseName();

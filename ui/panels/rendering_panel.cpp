@@ -89,9 +89,9 @@ void RenderingPanel::chooseMode(const QString& id)
 {
     workbench_.session().setMode(id.toStdString());
     const auto parameters = workbench_.scenes().matteringParameters();
-    if (hasParameter<TransferFunction>(parameters))
+    if (hasParameter(parameters, transferId))
         emit transferWanted();
-    else if (hasParameter<std::vector<Isovalue>>(parameters))
+    else if (hasParameter(parameters, isovaluesId))
         emit isovaluesWanted();
 }
 

@@ -31,12 +31,12 @@ bool fits(const Parameter& parameter, const ParameterValue& value)
            std::ranges::find(parameter.choices, *text) != parameter.choices.end();
 }
 
-/// The default of the first parameter of this type in any mode.
-template <class T> const T* firstDefault(const std::vector<std::vector<Parameter>>& modes)
+/// The default that the first mode with this parameter has.
+template <class T> const T* firstDefault(const std::vector<std::vector<Parameter>>& modes, std::string_view id)
 {
     for (const auto& parameters : modes)
         for (const Parameter& parameter : parameters)
-            if (const T* value = std::get_if<T>(&parameter.defaultValue))
+            if (const T* value = std::get_if<T>(&parameter.defaultValue); value != nullptr && parameter.id == id)
                 return value;
     return nullptr;
 }
@@ -58,15 +58,16 @@ std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
     return modes;
 }
 
-Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field, DomainClass domain)
+Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field,
+                              DomainClass domain)
 {
     const auto parameters = parametersOf(modes, field);
-    const auto* transfer = firstDefault<TransferFunction>(parameters);
+    const auto* transfer = firstDefault<TransferFunction>(parameters, transferId);
     const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
     Appearance appearance{modes.empty() ? std::string() : modes.front().id,
-              transfer != nullptr
-                  ? *transfer
-                  : sequentialTransferFunction(field.range.minimum, field.range.maximum, diagonal / unitDistances)};
+                          transfer != nullptr ? *transfer
+                                              : sequentialTransferFunction(field.range.minimum, field.range.maximum,
+                                                                           diagonal / unitDistances)};
     if (domain == DomainClass::Irregular)
         appearance.settings[boundaryId] = std::string(boundaryTranslucent);
     return appearance;
@@ -75,7 +76,7 @@ Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, cons
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
 {
     const auto parameters = parametersOf(modes, field);
-    const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters);
+    const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters, isovaluesId);
     return isovalues != nullptr ? *isovalues : std::vector<Isovalue>{};
 }
 
@@ -91,9 +92,9 @@ ParameterValues rendererValues(const std::vector<Parameter>& parameters, const A
 {
     ParameterValues values;
     for (const Parameter& parameter : parameters) {
-        if (std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
+        if (parameter.id == isovaluesId && std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
             values[parameter.id] = isovalues;
-        else if (std::holds_alternative<TransferFunction>(parameter.defaultValue))
+        else if (parameter.id == transferId && std::holds_alternative<TransferFunction>(parameter.defaultValue))
             values[parameter.id] = appearance.transfer;
         else if (const auto found = appearance.settings.find(parameter.id);
                  found != appearance.settings.end() && fits(parameter, found->second))
@@ -109,6 +110,11 @@ std::vector<Parameter> matteringParameters(const std::vector<Parameter>& paramet
         if (matters(parameter, parameters, values))
             mattering.push_back(parameter);
     return mattering;
+}
+
+bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id)
+{
+    return std::ranges::find(parameters, id, &Parameter::id) != parameters.end();
 }
 
 std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters)

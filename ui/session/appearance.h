@@ -7,6 +7,7 @@
 #include <tan/data.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetra {
@@ -25,7 +26,8 @@ std::vector<Provided<Renderer>> renderingModes(PluginHost& host);
 
 /// The first mode, with the defaults for the field. An irregular domain, whose shape no box tells, begins with its
 /// boundary shown.
-Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field, DomainClass domain);
+Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field,
+                              DomainClass domain);
 
 /// The isovalues to start with: those of the first mode that has some.
 std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field);
@@ -33,8 +35,9 @@ std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& m
 /// Within the range, and to be seen.
 Isovalue corrected(Isovalue isovalue, const ValueRange& range);
 
-/// What a renderer with these parameters is given: each by what it holds. A setting that does not fit, of another type
-/// or no choice here, is left to its default.
+/// What a renderer with these parameters is given: the isovalues and the transfer function that all modes share by
+/// their ids (plugins/api/scene_parameters.h), all others from the settings. A setting that does not fit, of another
+/// type or no choice here, is left to its default.
 ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Appearance& appearance,
                                const std::vector<Isovalue>& isovalues);
 
@@ -44,13 +47,7 @@ std::vector<Parameter> matteringParameters(const std::vector<Parameter>& paramet
 /// The parameters for a form: those that have no panel of their own.
 std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters);
 
-/// Whether one of the parameters is of this type: std::vector<Isovalue>, TransferFunction ...
-template <class T> bool hasParameter(const std::vector<Parameter>& parameters)
-{
-    for (const Parameter& parameter : parameters)
-        if (std::holds_alternative<T>(parameter.defaultValue))
-            return true;
-    return false;
-}
+/// Whether one of the parameters has this id.
+bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id);
 
 } // namespace tetra

@@ -101,7 +101,7 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
     if (shown.tetrahedra == 0)
         return clear();
     const bool isSameMesh = last_ && haveSameMesh(*last_, request);
-    const bool isKnown = isSameMesh && last_->renderer == request.renderer && last_->values == request.values;
+    const bool isKnown = last_ && haveSameScene(*last_, request);
     shown_ = shown;
     if (!isSameMesh) {
         cleared_ = newest_; // drafts of another mesh, on their way yet

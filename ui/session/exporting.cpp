@@ -14,22 +14,31 @@ Exporting::Exporting(Session& session, SceneService& scenes) : session_(session)
 
 void Exporting::savePicture(const PictureOrder& order)
 {
-    savingPicture_.enqueue([this, order, model = session_.model()](const Progress& progress) -> std::function<void()> {
-        const auto picture = drawPicture(order, progress);
-        const Status right = model ? model->confirm(progress.withCallback({})) : Status();
-        const Status done = !picture               ? Status(picture.error())
-                            : !right               ? right
-                            : order.target.empty() ? Status()
-                                                   : writePicture(*picture, order.target);
-        return [this, order, done, picture] {
-            if (!tellSave(done))
-                return;
-            if (order.target.empty())
-                emit pictureDrawn(*picture);
-            else
-                emit pictureSaved(pathText(order.target));
-        };
-    });
+    const Renderer* renderer = scenes_.renderer();
+    std::optional<SceneRequest> ofItsOwn; // a scene for this camera and size, if the mode depends on them
+    if (session_.model() && renderer != nullptr && renderer->needs().view && order.scene) {
+        ofItsOwn = scenes_.sessionRequest();
+        ofItsOwn->camera = order.camera;
+        ofItsOwn->width = order.width;
+        ofItsOwn->height = order.height;
+    }
+    savingPicture_.enqueue(
+        [this, order, ofItsOwn, model = session_.model()](const Progress& progress) -> std::function<void()> {
+            const auto picture = ofItsOwn ? drawPicture(order, *ofItsOwn, progress) : drawPicture(order, progress);
+            const Status right = model ? model->confirm(progress.withCallback({})) : Status();
+            const Status done = !picture               ? Status(picture.error())
+                                : !right               ? right
+                                : order.target.empty() ? Status()
+                                                       : writePicture(*picture, order.target);
+            return [this, order, done, picture] {
+                if (!tellSave(done))
+                    return;
+                if (order.target.empty())
+                    emit pictureDrawn(*picture);
+                else
+                    emit pictureSaved(pathText(order.target));
+            };
+        });
 }
 
 FilmOrder Exporting::filmOrder() const
@@ -56,7 +65,7 @@ MeshOrder Exporting::meshOrder(const std::filesystem::path& target) const
 {
     MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query, *session_.model()), target};
     const Renderer* renderer = scenes_.renderer();
-    const bool isBlended = renderer != nullptr && renderer->blendsFocus();
+    const bool isBlended = renderer != nullptr && renderer->needs().focusMesh;
     // While the worker is busy its mesh may be that of a picture to come.
     if (!isBlended && !scenes_.sceneBuilder().busy() && session_.showsQuery())
         order.mesh = scenes_.sceneBuilder().mesh();
@@ -70,9 +79,11 @@ void Exporting::saveMesh(const std::filesystem::path& target)
 
 void Exporting::saveSurfaces(const std::filesystem::path& target)
 {
-    saveMesh(target, [order = SurfaceOrder{meshOrder(target), session_.view().isovalues}](const Progress& progress) {
-        return writeSurfaces(order, progress);
-    });
+    SurfaceOrder order{scenes_.sessionRequest(), std::nullopt, target};
+    // While the worker is busy its scene may be another one.
+    if (!scenes_.previewedView() && !scenes_.sceneBuilder().busy() && session_.showsQuery())
+        order.built = scenes_.sceneBuilder().last();
+    saveMesh(target, [order](const Progress& progress) { return writeSurfaces(order, progress); });
 }
 
 void Exporting::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)

@@ -26,7 +26,7 @@ public:
     const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
     /// Saves the mesh that is asked for now, whether the picture shows it already or not. There must be a model.
     void saveMesh(const std::filesystem::path& target);
-    /// Saves the visible isosurfaces of that mesh, likewise.
+    /// Saves the surfaces that the scene of that mesh says can be saved, likewise.
     void saveSurfaces(const std::filesystem::path& target);
     /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
     void saveStatistics(const std::filesystem::path& target);

@@ -28,7 +28,10 @@ Error cancelledError()
 Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& pipeline, const Progress& progress)
 {
     view.query = corrected(view.query, order.view.query, *order.model); // key frames may be of another model
-    const auto built = pipeline.make(sceneOf(order.model, order.renderer, order.parameters, view), progress);
+    SceneRequest request = sceneOf(order.model, order.renderer, order.parameters, view);
+    request.width = order.picture.width;
+    request.height = order.picture.height;
+    const auto built = pipeline.make(request, progress);
     if (!built)
         return built.error();
     PictureOrder picture = order.picture;

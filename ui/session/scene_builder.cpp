@@ -50,6 +50,7 @@ std::shared_ptr<const ExtractedMesh> SceneBuilder::mesh() const
 void SceneBuilder::clear()
 {
     cleared_ = newest_;
+    last_.reset();
     // The worker gives back the mesh, in its own time.
     job_.submit([pipeline = pipeline_](const std::stop_token&) { pipeline->clear(); });
     setBusy(false);
@@ -63,9 +64,14 @@ void SceneBuilder::arrived(quint64 number, const Result<BuiltScene>& result)
         setBusy(false);
     if (result)
         patience_ = patienceFor(result->extractionSeconds + result->sceneSeconds);
-    if (result)
+    if (result) {
+        last_ = *result;
         emit sceneReady(*result);
-    else if (result.error().kind != ErrorKind::Cancelled)
+        return;
+    }
+    if (number == newest_)
+        last_.reset();
+    if (result.error().kind != ErrorKind::Cancelled)
         emit failed(result.error());
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <new>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -21,14 +22,16 @@ Error outOfMemory()
             "close other programs."};
 }
 
-/// Seen from wherever: scenes do not depend on that.
+} // namespace
+
 bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
 {
-    return one.model == other.model && one.renderer == other.renderer && one.query == other.query &&
-           one.values == other.values;
+    if (one.model != other.model || one.renderer != other.renderer || !(one.query == other.query) ||
+        one.values != other.values)
+        return false;
+    return one.renderer == nullptr || !one.renderer->needs().view ||
+           (one.camera == other.camera && one.width == other.width && one.height == other.height);
 }
-
-} // namespace
 
 /// The meshes that a request needs: one, or with a renderer that blends a focus two.
 struct ScenePipeline::NeededMeshes {
@@ -37,7 +40,7 @@ struct ScenePipeline::NeededMeshes {
 
     explicit NeededMeshes(const SceneRequest& request) : query(request.query)
     {
-        if (request.renderer->blendsFocus())
+        if (request.renderer->needs().focusMesh)
             focus = twoResolutions(request.query);
         if (focus)
             query = focus->outside;
@@ -107,12 +110,10 @@ Status ScenePipeline::extractFine(const SceneRequest& request, const NeededMeshe
 
 void ScenePipeline::open(const SceneRequest& request, const NeededMeshes& needed)
 {
-    const Eigen::AlignedBox3d bounds = request.model->description().bounds;
-    const std::shared_ptr<const TetrahedralMesh> whole(mesh_, &mesh_->mesh);
-    session_ = needed.focus
-                   ? request.renderer->openWithFocus(
-                         whole, {{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border}, bounds)
-                   : request.renderer->open(whole, bounds);
+    RendererMeshes meshes{.mesh = {mesh_, &mesh_->mesh}, .bounds = request.model->description().bounds};
+    if (needed.focus)
+        meshes.focus = FocusMesh{{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border};
+    session_ = request.renderer->open(meshes);
     renderer_ = request.renderer;
 }
 
@@ -159,13 +160,18 @@ try {
     }
     if (!session_ || renderer_ != request.renderer)
         open(request, needed);
-    auto scene = session_->prepare(request.values, request.camera, progress.part(0.5, 1));
-    if (!scene)
+    auto scene =
+        session_->prepare({request.values, request.camera, request.width, request.height}, progress.part(0.5, 1));
+    if (!scene) {
+        if (scene.error().kind == ErrorKind::OutOfResource)
+            clear();
         return scene.error();
+    }
     built.scene = *std::move(scene);
     built.mesh = shownMesh(request.query);
-    for (const Surface& surface : built.scene->surfaces)
-        built.triangles += surface.mesh->triangles.size();
+    for (const Surface* surface : shapesOf<Surface>(*built.scene))
+        if (surface->mesh)
+            built.triangles += surface->mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
     last_ = request;
     built_ = built;
@@ -187,8 +193,9 @@ Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, c
     options.threads = order.threads;
     options.depth = withDepth;
     Scene scene = order.scene ? *order.scene : Scene();
-    for (LineSet& lines : scene.lines)
-        lines.width = static_cast<float>(lines.width * order.lineScale);
+    for (Drawable& drawable : scene.drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width = static_cast<float>(lines->width * order.lineScale);
     return backend_->render(scene, order.camera, options, progress);
 }
 
@@ -213,6 +220,19 @@ void ScenePipeline::clear()
 Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
 {
     const auto picture = ScenePipeline().draw(order, false, progress);
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
+}
+
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
+{
+    ScenePipeline pipeline;
+    const auto built = pipeline.make(scene, progress.part(0, 0.5));
+    if (!built)
+        return built.error();
+    order.scene = built->scene;
+    const auto picture = pipeline.draw(order, false, progress.part(0.5, 1));
     if (!picture)
         return picture.error();
     return finishedPicture(order, *picture);

@@ -23,8 +23,13 @@ struct SceneRequest {
     const Renderer* renderer = nullptr;
     MeshQuery query;
     ParameterValues values;
-    Camera camera;
+    Camera camera; ///< this and the size of the picture matter if the renderer needs them
+    int width = 1024;
+    int height = 768;
 };
+
+/// Whether the scene of one is also that of the other.
+bool haveSameScene(const SceneRequest& one, const SceneRequest& other);
 
 /// What was made of a request.
 struct BuiltScene {
@@ -90,5 +95,7 @@ private:
 
 /// A picture with all that was ordered, drawn by the CPU.
 Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
+/// The same of the scene of a request, in place of that of the order.
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress);
 
 } // namespace tetra

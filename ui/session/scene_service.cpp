@@ -84,9 +84,35 @@ void SceneService::previewView(const std::optional<ViewValue>& view)
     requestScene();
 }
 
+/// Seen as the viewport has it, which may be on its way to the camera of the view.
+SceneRequest SceneService::requestOf(const ViewValue& view) const
+{
+    SceneRequest request = sceneOf(session_.model(), renderer(), renderingParameters(), view);
+    request.camera = camera_;
+    request.width = pixels_.width();
+    request.height = pixels_.height();
+    return request;
+}
+
+SceneRequest SceneService::sessionRequest() const
+{
+    return requestOf(session_.view());
+}
+
+/// Of what is to be seen now.
 SceneRequest SceneService::sceneRequest() const
 {
-    return sceneOf(session_.model(), renderer(), renderingParameters(), preview_.value_or(session_.view()));
+    return requestOf(preview_.value_or(session_.view()));
+}
+
+void SceneService::setSeenFrom(const Camera& camera, QSize pixels)
+{
+    if (camera == camera_ && pixels == pixels_)
+        return;
+    camera_ = camera;
+    pixels_ = pixels;
+    if (const Renderer* mode = renderer(); mode != nullptr && mode->needs().view)
+        requestScene();
 }
 
 void SceneService::requestScene()

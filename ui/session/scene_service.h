@@ -9,6 +9,8 @@
 
 #include <tan/data.h>
 
+#include <QSize>
+
 namespace tetra {
 
 /// The scene of what the session shows, kept up to date in workers, with coarser drafts of it for moving pictures; and
@@ -41,6 +43,10 @@ public:
     ViewValue startingView(const Model& model) const;
     /// The same of the session's model. There must be one.
     ViewValue startingView() const { return startingView(*session_.model()); }
+    /// From where the model is seen, in a picture of this size in pixels: for renderers whose scenes depend on it.
+    void setSeenFrom(const Camera& camera, QSize pixels);
+    /// The scene of the session's own view, seen from there.
+    SceneRequest sessionRequest() const;
     /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
     AnnotationContent annotations(const Camera& camera, const Colour& background) const;
     /// Shows another view, such as of a film, in place of the session's; nothing: that again. The camera is the
@@ -52,6 +58,7 @@ signals:
     void failed(const QString& text);
 
 private:
+    SceneRequest requestOf(const ViewValue& view) const;
     SceneRequest sceneRequest() const;
     void requestScene();
     void requestDrafts(const BuiltScene& scene);
@@ -61,6 +68,8 @@ private:
     std::vector<Provided<Renderer>> modes_;
     FieldExtent field_; ///< of the model that is open
     std::optional<ViewValue> preview_;
+    Camera camera_; ///< setSeenFrom() with these
+    QSize pixels_{1024, 768};
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;
 };

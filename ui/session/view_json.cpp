@@ -95,6 +95,11 @@ void readQuery(const JsonFields& fields, QueryState& query)
     values.read("largest", query.values.largest);
 }
 
+QJsonArray toJson(const std::vector<Isovalue>& isovalues);
+QJsonObject parsed(const std::string& json);
+void readTransfer(const JsonFields& fields, TransferFunction& transfer);
+void readIsovalues(const JsonFields& fields, std::vector<Isovalue>& isovalues);
+
 QJsonValue toJson(const ParameterValue& value)
 {
     if (const bool* truth = std::get_if<bool>(&value))
@@ -111,7 +116,9 @@ QJsonValue toJson(const ParameterValue& value)
         return QJsonObject{{"vector", three(*vector)}};
     if (const OwnValue* own = std::get_if<OwnValue>(&value))
         return QJsonObject{{"type", QString::fromStdString(own->type)}, {"text", QString::fromStdString(own->text)}};
-    return {};
+    if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
+        return QJsonObject{{"isovalues", toJson(*isovalues)}};
+    return QJsonObject{{"transfer", parsed(transferFunctionToText(std::get<TransferFunction>(value)))}};
 }
 
 std::optional<ParameterValue> settingOf(const QJsonValue& value)
@@ -134,7 +141,16 @@ std::optional<ParameterValue> settingOf(const QJsonValue& value)
     if (tagged.value("type").isString() && tagged.value("text").isString())
         return ParameterValue(
             OwnValue{tagged.value("type").toString().toStdString(), tagged.value("text").toString().toStdString()});
-    return std::nullopt;
+    std::optional<Error> error;
+    const JsonFields fields(tagged, {}, error);
+    ParameterValue setting;
+    if (fields.has("isovalues"))
+        readIsovalues(fields, setting.emplace<std::vector<Isovalue>>());
+    else if (fields.has("transfer"))
+        readTransfer(fields, setting.emplace<TransferFunction>());
+    else
+        return std::nullopt;
+    return error ? std::nullopt : std::optional(setting);
 }
 
 /// Of a text that the core writes.

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -100,9 +101,9 @@ std::vector<FrameLevel> frameLevels(const View& view)
     for (const SceneLevel& level : view.levels) {
         FrameLevel& added = levels.emplace_back();
         added.tetrahedra = static_cast<double>(level.tetrahedra);
-        added.isVolume = level.scene->volume.has_value();
-        for (const Surface& surface : level.scene->surfaces)
-            added.triangles += static_cast<double>(surface.mesh->triangles.size());
+        added.isVolume = !shapesOf<Volume>(*level.scene).empty() || !shapesOf<FocusVolume>(*level.scene).empty();
+        for (const Surface* surface : shapesOf<Surface>(*level.scene))
+            added.triangles += surface->mesh ? static_cast<double>(surface->mesh->triangles.size()) : 0;
     }
     return levels;
 }
@@ -253,8 +254,9 @@ Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::st
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
     Scene scene = order.level.scene ? *order.level.scene : nothing;
-    for (LineSet& lines : scene.lines) // as wide as in the full picture
-        lines.width = static_cast<float>(lines.width / order.reduction);
+    for (Drawable& drawable : scene.drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape)) // as wide as in the full picture
+            lines->width = static_cast<float>(lines->width / order.reduction);
     const auto picture = backend.render(scene, order.camera, order.options, Progress(stop, {}));
     if (picture) {
         drawn.image = imageOf(*picture);

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -142,13 +143,14 @@ SceneLevel Viewport::withOutlines(const SceneLevel& level) const
     if (outlines_.empty() && pixelsPerUnit == 1)
         return level;
     auto scene = std::make_shared<Scene>(*level.scene);
-    for (const LineSet& outline : outlines_) {
-        for (const Eigen::Vector3f& point : outline.points)
+    for (std::size_t i = 0; i < outlines_.size(); ++i) {
+        for (const Eigen::Vector3f& point : outlines_[i].points)
             scene->bounds.extend(point.cast<double>());
-        scene->lines.push_back(outline);
+        scene->drawables.push_back({.id = "tool-outline-" + std::to_string(i + 1), .shape = outlines_[i]});
     }
-    for (LineSet& lines : scene->lines)
-        lines.width *= pixelsPerUnit;
+    for (Drawable& drawable : scene->drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width *= pixelsPerUnit;
     return {std::move(scene), level.tetrahedra};
 }
 
@@ -340,6 +342,7 @@ void Viewport::changeEvent(QEvent* event)
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    emit resized();
     byHand_ = true;
     session_.setShape(static_cast<double>(std::max(1, width())) / std::max(1, height()));
     byHand_ = false;

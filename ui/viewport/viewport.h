@@ -65,6 +65,7 @@ signals:
     /// The session's, or the one that is looked through while a picture glides there.
     void cameraChanged();
     void previewChanged(bool on);
+    void resized();
     void backgroundChanged();
     void framePainted(const tetra::FrameReport& report);
     void failed(const QString& text);

@@ -29,6 +29,7 @@
 #include "ui/window/orientation_actions.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_menu.h"
+#include "ui/window/picture_orders.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
@@ -311,6 +312,10 @@ void MainWindow::connectWorkbench()
     });
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
     connect(&workbench_.scenes().draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
+    const auto tellCamera = [this] { workbench_.scenes().setSeenFrom(viewport_->shownCamera(), pixelsOf(*viewport_)); };
+    connect(viewport_, &Viewport::cameraChanged, this, tellCamera);
+    connect(viewport_, &Viewport::previewChanged, this, tellCamera);
+    connect(viewport_, &Viewport::resized, this, tellCamera);
     connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
         showBackend();
         if (viewport_->scene())

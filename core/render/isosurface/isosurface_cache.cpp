@@ -2,6 +2,7 @@
 #include "core/base/guarded.h"
 #include "core/base/progress.h"
 #include "core/base/sort_unique.h"
+#include "core/base/text.h"
 #include "core/render/isosurface/isosurface.h"
 
 #include <tan/base.h>
@@ -116,6 +117,22 @@ Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> i
     };
     return guarded("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.",
                    shown);
+}
+
+Result<std::vector<Drawable>> IsosurfaceCache::drawables(std::span<const Isovalue> isovalues, const Progress& progress)
+{
+    auto surfaces = update(isovalues, progress);
+    if (!surfaces)
+        return surfaces.error();
+    std::vector<Drawable> drawables;
+    for (std::size_t i = 0; i < isovalues.size(); ++i)
+        if (isShown(isovalues[i]))
+            drawables.push_back({.id = "isosurface-" + std::to_string(i + 1),
+                                 .label = "isovalue " + formatNumber(isovalues[i].value),
+                                 .shape = std::move((*surfaces)[drawables.size()]),
+                                 .value = isovalues[i].value,
+                                 .saved = true});
+    return drawables;
 }
 
 } // namespace tetra

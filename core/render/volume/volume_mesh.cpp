@@ -4,7 +4,6 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/guarded.h"
 #include "core/mesh/topology.h"
-#include "core/render/scene_checks.h"
 
 #include <tan/render.h>
 
@@ -204,9 +203,78 @@ Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const Tra
     });
 }
 
+namespace {
+
+bool isSeen(const Volume& volume)
+{
+    return volume.mesh && volume.transfer;
+}
+
+Status checkVolume(const Volume& volume)
+{
+    if (isSeen(volume) && volume.transfer->classes.size() != volume.mesh->mesh->tetrahedra.size())
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A volume of the scene and its transfer function do not belong together.")};
+    if (volume.model && (!volume.model->evaluate || volume.model->shader.empty()))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("An optical model of the scene lacks its function or its shader. This is a mistake "
+                                  "in the plugin that made it; tell its author.")};
+    return {};
+}
+
+} // namespace
+
+const Volume* volumeOf(const Scene& scene)
+{
+    for (const Drawable& drawable : scene.drawables) {
+        const auto* volume = std::get_if<Volume>(&drawable.shape);
+        if (const auto* focus = std::get_if<FocusVolume>(&drawable.shape))
+            volume = &focus->outside;
+        if (volume != nullptr && isSeen(*volume))
+            return volume;
+    }
+    return nullptr;
+}
+
+const FocusVolume* focusOf(const Scene& scene)
+{
+    for (const FocusVolume* focus : shapesOf<FocusVolume>(scene))
+        if (isSeen(focus->outside) && isSeen(focus->fine))
+            return focus;
+    return nullptr;
+}
+
+Status checkVolumes(const Scene& scene)
+{
+    std::size_t count = 0;
+    for (const Volume* volume : shapesOf<Volume>(scene)) {
+        ++count;
+        if (Status status = checkVolume(*volume); !status)
+            return status;
+    }
+    for (const FocusVolume* focus : shapesOf<FocusVolume>(scene)) {
+        ++count;
+        for (const Volume* volume : {&focus->outside, &focus->fine}) {
+            if (Status status = checkVolume(*volume); !status)
+                return status;
+            if (volume->model)
+                return Error{ErrorKind::WrongUsage,
+                             Message::say("A blend of two volumes is seen by emission and absorption alone. Take the "
+                                          "optical model away, or show one of the two.")};
+        }
+    }
+    if (count > 1)
+        return Error{ErrorKind::WrongUsage, Message::say("A scene can have one volume, or one blend of two, and this "
+                                                         "one has %1. Show the others as surfaces, or in a picture of "
+                                                         "their own.",
+                                                         count)};
+    return {};
+}
+
 Eigen::AlignedBox3d drawnBounds(const Scene& scene)
 {
-    return hasVolume(scene) ? scene.bounds.merged(scene.volume->mesh->bounds) : scene.bounds;
+    const Volume* volume = volumeOf(scene);
+    return volume != nullptr ? scene.bounds.merged(volume->mesh->bounds) : scene.bounds;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 
 #include <tan/transfer.h>
@@ -28,7 +29,7 @@ public:
         isovalue.value = (session().range().minimum + session().range().maximum) / 2;
         session().setIsovalue(0, isovalue);
         find<QAction>("action.mode.volume").trigger();
-        [&] { QTRY_VERIFY(settled() && viewport().scene()->volume); }();
+        [&] { QTRY_VERIFY(settled() && testing::partsOf(*viewport().scene()).volume); }();
         opened_ = session().model();
         session().undoStack().clear();
         start_ = session().view();

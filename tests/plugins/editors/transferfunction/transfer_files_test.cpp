@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 
 #include "core/transfer/colour_map.h"
@@ -61,7 +62,7 @@ void TransferFilesTest::init()
     window_->window.open(model_);
     QTRY_VERIFY(session().model() && window_->settled());
     window_->find<QAction>("action.mode.volume").trigger();
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->volume);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
 }
 
 void TransferFilesTest::cleanup()
