@@ -10,7 +10,10 @@
 
 namespace tetra {
 
-Exporting::Exporting(Session& session, SceneService& scenes) : session_(session), scenes_(scenes) {}
+Exporting::Exporting(PluginHost& host, Session& session, SceneService& scenes)
+    : host_(host), session_(session), scenes_(scenes)
+{
+}
 
 void Exporting::savePicture(const PictureOrder& order)
 {
@@ -74,7 +77,8 @@ MeshOrder Exporting::meshOrder(const std::filesystem::path& target) const
 
 void Exporting::saveMesh(const std::filesystem::path& target)
 {
-    saveMesh(target, [order = meshOrder(target)](const Progress& progress) { return writeMesh(order, progress); });
+    saveMesh(target,
+             [this, order = meshOrder(target)](const Progress& progress) { return writeMesh(host_, order, progress); });
 }
 
 void Exporting::saveSurfaces(const std::filesystem::path& target)
@@ -83,7 +87,7 @@ void Exporting::saveSurfaces(const std::filesystem::path& target)
     // While the worker is busy its scene may be another one.
     if (!scenes_.previewedView() && !scenes_.sceneBuilder().busy() && session_.showsQuery())
         order.built = scenes_.sceneBuilder().last();
-    saveMesh(target, [order](const Progress& progress) { return writeSurfaces(order, progress); });
+    saveMesh(target, [this, order](const Progress& progress) { return writeSurfaces(host_, order, progress); });
 }
 
 void Exporting::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)

@@ -15,7 +15,7 @@ class Exporting : public QObject {
     Q_OBJECT
 public:
     /// Both outlive it.
-    Exporting(Session& session, SceneService& scenes);
+    Exporting(PluginHost& host, Session& session, SceneService& scenes);
 
     /// Saves a picture, or copies it.
     void savePicture(const PictureOrder& order);
@@ -59,6 +59,7 @@ private:
     /// Whether it worked; else it is told.
     bool tellSave(const Status& saved);
 
+    PluginHost& host_;
     Session& session_;
     SceneService& scenes_;
     std::filesystem::path filmTarget_;

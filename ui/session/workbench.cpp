@@ -7,7 +7,7 @@ namespace tetra {
 
 Workbench::Workbench(PluginHost& host, std::filesystem::path views)
     : host_(host), scenes_(host, session_), opening_(host, session_, scenes_, std::move(views)),
-      building_(host, session_, opening_), exporting_(session_, scenes_)
+      building_(host, session_, opening_), exporting_(host, session_, scenes_)
 {
     connect(&scenes_, &SceneService::failed, this, &Workbench::failed);
     connect(&opening_, &Opening::failed, this, &Workbench::failed);
