@@ -202,7 +202,8 @@ QStringList takeOfSample(const QDir& folder, bool dark)
     QApplication::style()->polish(palette);
     QApplication::setPalette(palette);
     Sitting sitting(folder, dark ? "dark-" : "light-");
-    sitting.waitUntil([&] { return !sitting.workbench().opening().thumbnails().running(); }, "the samples have no pictures");
+    sitting.waitUntil([&] { return !sitting.workbench().opening().thumbnails().running(); },
+                      "the samples have no pictures");
     sitting.take("start", sitting.window());
     sitting.workbench().opening().openSample("c60");
     sitting.settle();
