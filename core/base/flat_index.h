@@ -97,7 +97,7 @@ private:
 
     /// What numbering takes, small enough to be kept in registers.
     struct Numbering {
-        std::uint32_t* slots;
+        std::uint32_t* table;
         Key* keys;
         std::size_t mask;
         int shift;
@@ -111,8 +111,8 @@ private:
         {
             keys[count] = key;
             for (std::size_t slot = hash(key) >> shift;; slot = (slot + 1) & mask) {
-                const std::uint32_t number = std::min(slots[slot], count);
-                slots[slot] = number;
+                const std::uint32_t number = std::min(table[slot], count);
+                table[slot] = number;
                 if (equal(keys[number], key)) {
                     count += number == count ? 1 : 0;
                     return number;
