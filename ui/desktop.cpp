@@ -5,6 +5,7 @@
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/session/plugin_choice.h"
+#include "ui/session/plugin_translations.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/main_window.h"
 #include "ui/window/screenshots.h"
@@ -110,6 +111,8 @@ int runDesktop(int argc, char** argv)
     }
 
     const std::unique_ptr<PluginHost> host = wantedPlugins();
+    const auto ofPlugins = pluginTranslators(*host, textLocale());
+    installBehind(ofPlugins, ours);
     if (parser.isSet(screenshots))
         return makeScreenshots(*host, parser.value(screenshots));
     if (!isShown)

@@ -136,7 +136,7 @@ Result<std::vector<ComparedDataset>> compareBuilders(PluginHost& host, const std
     std::filesystem::create_directories(models, problem);
     if (problem)
         return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " +
-                                                 systemErrorText(problem.value()) + ". Choose another place with -o."};
+                                                 systemErrorText(problem.value()).text() + ". Choose another place with -o."};
     std::vector<ComparedDataset> datasets = comparedDatasets();
     for (std::size_t number = 0; number < datasets.size(); ++number) {
         if (progress.cancelled())

@@ -10,10 +10,10 @@
 
 namespace tetra {
 
-/// What a number of errno means, in English under every locale, without a full stop: "No such file or directory". The
-/// C library's own texts would come in the user's language, in the middle of an English sentence that nobody could
-/// translate any more.
-TAN_INTERNAL std::string systemErrorText(int error);
+/// What a number of errno means, without a full stop: "No such file or directory". In English under every locale: the C
+/// library's own texts would come in the user's language, in the middle of an English sentence. Those that files bring
+/// about can be translated, others are the library's.
+TAN_INTERNAL Message systemErrorText(int error);
 
 /// Whether a number of errno says that this process or machine has no more memory, descriptors, threads or processes:
 /// then it says nothing of the file, and another file or folder would not help.
@@ -22,10 +22,11 @@ TAN_INTERNAL bool isLackOfResources(int error) noexcept;
 TAN_INTERNAL bool namesLackOfResources(std::string_view text) noexcept;
 
 /// What to do about a lack of resources, a sentence.
-inline constexpr std::string_view resourceRemedy = "Close other programs, or raise the limit (ulimit).";
+inline constexpr MarkedText resourceRemedy =
+    Message::marked("Close other programs, or raise the limit (ulimit).");
 
 /// What to do about a file that cannot be made or grow on its disk, a sentence.
-std::string diskRemedy(int error);
+Message diskRemedy(int error);
 
 /// An ErrorKind::OutOfResource for an exception that says no more than that the machine has no more memory, threads or
 /// descriptors; nothing for others.

@@ -207,7 +207,7 @@ template <class Method> Result<BuildReport> buildFile(const Dataset& dataset, co
     if (const Status usable = check(method); !usable)
         return usable.error();
     if (progress.cancelled())
-        return cancelledError("The build");
+        return cancelledError(Message::marked("The build"));
     return fillFile(dataset, output, descriptionOf(method, dataset),
                     [&](BuildTarget& target) { return buildInto(dataset, method, target, progress); });
 }
@@ -224,7 +224,7 @@ BuildMethod suitableMethod(const Dataset& dataset)
 Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output, const BuildMethod& method,
                                const Progress& progress)
 {
-    return guarded("build a model", [&] {
+    return guarded([&] {
         return std::visit([&](const auto& chosen) { return buildFile(dataset, output, chosen, progress); }, method);
     });
 }
@@ -237,7 +237,7 @@ Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::pa
 Result<BuildReport> writeModel(const Dataset& dataset, const std::filesystem::path& output, std::string builder,
                                const std::function<Status(HistorySink& history)>& build)
 {
-    return guarded("build a model", [&]() -> Result<BuildReport> {
+    return guarded([&]() -> Result<BuildReport> {
         ModelDescription description;
         description.builder = std::move(builder);
         return fillFile(dataset, output, description, [&](BuildTarget& target) -> Result<BuildReport> {

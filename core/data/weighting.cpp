@@ -64,7 +64,7 @@ Result<std::vector<float>> pointWeights(const Weighting& weighting, const Datase
         });
     });
     if (progress.cancelled())
-        return cancelledError("Weighting the points");
+        return cancelledError(Message::marked("Weighting the points"));
     return weights;
 }
 

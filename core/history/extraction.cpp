@@ -20,7 +20,7 @@ namespace {
 
 /// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
 constexpr std::uint64_t slack = 1 << 13;
-constexpr std::string_view extracting = "Extracting the mesh";
+constexpr MarkedText extracting = Message::marked("Extracting the mesh");
 
 /// Takes the mesh out of the file, some stars at a time.
 class PrefixScan {

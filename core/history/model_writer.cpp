@@ -353,10 +353,10 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
 Status HistoryFileWriter::add(const HistoryStep& step)
 {
     if (canWarp(description().domain) && !(description().warpingWeight > 0))
-        return inconsistent(Message::say("%1 data need a warping weight", domainClassName(description().domain)));
+        return inconsistent(Message::say("%1 data need a warping weight", domainClassText(description().domain)));
     try {
         const Status added = builder_.add(step);
-        return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().text());
+        return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().message);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }

@@ -3,7 +3,7 @@
 
 namespace tetra {
 
-Result<MeshOutput> MeshOutput::create(const std::filesystem::path& path, std::uint64_t bytes, std::string_view activity,
+Result<MeshOutput> MeshOutput::create(const std::filesystem::path& path, std::uint64_t bytes, const Message& activity,
                                       const Progress& progress)
 {
     auto file = FileWriter::create(path);

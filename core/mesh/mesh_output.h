@@ -25,7 +25,7 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 class TAN_INTERNAL MeshOutput {
 public:
     /// `bytes`: about how many there will be. `progress` outlives it.
-    static Result<MeshOutput> create(const std::filesystem::path& path, std::uint64_t bytes, std::string_view activity,
+    static Result<MeshOutput> create(const std::filesystem::path& path, std::uint64_t bytes, const Message& activity,
                                      const Progress& progress);
 
     Status text(std::string_view text) { return bytes(std::as_bytes(std::span(text))); }
@@ -37,7 +37,7 @@ public:
 private:
     static constexpr std::size_t pieceBytes = 1 << 18;
 
-    MeshOutput(FileWriter file, std::uint64_t bytes, std::string_view activity, const Progress& progress)
+    MeshOutput(FileWriter file, std::uint64_t bytes, const Message& activity, const Progress& progress)
         : file_(std::move(file)), total_(std::max<std::uint64_t>(bytes, 1)), activity_(activity), progress_(&progress)
     {
     }
@@ -45,7 +45,7 @@ private:
 
     FileWriter file_;
     std::uint64_t total_;
-    std::string activity_;
+    Message activity_;
     const Progress* progress_;
     std::vector<std::byte> piece_;
 };

@@ -21,7 +21,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view orderingMesh = "Ordering the mesh";
+constexpr MarkedText orderingMesh = Message::marked("Ordering the mesh");
 constexpr std::size_t cellsOrderedAtOnce = std::size_t(1) << 14;
 
 std::uint32_t smallestOf(const Tetrahedron& cell) noexcept

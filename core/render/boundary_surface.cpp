@@ -24,7 +24,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view findingBoundary = "Finding the boundary";
+constexpr MarkedText findingBoundary = Message::marked("Finding the boundary");
 constexpr std::size_t largestTriangleCount = 0xffffffff / 3; // corners have numbers
 
 Error tooManyFaces()

@@ -22,10 +22,14 @@ namespace tetra {
 /// | api         | string, required | pluginInterfaceVersion of the headers that it is written for, "1.0"           |
 /// | name        | string, required | for people                                                                    |
 /// | description | string           | one or two sentences for people                                               |
+/// | name[de] .. | string           | the name in another language, by its code; description[de] likewise           |
 /// | requires    | array of strings | ids of plugins that must be there, and are loaded before                      |
 /// | remedy      | string           | what to do if a library that it needs is missing: "Install libvtk9.1."        |
 ///
-/// Other keys are ignored. A plugin is built with tan_plugin(), which adds the tag of its build.
+/// Other keys are ignored. A plugin is built with tan_plugin_module(), which adds the tag of its build.
+///
+/// All other texts of a plugin are Messages, or marked by Message::marked(). Their translations are in a file beside
+/// the library that is called like it: libmine_de.qm beside libmine.so (docs/developers.md).
 ///
 /// A published interface never changes: what it lacks comes as a new, optional one. pluginInterfaceVersion counts that
 /// with its minor number; the major number changes only when plugins must be rebuilt.

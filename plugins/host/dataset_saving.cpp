@@ -37,7 +37,8 @@ Status saveDataset(PluginHost& host, const Dataset& dataset, const std::filesyst
     const auto writer = chooseWriter(host, path);
     if (!writer)
         return writer.error();
-    if (const Status known = checkParameterValues("writer '" + writer->id + "'", writer->plugin->parameters(), values);
+    if (const Status known =
+            checkParameterValues(Message::say("writer '%1'", writer->id), writer->plugin->parameters(), values);
         !known)
         return known;
     return callPlugin(writer->id, [&] { return writer->plugin->write(dataset, path, values, progress); });

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -34,7 +35,7 @@ struct PluginStatus {
     PluginMetadata metadata; ///< the id is the file's name if the file's metadata cannot be read
     bool hasMetadata = false;
     PluginState state = PluginState::Found;
-    std::string error; ///< why it is disabled or refused, and the remedy
+    Message error; ///< why it is disabled or refused, and the remedy
 };
 
 /// A loaded plugin. The object lives until the program ends.
@@ -42,6 +43,7 @@ template <class Interface> struct Provided {
     std::string id;
     std::string name;
     const Interface* plugin = nullptr;
+    std::map<std::string, std::string> names{}; ///< the name in other languages, by their codes
 };
 
 struct PluginHostOptions {
@@ -87,7 +89,7 @@ public:
     void whenRefused(std::function<void(const PluginStatus&)> tell);
 
     /// Why plugins of this kind are missing, a line each; empty if none is.
-    std::string explainMissing(PluginKind kind) const;
+    Message explainMissing(PluginKind kind) const;
 
     /// An error (OutOfResource) if there were not enough memory or open files to find or load all plugins: then what
     /// seems to be missing, a renderer or an option, may only be missing now.
@@ -96,7 +98,7 @@ public:
 private:
     struct Entry;
     struct Loaded {
-        std::string name;
+        const PluginMetadata* metadata;
         QObject* object;
     };
 
@@ -105,7 +107,7 @@ private:
     void refuseDuplicates();
     void resolveDependencies();
     Entry* usable(const std::string& id) const;
-    std::string whyNotUsed(const std::string& id) const;
+    Message whyNotUsed(const std::string& id) const;
     std::vector<std::string> usableIds(PluginKind kind) const;
     Result<Loaded> instance(PluginKind kind, const std::string& id);
     Status load(Entry& entry);
@@ -118,7 +120,8 @@ private:
         const auto loaded = instance(kind, id);
         if (!loaded)
             return loaded.error();
-        return Provided<Interface>{id, loaded->name, qobject_cast<Interface*>(loaded->object)};
+        return Provided<Interface>{id, loaded->metadata->name, qobject_cast<Interface*>(loaded->object),
+                                   loaded->metadata->names};
     }
     template <class Interface> std::vector<Provided<Interface>> all(PluginKind kind)
     {

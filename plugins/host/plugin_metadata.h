@@ -7,6 +7,7 @@
 
 #include <QJsonObject>
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ enum class PluginKind { Builder, Renderer, Reader, Writer, Editor };
 
 /// "builder", "renderer", "reader", "writer", "editor".
 std::string_view pluginKindName(PluginKind kind) noexcept;
+
+/// The same, for the user.
+Message pluginKindText(PluginKind kind);
 
 /// The interface (IID) that a plugin of this kind implements.
 std::string_view pluginInterface(PluginKind kind) noexcept;
@@ -29,6 +33,8 @@ struct PluginMetadata {
     Version api;
     std::string name;
     std::string description;
+    /// The two in other languages, by their codes: "de", "pt_BR".
+    std::map<std::string, std::string> names, descriptions;
     std::vector<std::string> requiredIds;
     std::string remedy;
     std::string interface; ///< the IID

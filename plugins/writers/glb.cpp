@@ -168,13 +168,13 @@ Status writeGlb(const std::filesystem::path& path, const SurfaceContent& content
     constexpr std::uint64_t mostBytes = std::numeric_limits<std::uint32_t>::max();
     const SurfaceSize size = sizeOf(content);
     if (12 * (size.vertices + size.triangles) > mostBytes)
-        return tooLarge(path, "the 4 GiB that a .glb file can");
+        return tooLarge(Message::say("'%1' would hold more than the 4 GiB that a .glb file can.", path.string()));
     const Head head(content);
     constexpr std::uint64_t chunkHeadBytes = 8;
     const std::uint64_t binary = head.binaryBytes();
     const std::uint64_t bytes = 12 + chunkHeadBytes + head.text().size() + (binary > 0 ? chunkHeadBytes + binary : 0);
     if (bytes > mostBytes)
-        return tooLarge(path, "the 4 GiB that a .glb file can");
+        return tooLarge(Message::say("'%1' would hold more than the 4 GiB that a .glb file can.", path.string()));
     auto out = MeshOutput::create(path, bytes, writingSurfaces, progress);
     if (!out)
         return out.error();

@@ -27,6 +27,6 @@ std::string factText(const MeshFacts::value_type::second_type& fact);
 /// About the size of the file, for progress.
 std::uint64_t bytesOf(const MeshContent& content, std::size_t bytesOfCell);
 
-inline constexpr std::string_view writingMesh = "Writing the mesh";
+inline constexpr MarkedText writingMesh = Message::marked("Writing the mesh");
 
 } // namespace tetra

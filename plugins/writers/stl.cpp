@@ -35,7 +35,8 @@ Status writeStl(const std::filesystem::path& path, const SurfaceContent& content
 {
     const SurfaceSize size = sizeOf(content);
     if (size.triangles > std::numeric_limits<std::uint32_t>::max())
-        return tooLarge(path, "the 4294967295 triangles that an STL file can count");
+        return tooLarge(Message::say("'%1' would hold more than the 4294967295 triangles that an STL file can count.",
+                                     path.string()));
     auto out = MeshOutput::create(path, headBytes + sizeof(std::uint32_t) + size.triangles * triangleBytes,
                                   writingSurfaces, progress);
     if (!out)

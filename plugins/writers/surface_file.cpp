@@ -72,11 +72,10 @@ bool hasNormals(const SurfaceContent& content)
     return std::ranges::any_of(content.parts, [](const SurfacePart& part) { return !part.normals.empty(); });
 }
 
-Error tooLarge(const std::filesystem::path& path, std::string_view limit)
+Error tooLarge(const Message& sentence)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("'%1' would hold more than %2. Write a .vtp file, or a surface of a larger error.",
-                         path.string(), limit)};
+            Message::say("%1 Write a .vtp file, or a surface of a larger error.", sentence)};
 }
 
 Status checkSurfaceFileName(const std::filesystem::path& path)

@@ -27,8 +27,8 @@ struct SurfaceSize {
 SurfaceSize sizeOf(const SurfaceContent& content);
 bool hasNormals(const SurfaceContent& content);
 
-/// The error of a surface that is too large for its format.
-Error tooLarge(const std::filesystem::path& path, std::string_view limit);
+/// The error of a surface that is too large for its format, as `sentence` says.
+Error tooLarge(const Message& sentence);
 
 inline float valueAt(const SurfacePart& part, std::uint64_t vertex)
 {
@@ -58,6 +58,6 @@ inline std::uint64_t triangleCount(const SurfacePart& part)
     return part.triangles.size();
 }
 
-inline constexpr std::string_view writingSurfaces = "Writing the surfaces";
+inline constexpr MarkedText writingSurfaces = Message::marked("Writing the surfaces");
 
 } // namespace tetra

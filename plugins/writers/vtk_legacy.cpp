@@ -236,7 +236,7 @@ Status writeVtkSurface(const std::filesystem::path& path, const SurfaceContent& 
 {
     const SurfaceSize size = sizeOf(content);
     if (size.vertices > mostVtkLegacyNumbers || 4 * size.triangles > mostVtkLegacyNumbers)
-        return tooLarge(path, "a legacy VTK file can number");
+        return tooLarge(Message::say("'%1' would hold more than a legacy VTK file can number.", path.string()));
     auto out =
         MeshOutput::create(path, size.vertices * 28 + size.triangles * legacyTriangleBytes, writingSurfaces, progress);
     if (!out)

@@ -5,7 +5,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/sample_files.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 
 #include <tan/data.h>
 #include <tan/model.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 
 #include <QFile>
 #include <QMenu>
@@ -175,7 +175,7 @@ void TranslationTest::theWindowSpeaksGerman()
     QCOMPARE(undo.text(), QString("&Rückgängig: Drehen"));
     stack.undo();
     QCOMPARE(undo.text(), QString("&Rückgängig"));
-    QCOMPARE(pluginText("Delaunay refinement"), QString("Delaunay-Verfeinerung"));
+    QCOMPARE(translatedText("Delaunay refinement"), QString("Delaunay-Verfeinerung"));
 }
 
 void TranslationTest::theWindowSpeaksItalian()
@@ -184,7 +184,7 @@ void TranslationTest::theWindowSpeaksItalian()
     const WindowFixture window;
     QCOMPARE(window.find<QMenu>("menu.edit").title(), QString("&Modifica"));
     QCOMPARE(window.find<QWidget>("dock.accuracy").windowTitle(), QString("Accuratezza"));
-    QCOMPARE(pluginText("Delaunay refinement"), QString("Raffinamento di Delaunay"));
+    QCOMPARE(translatedText("Delaunay refinement"), QString("Raffinamento di Delaunay"));
 }
 
 void TranslationTest::theUserChoosesTheLanguage()

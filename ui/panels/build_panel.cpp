@@ -6,8 +6,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/import_texts.h"
-#include "ui/session/plugin_texts.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 
 #include <QButtonGroup>
@@ -281,8 +280,8 @@ void BuildPanel::showDataset()
     const Dataset& dataset = *workbench_.dataset();
     name_->setText(QString::fromStdString(dataset.source.name));
     QStringList facts = {factsOf(dataset)};
-    for (const std::string& remark : dataset.remarks)
-        facts << translatedSentence(remark);
+    for (const Message& remark : dataset.remarks)
+        facts << translatedMessage(remark);
     facts_->setText(facts.join('\n'));
     differently_->setVisible(!dataset.source.path.empty());
     const QSignalBlocker blocker(builder_);
@@ -290,9 +289,9 @@ void BuildPanel::showDataset()
     double best = 0;
     for (const Provided<Builder>& provided : workbench_.host().builders()) {
         const Acceptance acceptance = provided.plugin->accepts(dataset);
-        builder_->addItem(pluginText(provided.name), QString::fromStdString(provided.id));
+        builder_->addItem(inUsersLanguage(provided.name, provided.names), QString::fromStdString(provided.id));
         const int index = builder_->count() - 1;
-        builder_->setItemData(index, pluginText(acceptance.reason), Qt::ToolTipRole);
+        builder_->setItemData(index, translatedMessage(acceptance.reason), Qt::ToolTipRole);
         if (acceptance.score > best) {
             best = acceptance.score;
             builder_->setCurrentIndex(index);
@@ -384,11 +383,12 @@ void BuildPanel::showRunning(bool running)
 void BuildPanel::showProgress(const TaskProgress& progress)
 {
     bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
-    if (!cancel_->isEnabled() || progress.activity.isEmpty())
+    if (!cancel_->isEnabled() || progress.activity.empty())
         return;
+    const QString present = translatedMessage(progress.activity);
     const QString activity = progress.remainingSeconds
-                                 ? tr("%1, %2 left").arg(progress.activity, durationText(*progress.remainingSeconds))
-                                 : progress.activity;
+                                 ? tr("%1, %2 left").arg(present, durationText(*progress.remainingSeconds))
+                                 : present;
     const bool isOfOther = workbench_.buildName() != name_->text(); // another dataset was opened since
     activity_->setText(isOfOther ? tr("%1: %2").arg(workbench_.buildName(), activity) : activity);
 }

@@ -3,7 +3,7 @@
 
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/session_editor_host.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 
 #include <QCoreApplication>
 #include <QLabel>
@@ -16,9 +16,9 @@ class EditorPage {
     Q_DECLARE_TR_FUNCTIONS(EditorPage)
 };
 
-QWidget* makeReasonPage(const std::string& reason)
+QWidget* makeReasonPage(const Message& reason)
 {
-    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedSentence(reason)) + "\n\n" +
+    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedMessage(reason)) + "\n\n" +
                             EditorPage::tr("Help › Plugins lists all plugins and where they are looked for."));
     text->setObjectName("transfer.missing");
     text->setWordWrap(true);
@@ -34,7 +34,7 @@ QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string
 {
     const auto editor = workbench.host().editor(id);
     if (!editor)
-        return makeReasonPage(editor.error().text());
+        return makeReasonPage(editor.error().message);
     return editor->plugin->makeWidget(*new SessionEditorHost(workbench, pick, &workbench));
 }
 

@@ -56,7 +56,7 @@ QString pluginReport(const PluginHost& host)
         if (plugin.hasMetadata)
             line << asQString(pluginKindName(data.kind)) << asQString(toText(data.version))
                  << asQString(data.interface);
-        line << asQString(pluginStateName(plugin.state)) << pathText(plugin.path) << asQString(plugin.error);
+        line << asQString(pluginStateName(plugin.state)) << pathText(plugin.path) << asQString(plugin.error.text());
         report += line.join('\t') + '\n';
     }
     for (const auto& folder : host.folders())

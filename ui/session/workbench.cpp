@@ -7,9 +7,8 @@
 #include "ui/session/field_extent.h"
 #include "ui/session/import_memory.h"
 #include "ui/session/picture_texts.h"
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 #include "ui/session/recent_files.h"
-#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/session/view_picture.h"
 
@@ -66,7 +65,7 @@ QStringList Workbench::nameFilters()
     QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)"),
                         tr("Pictures with their sessions (*.png)")};
     for (const std::string& filter : readableFiles(host_))
-        filters.append(pluginText(filter));
+        filters.append(translatedText(filter));
     static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
     QStringList all;
     for (const QString& filter : std::as_const(filters))
@@ -308,8 +307,9 @@ void Workbench::showBuilt(const BuildOrder& order, const Result<OpenedModel>& bu
     if (!built) {
         closeLook();
         const bool nothingKept = built.error().kind == ErrorKind::Cancelled && *keep_;
-        tellSave(nothingKept ? Error{ErrorKind::CannotWrite, "The build was stopped before there was a mesh of known "
-                                                             "error, so there is nothing to keep."}
+        tellSave(nothingKept ? Error{ErrorKind::CannotWrite,
+                                     Message::say("The build was stopped before there was a mesh of known error, so "
+                                                  "there is nothing to keep.")}
                              : built.error());
         return emit buildEnded(false);
     }

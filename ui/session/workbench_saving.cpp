@@ -38,7 +38,7 @@ void Workbench::loadText(const std::filesystem::path& path, std::function<Status
             if (!text)
                 return tell(text.error());
             if (const Status used = use(*text); !used)
-                tell({used.error().kind, "In '" + path.string() + "': " + used.error().text()});
+                tell({used.error().kind, Message::say("In '%1': %2", path.string(), used.error().message)});
         };
     });
 }

@@ -3,7 +3,7 @@
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/recent_files.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 #include "ui/session/view_picture.h"
@@ -29,10 +29,11 @@ Result<Workbench::OpenedModel> Workbench::openedBySession(const std::filesystem:
         return text.error();
     const auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
     if (!document)
-        return Error{document.error().kind, path.string() + ": " + document.error().text()};
+        return Error{document.error().kind, Message::say("%1: %2", path.string(), document.error().message)};
     const auto model = Model::open(document->model);
     if (!model)
-        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text()};
+        return Error{model.error().kind,
+                     Message::say("The model of the session cannot be opened. %1", model.error().message)};
     return OpenedModel{*model, extentOf(**model), *document, path, source};
 }
 
@@ -75,7 +76,7 @@ bool Workbench::prepareToShow(const OpenedModel& opened)
     auto modes = renderingModes(host_);
     if (modes.empty()) {
         emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
-                        .arg(translatedSentence(host_.explainMissing(PluginKind::Renderer))));
+                        .arg(translatedMessage(host_.explainMissing(PluginKind::Renderer))));
         return false;
     }
     emit leaving();

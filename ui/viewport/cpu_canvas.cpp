@@ -2,7 +2,7 @@
 #include "ui/viewport/cpu_canvas.h"
 
 #include "ui/session/picture_image.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 
 #include <QPainter>
 

@@ -2,7 +2,7 @@
 #include "ui/viewport/gl_canvas.h"
 
 #include "core/render/gl/scene_painter.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>

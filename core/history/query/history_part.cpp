@@ -16,7 +16,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view extractingRange = "Extracting a range of meshes";
+constexpr MarkedText extractingRange = Message::marked("Extracting a range of meshes");
 
 /// What is asked of tetrahedra besides their life.
 class Choice {

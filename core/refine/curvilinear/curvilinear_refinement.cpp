@@ -73,7 +73,7 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Bl
                           .selection = options.selection});
     if (Status status = sink.begin({options.warpingWeight, true, blocks.blockCells()}); !status)
         return status.error();
-    progress.report(0, "Distributing the points");
+    progress.report(0, Message::marked("Distributing the points"));
     if (Status status = mesh.start(sink); !status)
         return status.error();
     CurvilinearSpace space(mesh, options.selection, sink);

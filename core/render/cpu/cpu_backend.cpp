@@ -60,7 +60,7 @@ struct VolumeOrders {
     std::span<const std::uint32_t> volume, fine;
 };
 
-constexpr std::string_view drawingParts = "Drawing the picture";
+constexpr MarkedText drawingParts = Message::marked("Drawing the picture");
 
 class Stopwatch {
 public:
@@ -317,7 +317,7 @@ private:
         const std::vector<SampleRectangle> parts = picturePartsOf(width, height, tileSideFor(samples));
         Picture picture = emptyPicture(options, progress);
         if (progress.cancelled())
-            return cancelledError("Drawing the picture");
+            return cancelledError(Message::marked("Drawing the picture"));
         RenderStatistics statistics;
         statistics.orderReused = hasVolume(scene); // until a part needs a new one
         for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -58,7 +58,7 @@ IsosurfaceIndex makeIsosurfaceIndex(const TetrahedralMesh& mesh)
 
 namespace {
 
-constexpr std::string_view extractingIsosurface = "Extracting the isosurface";
+constexpr MarkedText extractingIsosurface = Message::marked("Extracting the isosurface");
 
 TETRA_SIMD_INLINE void renumberTriangles(const Triangle* triangles, std::size_t count, const std::uint32_t* numbers,
                                          Triangle* renumbered)

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view extractingIsosurfaces = "Extracting isosurfaces";
+constexpr MarkedText extractingIsosurfaces = Message::marked("Extracting isosurfaces");
 
 bool isShown(const Isovalue& isovalue)
 {

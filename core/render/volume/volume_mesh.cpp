@@ -218,7 +218,7 @@ Eigen::AlignedBox3d drawnBounds(const Scene& scene)
 
 namespace {
 
-constexpr std::string_view preparingVolume = "Preparing the volume";
+constexpr MarkedText preparingVolume = Message::marked("Preparing the volume");
 
 } // namespace
 

@@ -82,7 +82,7 @@ void PresetPopup::readOwn(const std::function<Status()>& change)
             this,
             [this, changed, presets = ownPresets(), number] {
                 if (!changed)
-                    state_.host().tell(QString::fromStdString(changed.error().text()));
+                    state_.host().tell(changed.error().message);
                 if (number != newest_)
                     return;
                 own_ = presets;

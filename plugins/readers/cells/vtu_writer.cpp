@@ -89,7 +89,7 @@ Status writeArrays(MeshOutput& out, const Dataset& dataset, bool floats)
 
 std::vector<std::string> VtuWriter::nameFilters() const
 {
-    return {"VTK unstructured grid (*.vtu)"};
+    return {Message::marked("VTK unstructured grid (*.vtu)")};
 }
 
 double VtuWriter::score(const std::filesystem::path& path) const

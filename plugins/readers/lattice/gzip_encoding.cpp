@@ -53,14 +53,14 @@ Status writeGzip(std::span<const std::byte> content, FileWriter& file, const Pro
     std::vector<std::byte> room(pieceBytes);
     for (std::size_t done = 0; done < content.size();) {
         if (progress.cancelled())
-            return cancelledError("Writing");
+            return cancelledError(Message::marked("Writing"));
         const std::size_t piece = std::min(pieceBytes, content.size() - done);
         packer.state.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(content.data() + done));
         packer.state.avail_in = static_cast<uInt>(piece);
         if (const Status packed = pack(packer, Z_NO_FLUSH, room, file); !packed)
             return packed;
         done += piece;
-        progress.report(static_cast<double>(done) / static_cast<double>(content.size()), "Writing");
+        progress.report(static_cast<double>(done) / static_cast<double>(content.size()), Message::marked("Writing"));
     }
     return pack(packer, Z_FINISH, room, file);
 }

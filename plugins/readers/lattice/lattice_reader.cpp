@@ -110,9 +110,9 @@ Result<std::uint64_t> hashOf(const ScalarField& values, const Progress& progress
     Checksum sum;
     for (std::size_t done = 0; done < bytes.size(); done += pieceBytes) {
         if (progress.cancelled())
-            return cancelledError("Reading");
+            return cancelledError(Message::marked("Reading"));
         sum.add(bytes.subspan(done, std::min(pieceBytes, bytes.size() - done)));
-        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), "Reading");
+        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), Message::marked("Reading"));
     }
     return sum.value();
 }
@@ -143,7 +143,7 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFile& volume, cons
     dataset.source = {path.filename().string(), path, *hash};
     if (isWithin(values->bytes(), content))
         dataset.mappedFile = volume.file;
-    progress.report(1, "Reading");
+    progress.report(1, Message::marked("Reading"));
     return dataset;
 }
 
@@ -175,7 +175,8 @@ Result<FileContents> contentsOf(const fs::path& path, const VolumeFile& volume)
 
 std::vector<std::string> LatticeReader::nameFilters() const
 {
-    return {"NRRD volume (*.nrrd *.nhdr)", "Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)"};
+    return {Message::marked("NRRD volume (*.nrrd *.nhdr)"),
+            Message::marked("Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)")};
 }
 
 double LatticeReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const

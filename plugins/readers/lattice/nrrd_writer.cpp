@@ -44,11 +44,11 @@ Status writeRaw(std::span<const std::byte> content, FileWriter& file, const Prog
     constexpr std::size_t pieceBytes = std::size_t(4) << 20;
     for (std::size_t done = 0; done < content.size(); done += pieceBytes) {
         if (progress.cancelled())
-            return cancelledError("Writing");
+            return cancelledError(Message::marked("Writing"));
         const std::size_t piece = std::min(pieceBytes, content.size() - done);
         if (const Status written = file.write(content.subspan(done, piece)); !written)
             return written;
-        progress.report(static_cast<double>(done + piece) / static_cast<double>(content.size()), "Writing");
+        progress.report(static_cast<double>(done + piece) / static_cast<double>(content.size()), Message::marked("Writing"));
     }
     return {};
 }
@@ -57,7 +57,7 @@ Status writeRaw(std::span<const std::byte> content, FileWriter& file, const Prog
 
 std::vector<std::string> NrrdWriter::nameFilters() const
 {
-    return {"NRRD volume (*.nrrd)"};
+    return {Message::marked("NRRD volume (*.nrrd)")};
 }
 
 double NrrdWriter::score(const std::filesystem::path& path) const
@@ -89,7 +89,7 @@ try {
         return Error{ErrorKind::WrongUsage,
                      Message::say("NRRD files hold regular lattices, and '%1' is %2. Give the file another ending: "
                                   ".xyz for curvilinear grids, .csv for scattered points.",
-                                  dataset.source.name, domainClassName(dataset.domain))};
+                                  dataset.source.name, domainClassText(dataset.domain))};
     Result<FileWriter> file = FileWriter::create(path);
     if (!file)
         return file.error();

@@ -36,7 +36,7 @@ public:
     {
         for (std::uint64_t begin = 0; begin < count; begin += numbersAtOnce) {
             if (progress_.cancelled())
-                return cancelledError("Writing");
+                return cancelledError(Message::marked("Writing"));
             const std::uint64_t end = std::min(count, begin + numbersAtOnce);
             numbers_.clear();
             for (std::uint64_t i = begin; i < end; ++i)
@@ -44,7 +44,7 @@ public:
             if (const Status written = file_.write(std::as_bytes(std::span(numbers_))); !written)
                 return written;
             done_ += end - begin;
-            progress_.report(static_cast<double>(done_) / static_cast<double>(total_), "Writing");
+            progress_.report(static_cast<double>(done_) / static_cast<double>(total_), Message::marked("Writing"));
         }
         return {};
     }
@@ -107,7 +107,7 @@ Status writeBoth(const Dataset& dataset, FileWriter& grid, FileWriter& solution,
 
 std::vector<std::string> Plot3dWriter::nameFilters() const
 {
-    return {"PLOT3D grid, with its solution beside it (*.xyz)"};
+    return {Message::marked("PLOT3D grid, with its solution beside it (*.xyz)")};
 }
 
 double Plot3dWriter::score(const std::filesystem::path& path) const

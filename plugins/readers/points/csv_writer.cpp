@@ -10,7 +10,7 @@ namespace tetra {
 
 std::vector<std::string> CsvWriter::nameFilters() const
 {
-    return {"Table of points (*.csv)"};
+    return {Message::marked("Table of points (*.csv)")};
 }
 
 double CsvWriter::score(const std::filesystem::path& path) const
@@ -40,11 +40,11 @@ try {
         if (point % pointsBetweenReports != 0 && point + 1 != dataset.pointCount())
             continue;
         if (progress.cancelled())
-            return cancelledError("Writing");
+            return cancelledError(Message::marked("Writing"));
         if (const Status written = file->write(std::as_bytes(std::span(text))); !written)
             return written;
         text.clear();
-        progress.report(static_cast<double>(point + 1) / static_cast<double>(dataset.pointCount()), "Writing");
+        progress.report(static_cast<double>(point + 1) / static_cast<double>(dataset.pointCount()), Message::marked("Writing"));
     }
     if (const Status intact = dataset.checkIntact(); !intact)
         return intact;

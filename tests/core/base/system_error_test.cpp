@@ -103,9 +103,9 @@ private slots:
 
     void everyErrorHasAText()
     {
-        QCOMPARE(systemErrorText(ENOENT), std::string("No such file or directory"));
-        QCOMPARE(systemErrorText(ENOSPC), std::string("No space left on device"));
-        QCOMPARE(systemErrorText(123456), std::string("system error 123456"));
+        QCOMPARE(systemErrorText(ENOENT).text(), std::string("No such file or directory"));
+        QCOMPARE(systemErrorText(ENOSPC).text(), std::string("No space left on device"));
+        QCOMPARE(systemErrorText(123456).text(), std::string("system error 123456"));
     }
 
 private:
