@@ -749,6 +749,13 @@
     </message>
 </context>
 <context>
+    <name>Language</name>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
+    </message>
+</context>
+<context>
     <name>Manual</name>
     <message>
         <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Brings tan_de.ts and tan_it.ts up to date with the texts of the sources; what is new is 'unfinished'.
 
-    python3 translations/update.py [--also OTHER.ts ...]
+    python3 translations/update.py [--check] [--also OTHER.ts ...]
 
 Takes the texts by lupdate: tr() and translate(), and of core and plugins Message::say() and Message::marked(). lupdate
 gives these two contexts, now "tetra::Message" and now "Message", by what stands before them in a function; here they are
-one, in which the window looks first. --also: further files of either language that translations are taken from, such as
-those of another branch."""
+one, in which the window looks first. --check: only says what is missing, or has no source any more, and fails if there is such.
+--also: further files of either language that translations are taken from, such as those of another branch."""
 
 import argparse
 import json
@@ -80,8 +80,9 @@ def written(language, contexts):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    arguments.add_argument("--check", action="store_true")
     arguments.add_argument("--also", nargs="*", default=[], type=pathlib.Path)
-    also = arguments.parse_args().also
+    wanted = arguments.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         fresh = pathlib.Path(folder) / "fresh.ts"
         extract(str(fresh))
@@ -89,7 +90,7 @@ def main():
     missing = 0
     for language in languages:
         path = root / "translations" / f"tan_{language}.ts"
-        others = [other for other in also if ElementTree.parse(other).getroot().get("language") == language]
+        others = [other for other in wanted.also if ElementTree.parse(other).getroot().get("language") == language]
         known = {}
         for file in (path, *others):
             for context, source, translation in messages(file):
@@ -98,14 +99,20 @@ def main():
         contexts = {}
         for context, source in [text for text in known if text in needed] + [text[:2] for text in texts]:
             contexts.setdefault(context, {})[source] = known.get((context, source))
-        path.write_text(written(language, contexts), encoding="utf-8")
+        text = written(language, contexts)
+        if not wanted.check:
+            path.write_text(text, encoding="utf-8")
+        elif text != path.read_text(encoding="utf-8"):
+            print(f"{path.name} is not what update.py makes of it")
+            missing += 1
         unfinished = [(context, source) for context, these in contexts.items()
                       for source, translation in these.items() if translation is None]
         for context, source in unfinished:
             print(f"{path.name}: {context}: {source}")
         missing += len(unfinished)
     print(f"{len(texts)} texts, {missing} translations missing")
+    return 1 if wanted.check and missing > 0 else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

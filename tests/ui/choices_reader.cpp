@@ -25,17 +25,17 @@ public:
     {
         return {
             {.id = "array",
-             .label = "Values",
-             .explanation = "Which.",
+             .label = Message::marked("Values"),
+             .explanation = Message::marked("Which."),
              .unit = "",
              .defaultValue = std::string("automatic")},
             {.id = "component",
-             .label = "Component",
-             .explanation = "Which.",
+             .label = Message::marked("Component"),
+             .explanation = Message::marked("Which."),
              .unit = "",
              .defaultValue = std::string("magnitude")},
-            {.id = "time", .label = "Time step", .explanation = "Which.", .unit = "", .defaultValue = std::int64_t(1)},
-            {.id = "part", .label = "Part", .explanation = "Which.", .unit = "", .defaultValue = std::string()}};
+            {.id = "time", .label = Message::marked("Time step"), .explanation = Message::marked("Which."), .unit = "", .defaultValue = std::int64_t(1)},
+            {.id = "part", .label = Message::marked("Part"), .explanation = Message::marked("Which."), .unit = "", .defaultValue = std::string()}};
     }
     Result<FileContents> probe(const std::filesystem::path&, const ParameterValues&, const Progress&) const override
     {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/message_text.h"
 
-#include "ui/session/language.h"
-
 #include <QCoreApplication>
 
 namespace tetra {
@@ -51,11 +49,9 @@ QString translatedText(std::string_view text)
 
 QString inUsersLanguage(const std::string& english, const std::map<std::string, std::string>& others)
 {
-    const QLocale locale = textLocale();
-    for (const QString& code : {locale.name(), QLocale::languageToCode(locale.language())})
-        if (const auto found = others.find(code.toStdString()); found != others.end() && !found->second.empty())
-            return QString::fromStdString(found->second);
-    return QString::fromStdString(english);
+    const QString code = QCoreApplication::translate("Language", "en"); // translated by that of the language
+    const auto found = others.find(code.toStdString());
+    return QString::fromStdString(found == others.end() || found->second.empty() ? english : found->second);
 }
 
 } // namespace tetra
