@@ -25,6 +25,7 @@ USERS = [
 DEVELOPERS = [
     ("docs/developers.md", "developers"),
     ("CONTRIBUTING.md", "contributing"),
+    ("docs/glossary.md", "glossary"),
     ("docs/tetrahedral-graphics.md", "tetrahedral-graphics"),
     ("core/history/FORMAT.md", "model-file"),
     ("docs/reliability.md", "reliability"),

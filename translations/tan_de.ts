@@ -3747,7 +3747,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>its bounding box makes no sense</source>
-        <translation>sein Hüllquader ergibt keinen Sinn</translation>
+        <translation>sein Begrenzungsquader ergibt keinen Sinn</translation>
     </message>
     <message>
         <source>its warping weight or its handedness makes no sense</source>
@@ -4519,7 +4519,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>The ParaView preset cannot be read: %1 (%2).</source>
-        <translation>Die ParaView-Voreinstellung kann nicht gelesen werden: %1 (%2).</translation>
+        <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1 (%2).</translation>
     </message>
     <message>
         <source>&quot;%1&quot; must be a list of numbers, %2 for each point</source>
@@ -4535,7 +4535,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>a preset must be an object, in braces</source>
-        <translation>eine Voreinstellung muss ein Objekt sein, in geschweiften Klammern</translation>
+        <translation>eine Vorlage muss ein Objekt sein, in geschweiften Klammern</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has colours for categories and none for values in between</source>
@@ -4547,7 +4547,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>The ParaView preset cannot be read: %1.</source>
-        <translation>Die ParaView-Voreinstellung kann nicht gelesen werden: %1.</translation>
+        <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1.</translation>
     </message>
     <message>
         <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos; and no number</source>
@@ -4611,7 +4611,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>The unit distance of a transfer function must be a length above zero.</source>
-        <translation>Die Einheitsstrecke einer Transferfunktion muss eine Länge über null sein.</translation>
+        <translation>Die Einheitslänge einer Transferfunktion muss eine Länge über null sein.</translation>
     </message>
     <message>
         <source>%1 must be a number that fits</source>

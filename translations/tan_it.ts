@@ -3051,7 +3051,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
-        <translation>Blocchi di %1 celle dividono questo dataset in %2 pezzi; il massimo è %3. Scegliere blocchi più grandi.</translation>
+        <translation>Blocchi di %1 celle dividono questo insieme di dati in %2 pezzi; il massimo è %3. Scegliere blocchi più grandi.</translation>
     </message>
     <message>
         <source>The values belong to cells: each point got the mean of the cells around it.</source>
@@ -3275,7 +3275,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
-        <translation>Il dataset non è una mesh irregolare: non ha posizioni o non ha tetraedri.</translation>
+        <translation>L&apos;insieme di dati non è una mesh irregolare: non ha posizioni o non ha tetraedri.</translation>
     </message>
     <message>
         <source>The mesh does not have a finite position and a finite value for each point.</source>
@@ -3579,7 +3579,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>point %1 is not in the dataset</source>
-        <translation>il punto %1 non è nel dataset</translation>
+        <translation>il punto %1 non è nell&apos;insieme di dati</translation>
     </message>
     <message>
         <source>the error before it is not a number of at least 0</source>
@@ -3611,7 +3611,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Ask for a larger error, or take a part of the dataset.</source>
-        <translation>La mesh più fine avrebbe circa %1 tetraedri, e un modello contiene mesh di al massimo %2. Chiedere un errore più grande, o prendere una parte del dataset.</translation>
+        <translation>La mesh più fine avrebbe circa %1 tetraedri, e un modello contiene mesh di al massimo %2. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
     </message>
     <message>
         <source>%1. Start the build again.</source>
@@ -3635,7 +3635,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>The model would have more than 4294967294 sites. Ask for a larger error, or take a part of the dataset.</source>
-        <translation>Il modello avrebbe più di 4294967294 siti. Chiedere un errore più grande, o prendere una parte del dataset.</translation>
+        <translation>Il modello avrebbe più di 4294967294 siti. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
     </message>
     <message>
         <source>Merging the blocks</source>
@@ -3747,7 +3747,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>its bounding box makes no sense</source>
-        <translation>il suo parallelepipedo di ingombro non ha senso</translation>
+        <translation>il suo parallelepipedo limite non ha senso</translation>
     </message>
     <message>
         <source>its warping weight or its handedness makes no sense</source>
@@ -4011,7 +4011,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Insertion needs all samples of the dataset, which this model&apos;s file does not hold</source>
-        <translation>L&apos;inserimento richiede tutti i campioni del dataset, che il file di questo modello non contiene</translation>
+        <translation>L&apos;inserimento richiede tutti i campioni dell&apos;insieme di dati, che il file di questo modello non contiene</translation>
     </message>
     <message>
         <source>Insertion into a lattice is for one box, sphere or half-space of smaller error</source>
@@ -4907,11 +4907,11 @@ deformazione %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a TAn model, and a dataset is wanted here: the file that the model was built from.</source>
-        <translation>«%1» è un modello TAn, e qui si vuole un dataset: il file da cui il modello è stato costruito.</translation>
+        <translation>«%1» è un modello TAn, e qui si vuole un insieme di dati: il file da cui il modello è stato costruito.</translation>
     </message>
     <message>
         <source>A dataset cannot be written as &apos;%1&apos;. %2%3</source>
-        <translation>Un dataset non può essere scritto come «%1». %2%3</translation>
+        <translation>Un insieme di dati non può essere scritto come «%1». %2%3</translation>
     </message>
     <message>
         <source>No writer is installed.</source>
@@ -5005,7 +5005,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; exists and is called like the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
-        <translation>«%1» esiste e si chiama come il dataset da cui il modello è stato costruito, perciò non viene sovrascritto. Dare un altro nome al risultato, o rimuovere prima quel file.</translation>
+        <translation>«%1» esiste e si chiama come l&apos;insieme di dati da cui il modello è stato costruito, perciò non viene sovrascritto. Dare un altro nome al risultato, o rimuovere prima quel file.</translation>
     </message>
     <message>
         <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
@@ -5451,7 +5451,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
-        <translation>Un file .vtu contiene una mesh di tetraedri, e questo dataset non lo è. Scrivere i reticoli come .nrrd, le griglie curvilinee come .xyz, i punti come .csv.</translation>
+        <translation>Un file .vtu contiene una mesh di tetraedri, e questo insieme di dati non lo è. Scrivere i reticoli come .nrrd, le griglie curvilinee come .xyz, i punti come .csv.</translation>
     </message>
     <message>
         <source>Not enough memory to write the file. Close other programs.</source>
