@@ -148,8 +148,8 @@
         <translation>&amp;Plugins …</translation>
     </message>
     <message>
-        <source>The plugins that were found</source>
-        <translation>Die gefundenen Plugins</translation>
+        <source>Installed plugins</source>
+        <translation>Installierte Plugins</translation>
     </message>
     <message>
         <source>&amp;About TAn</source>
@@ -478,7 +478,7 @@
         <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu or gl.</source>
+        <source>Rendering back end: auto, cpu or gl.</source>
         <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
     </message>
     <message>
@@ -1174,7 +1174,7 @@
         <translation>Tetraeder</translation>
     </message>
     <message>
-        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <source>This model was built down to an error of %1; it contains nothing finer.</source>
         <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
@@ -1196,7 +1196,7 @@
         <translation>Das kleinste Netz mit diesem Fehler</translation>
     </message>
     <message>
-        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
         <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
     </message>
     <message>
@@ -1240,15 +1240,15 @@ Verwerfung %2</translation>
         <translation>Schlüsselbilder</translation>
     </message>
     <message>
-        <source>The camera goes round what is shown, or from view to view</source>
-        <translation>Die Kamera fährt um das Gezeigte herum oder von Ansicht zu Ansicht</translation>
+        <source>Turntable, or a camera path through key frames</source>
+        <translation>Drehtisch oder Kamerafahrt durch Schlüsselbilder</translation>
     </message>
     <message>
         <source> frames/s</source>
         <translation> Bilder/s</translation>
     </message>
     <message>
-        <source>Pictures a second of the film</source>
+        <source>Frames per second of the film</source>
         <translation>Bilder pro Sekunde des Films</translation>
     </message>
     <message>
@@ -1284,8 +1284,8 @@ Verwerfung %2</translation>
         <translation>Drehwinkel in Grad; negativ anders herum</translation>
     </message>
     <message>
-        <source>Pictures of the whole film</source>
-        <translation>Bilder des ganzen Films</translation>
+        <source>Number of frames of the film</source>
+        <translation>Anzahl der Bilder des Films</translation>
     </message>
     <message>
         <source>A&amp;xis</source>
@@ -1304,8 +1304,8 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The frame that is shown</source>
-        <translation>Das Bild, das gezeigt wird</translation>
+        <source>Frame shown</source>
+        <translation>Gezeigtes Bild</translation>
     </message>
     <message>
         <source>Add two views or more.</source>
@@ -1363,8 +1363,8 @@ Verwerfung %2</translation>
         <translation>Unten rechts</translation>
     </message>
     <message>
-        <source>Corner of the picture where it stands</source>
-        <translation>Ecke des Bildes, in der es steht</translation>
+        <source>Corner of the picture</source>
+        <translation>Ecke des Bildes</translation>
     </message>
     <message>
         <source>%1: corner</source>
@@ -1378,8 +1378,8 @@ Verwerfung %2</translation>
         <translation>Höchstzahl der Tetraeder</translation>
     </message>
     <message>
-        <source>The mesh is as good as so many tetrahedra allow</source>
-        <translation>Das Netz ist so gut, wie es so viele Tetraeder erlauben</translation>
+        <source>The best mesh within this number of tetrahedra</source>
+        <translation>Das beste Netz mit höchstens so vielen Tetraedern</translation>
     </message>
 </context>
 <context>
@@ -1405,8 +1405,8 @@ Verwerfung %2</translation>
         <translation>Modelldatei</translation>
     </message>
     <message>
-        <source>The file that the model is written to</source>
-        <translation>Die Datei, in die das Modell geschrieben wird</translation>
+        <source>Model file to write</source>
+        <translation>Zu schreibende Modelldatei</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -1425,8 +1425,8 @@ Verwerfung %2</translation>
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>Stop the build and discard what it has made</source>
-        <translation>Bricht den Bau ab und verwirft das bisher Gebaute</translation>
+        <source>Stop the build and discard the result</source>
+        <translation>Den Aufbau anhalten und das Ergebnis verwerfen</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
@@ -1831,7 +1831,7 @@ Verwerfung %2</translation>
         <translation>Gespeichert.</translation>
     </message>
     <message>
-        <source>It has no frames yet: add two views or more in the panel Animation.</source>
+        <source>It has no frames yet: add at least two views in the Animation panel.</source>
         <translation>Er hat noch keine Bilder: Fügen Sie im Bereich Animation zwei oder mehr Ansichten hinzu.</translation>
     </message>
     <message>
@@ -1870,7 +1870,7 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::FocusPanel</name>
     <message>
-        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <source>A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there.</source>
         <translation>Ein Teil des Gebiets mit eigenem Fehler. Eine Form wählen, dann die Griffe im Bild ziehen; ein Doppelklick auf eine Fläche holt den Fokus dorthin.</translation>
     </message>
     <message>
@@ -1886,7 +1886,7 @@ Verwerfung %2</translation>
         <translation>Quader</translation>
     </message>
     <message>
-        <source>A box with an error of its own (B)</source>
+        <source>A box with its own error (B)</source>
         <translation>Ein Quader mit eigenem Fehler (B)</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ Verwerfung %2</translation>
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>A sphere with an error of its own (F)</source>
+        <source>A sphere with its own error (F)</source>
         <translation>Eine Kugel mit eigenem Fehler (F)</translation>
     </message>
     <message>
@@ -1938,12 +1938,12 @@ Verwerfung %2</translation>
         <translation>Fehler im Fokus in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at (C)</source>
-        <translation>Den Fokus dorthin holen, wohin die Kamera blickt (C)</translation>
+        <source>Move the focus to the camera&apos;s target (C)</source>
+        <translation>Den Fokus zum Zielpunkt der Kamera bewegen (C)</translation>
     </message>
     <message>
-        <source>Place, size, error and fall-off as they were at first</source>
-        <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
+        <source>Reset place, size, error and fall-off</source>
+        <translation>Ort, Größe, Fehler und Abfall zurücksetzen</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -2114,7 +2114,7 @@ Verwerfung %2</translation>
         <translation>Erster Punkt entlang %1</translation>
     </message>
     <message>
-        <source>The first point that is taken, counted from 0</source>
+        <source>First point taken, counted from 0</source>
         <translation>Der erste Punkt, der genommen wird, von 0 an gezählt</translation>
     </message>
     <message>
@@ -2122,7 +2122,7 @@ Verwerfung %2</translation>
         <translation>Letzter Punkt entlang %1</translation>
     </message>
     <message>
-        <source>The last point that is taken, counted from 0</source>
+        <source>Last point taken, counted from 0</source>
         <translation>Der letzte Punkt, der genommen wird, von 0 an gezählt</translation>
     </message>
     <message>
@@ -2266,16 +2266,16 @@ Verwerfung %2</translation>
         <translation>Ansicht hin&amp;zufügen</translation>
     </message>
     <message>
-        <source>Add what is seen now as the next key frame</source>
-        <translation>Was jetzt zu sehen ist, als nächstes Schlüsselbild hinzufügen</translation>
+        <source>Add the current view as the next key frame</source>
+        <translation>Die jetzige Ansicht als nächstes Schlüsselbild hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
     </message>
     <message>
-        <source>Put what is seen now in the place of this key frame</source>
-        <translation>Was jetzt zu sehen ist, an die Stelle dieses Schlüsselbilds setzen</translation>
+        <source>Replace this key frame with the current view</source>
+        <translation>Dieses Schlüsselbild durch die jetzige Ansicht ersetzen</translation>
     </message>
     <message>
         <source>S&amp;how</source>
@@ -2298,16 +2298,16 @@ Verwerfung %2</translation>
         <translation>&amp;Früher</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame before it (Alt+Up)</source>
-        <translation>Mit dem Schlüsselbild davor tauschen (Alt+Auf)</translation>
+        <source>Swap with the previous key frame (Alt+Up)</source>
+        <translation>Mit dem vorigen Schlüsselbild tauschen (Alt+Pfeil auf)</translation>
     </message>
     <message>
         <source>La&amp;ter</source>
         <translation>S&amp;päter</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame after it (Alt+Down)</source>
-        <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
+        <source>Swap with the next key frame (Alt+Down)</source>
+        <translation>Mit dem nächsten Schlüsselbild tauschen (Alt+Pfeil ab)</translation>
     </message>
     <message>
         <source>show of a key frame</source>
@@ -2471,7 +2471,7 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
         <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
     </message>
     <message>
@@ -7282,8 +7282,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Auf den Kopf stellen</translation>
     </message>
     <message>
-        <source>Let the axis that points up point down</source>
-        <translation>Die Achse, die nach oben zeigt, nach unten zeigen lassen</translation>
+        <source>Flip the up axis</source>
+        <translation>Die Achse nach oben umkehren</translation>
     </message>
     <message>
         <source>Roll Clockwise</source>
@@ -7306,8 +7306,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Waagrecht ausrichten</translation>
     </message>
     <message>
-        <source>Take the roll away: the axis that points up is upright</source>
-        <translation>Die Neigung aufheben: die Achse, die nach oben zeigt, steht aufrecht</translation>
+        <source>Remove the roll: make the up axis vertical</source>
+        <translation>Neigung aufheben: Die Achse nach oben steht senkrecht</translation>
     </message>
     <message>
         <source>Trackball</source>
@@ -7494,8 +7494,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Größe</translation>
     </message>
     <message>
-        <source>Only what is shown, to be laid over something else</source>
-        <translation>Nur das Gezeigte, um es über anderes zu legen</translation>
+        <source>Leave out the background, to place the picture over something else</source>
+        <translation>Den Hintergrund weglassen, um das Bild über etwas anderes zu legen</translation>
     </message>
     <message>
         <source>Background</source>
@@ -7549,7 +7549,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
     </message>
     <message>
-        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
         <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
     </message>
     <message>
@@ -7580,24 +7580,24 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Value of what is selected, in the units of the data; selected points move together</source>
-        <translation>Wert des Ausgewählten in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
+        <source>Value of the selection, in data units; selected points move together</source>
+        <translation>Wert der Auswahl, in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
     </message>
     <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
-        <translation>Deckkraft der ausgewählten Punkte in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
+        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <translation>Deckkraft der ausgewählten Punkte: Prozent des Lichts, das auf der Einheitslänge verschluckt wird</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>Colour of what is selected</source>
-        <translation>Farbe des Ausgewählten</translation>
+        <source>Colour of the selection</source>
+        <translation>Farbe der Auswahl</translation>
     </message>
     <message>
         <source>Unit distance</source>
@@ -7685,8 +7685,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nach einer Vorlage suchen</translation>
     </message>
     <message>
-        <source>What to take of a preset</source>
-        <translation>Was von einer Vorlage übernommen wird</translation>
+        <source>Parts of a preset to apply</source>
+        <translation>Anzuwendende Teile einer Vorlage</translation>
     </message>
     <message>
         <source>Colours and opacities</source>
@@ -7748,15 +7748,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Fokus zur Bild&amp;mitte</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at</source>
-        <translation>Den Fokus dorthin holen, wohin die Kamera blickt</translation>
+        <source>Move the focus to the camera&apos;s target</source>
+        <translation>Den Fokus zum Zielpunkt der Kamera bewegen</translation>
     </message>
     <message>
         <source>&amp;Window</source>
         <translation>&amp;Fenster</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only</source>
+        <source>Show only the part of the domain in a box</source>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
     </message>
     <message>
@@ -7779,12 +7779,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur ein &amp;Fenster</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only (W)</source>
+        <source>Show only the part of the domain in a box (W)</source>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
     </message>
     <message>
-        <source>Where the window ends, in the coordinates of the data</source>
-        <translation>Wo das Fenster endet, in den Koordinaten der Daten</translation>
+        <source>Bounds of the window, in data coordinates</source>
+        <translation>Grenzen des Fensters, in den Koordinaten der Daten</translation>
     </message>
     <message>
         <source>&amp;To</source>
@@ -7886,8 +7886,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>While movin&amp;g</source>
-        <translation>In Bewe&amp;gung</translation>
+        <source>Frame r&amp;ate</source>
+        <translation>Bildr&amp;ate</translation>
     </message>
 </context>
 <context>
@@ -7901,8 +7901,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Achse der Schichten</translation>
     </message>
     <message>
-        <source>The axis across which the layer lies</source>
-        <translation>Die Achse, quer zu der die Schicht liegt</translation>
+        <source>Axis perpendicular to the layer</source>
+        <translation>Achse senkrecht zur Schicht</translation>
     </message>
     <message>
         <source>Across %1</source>
@@ -7913,7 +7913,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Schicht</translation>
     </message>
     <message>
-        <source>The layer that is shown, counted from 0</source>
+        <source>Layer shown, counted from 0</source>
         <translation>Die gezeigte Schicht, von 0 an gezählt</translation>
     </message>
     <message>
@@ -7955,32 +7955,32 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
 <context>
     <name>tetra::StatusLine</name>
     <message>
-        <source>The picture at the chosen accuracy is being made</source>
-        <translation>Das Bild in der gewählten Genauigkeit entsteht gerade</translation>
+        <source>Drawing the picture at the chosen accuracy</source>
+        <translation>Das Bild in der gewählten Genauigkeit wird gezeichnet</translation>
     </message>
     <message>
-        <source>Data points in the mesh that is shown</source>
-        <translation>Datenpunkte im gezeigten Netz</translation>
+        <source>Vertices of the mesh shown</source>
+        <translation>Knoten des gezeigten Netzes</translation>
     </message>
     <message>
-        <source>Tetrahedra in the mesh that is shown</source>
-        <translation>Tetraeder im gezeigten Netz</translation>
+        <source>Tetrahedra of the mesh shown</source>
+        <translation>Tetraeder des gezeigten Netzes</translation>
     </message>
     <message>
-        <source>Triangles of all surfaces that are shown</source>
+        <source>Triangles of all surfaces shown</source>
         <translation>Dreiecke aller gezeigten Flächen</translation>
     </message>
     <message>
-        <source>Time for taking the mesh out of the model</source>
-        <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
+        <source>Time to extract the mesh from the model</source>
+        <translation>Zeit, um das Netz dem Modell zu entnehmen</translation>
     </message>
     <message>
-        <source>Memory that the program occupies, mapped files included</source>
+        <source>Memory used by the program, including mapped files</source>
         <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
     </message>
     <message>
-        <source>What draws the picture: OpenGL or the processor</source>
-        <translation>Was das Bild zeichnet: OpenGL oder der Prozessor</translation>
+        <source>Rendering back end: OpenGL or the processor</source>
+        <translation>Gezeichnet von: OpenGL oder dem Prozessor</translation>
     </message>
     <message>
         <source>%1 vertices</source>
@@ -8108,7 +8108,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
         <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
     </message>
     <message>
@@ -8188,8 +8188,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
     </message>
     <message>
-        <source>Remove what is selected (Del)</source>
-        <translation>Das Ausgewählte entfernen (Entf)</translation>
+        <source>Remove the selection (Del)</source>
+        <translation>Auswahl entfernen (Entf)</translation>
     </message>
     <message>
         <source>Change the selected points, or all</source>
@@ -8208,12 +8208,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Maske</translation>
     </message>
     <message>
-        <source>Show some values only: between two lines that can be dragged</source>
-        <translation>Nur einige Werte zeigen: zwischen zwei Linien, die sich ziehen lassen</translation>
+        <source>Show only the values between two draggable lines</source>
+        <translation>Nur die Werte zwischen zwei verschiebbaren Linien zeigen</translation>
     </message>
     <message>
-        <source>Show all points in a table to be edited</source>
-        <translation>Alle Punkte in einer Tabelle zum Bearbeiten zeigen</translation>
+        <source>Edit all points in a table</source>
+        <translation>Alle Punkte in einer Tabelle bearbeiten</translation>
     </message>
     <message>
         <source>Read-out</source>
@@ -8228,8 +8228,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Einen Punkt hinzufügen</translation>
     </message>
     <message>
-        <source>Remove what is selected</source>
-        <translation>Das Ausgewählte entfernen</translation>
+        <source>Remove the selection</source>
+        <translation>Auswahl entfernen</translation>
     </message>
     <message>
         <source>Axis of values</source>
@@ -8302,16 +8302,16 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Projektion</translation>
     </message>
     <message>
-        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
-        <translation>Ob kleiner aussieht, was weiter weg ist (Strg+P)</translation>
+        <source>Perspective: distant parts look smaller (Ctrl+P)</source>
+        <translation>Perspektive: Fernes erscheint kleiner (Strg+P)</translation>
     </message>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>The point that is looked at, in the units of the data</source>
-        <translation>Der Punkt, auf den geblickt wird, in den Einheiten der Daten</translation>
+        <source>The camera&apos;s target, in data units</source>
+        <translation>Der Zielpunkt der Kamera, in den Einheiten der Daten</translation>
     </message>
     <message>
         <source>A&amp;zimuth</source>
@@ -8346,8 +8346,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das ganze Gebiet zeigen (Pos1)</translation>
     </message>
     <message>
-        <source>Colour behind what is shown, also in saved pictures</source>
-        <translation>Farbe hinter dem Gezeigten, auch in gespeicherten Bildern</translation>
+        <source>Background colour, also in saved pictures</source>
+        <translation>Hintergrundfarbe, auch in gespeicherten Bildern</translation>
     </message>
     <message>
         <source>Background colour</source>
@@ -8362,8 +8362,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Farbe, die zum Fenster passt, hell oder dunkel</translation>
     </message>
     <message>
-        <source>Take the camera from a JSON file</source>
-        <translation>Die Kamera aus einer JSON-Datei nehmen</translation>
+        <source>Load the camera from a JSON file</source>
+        <translation>Die Kamera aus einer JSON-Datei laden</translation>
     </message>
     <message>
         <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
@@ -8426,8 +8426,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>By how much the picture is turned clockwise, in degrees</source>
-        <translation>Um wie viel das Bild im Uhrzeigersinn gedreht ist, in Grad</translation>
+        <source>Clockwise roll of the picture, in degrees</source>
+        <translation>Neigung des Bildes im Uhrzeigersinn, in Grad</translation>
     </message>
     <message>
         <source>Up axis</source>

@@ -148,8 +148,8 @@
         <translation>&amp;Plugin…</translation>
     </message>
     <message>
-        <source>The plugins that were found</source>
-        <translation>I plugin trovati</translation>
+        <source>Installed plugins</source>
+        <translation>Plugin installati</translation>
     </message>
     <message>
         <source>&amp;About TAn</source>
@@ -478,7 +478,7 @@
         <translation>Mostra dati di volume con qualsiasi accuratezza.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu or gl.</source>
+        <source>Rendering back end: auto, cpu or gl.</source>
         <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
     </message>
     <message>
@@ -1174,7 +1174,7 @@
         <translation>Tetraedri</translation>
     </message>
     <message>
-        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <source>This model was built down to an error of %1; it contains nothing finer.</source>
         <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
@@ -1196,7 +1196,7 @@
         <translation>La mesh più piccola con questo errore</translation>
     </message>
     <message>
-        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
         <translation>La mesh migliore con tanti tetraedri. Un focus conserva la sua proporzione col resto.</translation>
     </message>
     <message>
@@ -1244,8 +1244,8 @@ deformazione %2</translation>
         <translation>Fotogrammi chiave</translation>
     </message>
     <message>
-        <source>The camera goes round what is shown, or from view to view</source>
-        <translation>La camera gira attorno a ciò che si vede, o va da vista a vista</translation>
+        <source>Turntable, or a camera path through key frames</source>
+        <translation>Piattaforma girevole, o percorso della camera per fotogrammi chiave</translation>
     </message>
     <message>
         <source>Frames a second</source>
@@ -1256,8 +1256,8 @@ deformazione %2</translation>
         <translation> immagini/s</translation>
     </message>
     <message>
-        <source>Pictures a second of the film</source>
-        <translation>Immagini al secondo nel filmato</translation>
+        <source>Frames per second of the film</source>
+        <translation>Fotogrammi al secondo del filmato</translation>
     </message>
     <message>
         <source>Write it as pictures or a video</source>
@@ -1304,8 +1304,8 @@ deformazione %2</translation>
         <translation>Numero di fotogrammi</translation>
     </message>
     <message>
-        <source>Pictures of the whole film</source>
-        <translation>Immagini di tutto il filmato</translation>
+        <source>Number of frames of the film</source>
+        <translation>Numero di fotogrammi del filmato</translation>
     </message>
     <message>
         <source>A&amp;xis</source>
@@ -1324,8 +1324,8 @@ deformazione %2</translation>
         <translation>Fotogramma</translation>
     </message>
     <message>
-        <source>The frame that is shown</source>
-        <translation>Il fotogramma mostrato</translation>
+        <source>Frame shown</source>
+        <translation>Fotogramma mostrato</translation>
     </message>
     <message>
         <source>Add two views or more.</source>
@@ -1363,8 +1363,8 @@ deformazione %2</translation>
         <translation>In basso a destra</translation>
     </message>
     <message>
-        <source>Corner of the picture where it stands</source>
-        <translation>Angolo dell&apos;immagine in cui si trova</translation>
+        <source>Corner of the picture</source>
+        <translation>Angolo dell&apos;immagine</translation>
     </message>
     <message>
         <source>%1: corner</source>
@@ -1378,8 +1378,8 @@ deformazione %2</translation>
         <translation>Massimo di tetraedri</translation>
     </message>
     <message>
-        <source>The mesh is as good as so many tetrahedra allow</source>
-        <translation>La mesh è buona quanto lo permettono tanti tetraedri</translation>
+        <source>The best mesh within this number of tetrahedra</source>
+        <translation>La mesh migliore entro questo numero di tetraedri</translation>
     </message>
 </context>
 <context>
@@ -1405,8 +1405,8 @@ deformazione %2</translation>
         <translation>File del modello</translation>
     </message>
     <message>
-        <source>The file that the model is written to</source>
-        <translation>Il file in cui si scrive il modello</translation>
+        <source>Model file to write</source>
+        <translation>File del modello da scrivere</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -1425,8 +1425,8 @@ deformazione %2</translation>
         <translation>A&amp;nnulla</translation>
     </message>
     <message>
-        <source>Stop the build and discard what it has made</source>
-        <translation>Ferma la costruzione e scarta ciò che ha fatto</translation>
+        <source>Stop the build and discard the result</source>
+        <translation>Ferma la costruzione e scarta il risultato</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
@@ -1831,7 +1831,7 @@ deformazione %2</translation>
         <translation>Salvato.</translation>
     </message>
     <message>
-        <source>It has no frames yet: add two views or more in the panel Animation.</source>
+        <source>It has no frames yet: add at least two views in the Animation panel.</source>
         <translation>Non ha ancora fotogrammi: aggiungere due viste o più nel pannello Animazione.</translation>
     </message>
     <message>
@@ -1870,7 +1870,7 @@ deformazione %2</translation>
 <context>
     <name>tetra::FocusPanel</name>
     <message>
-        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <source>A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there.</source>
         <translation>Una parte del dominio con un errore proprio. Scegliere una forma, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie vi porta il focus.</translation>
     </message>
     <message>
@@ -1886,7 +1886,7 @@ deformazione %2</translation>
         <translation>Box</translation>
     </message>
     <message>
-        <source>A box with an error of its own (B)</source>
+        <source>A box with its own error (B)</source>
         <translation>Un parallelepipedo con un errore proprio (B)</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ deformazione %2</translation>
         <translation>Sfera</translation>
     </message>
     <message>
-        <source>A sphere with an error of its own (F)</source>
+        <source>A sphere with its own error (F)</source>
         <translation>Una sfera con un errore proprio (F)</translation>
     </message>
     <message>
@@ -1938,12 +1938,12 @@ deformazione %2</translation>
         <translation>Errore nel focus, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at (C)</source>
-        <translation>Porta il focus dove guarda la camera (C)</translation>
+        <source>Move the focus to the camera&apos;s target (C)</source>
+        <translation>Sposta il focus al punto mirato dalla camera (C)</translation>
     </message>
     <message>
-        <source>Place, size, error and fall-off as they were at first</source>
-        <translation>Posizione, dimensione, errore e transizione com&apos;erano all&apos;inizio</translation>
+        <source>Reset place, size, error and fall-off</source>
+        <translation>Reimposta posizione, dimensioni, errore e decadimento</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -2114,7 +2114,7 @@ deformazione %2</translation>
         <translation>Primo punto lungo %1</translation>
     </message>
     <message>
-        <source>The first point that is taken, counted from 0</source>
+        <source>First point taken, counted from 0</source>
         <translation>Il primo punto preso, contando da 0</translation>
     </message>
     <message>
@@ -2122,7 +2122,7 @@ deformazione %2</translation>
         <translation>Ultimo punto lungo %1</translation>
     </message>
     <message>
-        <source>The last point that is taken, counted from 0</source>
+        <source>Last point taken, counted from 0</source>
         <translation>L&apos;ultimo punto preso, contando da 0</translation>
     </message>
     <message>
@@ -2274,16 +2274,16 @@ deformazione %2</translation>
         <translation>&amp;Aggiungi vista</translation>
     </message>
     <message>
-        <source>Add what is seen now as the next key frame</source>
-        <translation>Aggiunge ciò che si vede ora come prossimo fotogramma chiave</translation>
+        <source>Add the current view as the next key frame</source>
+        <translation>Aggiunge la vista attuale come prossimo fotogramma chiave</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Sostituisci</translation>
     </message>
     <message>
-        <source>Put what is seen now in the place of this key frame</source>
-        <translation>Mette ciò che si vede ora al posto di questo fotogramma chiave</translation>
+        <source>Replace this key frame with the current view</source>
+        <translation>Sostituisce questo fotogramma chiave con la vista attuale</translation>
     </message>
     <message>
         <source>S&amp;how</source>
@@ -2306,16 +2306,16 @@ deformazione %2</translation>
         <translation>&amp;Prima</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame before it (Alt+Up)</source>
-        <translation>Lo scambia con il fotogramma chiave precedente (Alt+Su)</translation>
+        <source>Swap with the previous key frame (Alt+Up)</source>
+        <translation>Scambia con il fotogramma chiave precedente (Alt+Su)</translation>
     </message>
     <message>
         <source>La&amp;ter</source>
         <translation>&amp;Dopo</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame after it (Alt+Down)</source>
-        <translation>Lo scambia con il fotogramma chiave seguente (Alt+Giù)</translation>
+        <source>Swap with the next key frame (Alt+Down)</source>
+        <translation>Scambia con il fotogramma chiave successivo (Alt+Giù)</translation>
     </message>
     <message>
         <source>show of a key frame</source>
@@ -2471,7 +2471,7 @@ deformazione %2</translation>
         <translation>Immagine</translation>
     </message>
     <message>
-        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
         <translation>Si può aprire un solo file per volta; di quelli trascinati si è aperto %1.</translation>
     </message>
     <message>
@@ -7282,8 +7282,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Capovolgi</translation>
     </message>
     <message>
-        <source>Let the axis that points up point down</source>
-        <translation>Rivolge verso il basso l’asse che punta verso l’alto</translation>
+        <source>Flip the up axis</source>
+        <translation>Capovolge l&apos;asse verticale</translation>
     </message>
     <message>
         <source>Roll Clockwise</source>
@@ -7306,8 +7306,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Raddrizza</translation>
     </message>
     <message>
-        <source>Take the roll away: the axis that points up is upright</source>
-        <translation>Annulla il rollio: l’asse che punta verso l’alto è verticale</translation>
+        <source>Remove the roll: make the up axis vertical</source>
+        <translation>Annulla l&apos;inclinazione: l&apos;asse in alto è verticale</translation>
     </message>
     <message>
         <source>Trackball</source>
@@ -7502,8 +7502,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ri&amp;soluzione di stampa</translation>
     </message>
     <message>
-        <source>Only what is shown, to be laid over something else</source>
-        <translation>Solo ciò che si vede, da sovrapporre ad altro</translation>
+        <source>Leave out the background, to place the picture over something else</source>
+        <translation>Omette lo sfondo, per sovrapporre l&apos;immagine a qualcos&apos;altro</translation>
     </message>
     <message>
         <source>Background</source>
@@ -7549,7 +7549,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il plugin %1 non può essere usato. %2</translation>
     </message>
     <message>
-        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
         <translation>Che cosa si è trovato, e perché qualcosa non si usa. La barra spaziatrice attiva o disattiva un plugin.</translation>
     </message>
     <message>
@@ -7580,24 +7580,24 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Valore</translation>
     </message>
     <message>
-        <source>Value of what is selected, in the units of the data; selected points move together</source>
-        <translation>Valore di ciò che è selezionato, nelle unità dei dati; i punti selezionati si muovono insieme</translation>
+        <source>Value of the selection, in data units; selected points move together</source>
+        <translation>Valore della selezione, nelle unità dei dati; i punti selezionati si spostano insieme</translation>
     </message>
     <message>
         <source>Opacity</source>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
-        <translation>Opacità dei punti selezionati, in percento della luce che la distanza unitaria assorbe</translation>
+        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <translation>Opacità dei punti selezionati: percentuale di luce assorbita per distanza unitaria</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>Colour of what is selected</source>
-        <translation>Colore di ciò che è selezionato</translation>
+        <source>Colour of the selection</source>
+        <translation>Colore della selezione</translation>
     </message>
     <message>
         <source>Unit distance</source>
@@ -7685,8 +7685,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Cerca una preimpostazione</translation>
     </message>
     <message>
-        <source>What to take of a preset</source>
-        <translation>Che cosa prendere di una preimpostazione</translation>
+        <source>Parts of a preset to apply</source>
+        <translation>Parti di una preimpostazione da applicare</translation>
     </message>
     <message>
         <source>Colours and opacities</source>
@@ -7748,15 +7748,15 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Focus al &amp;centro della vista</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at</source>
-        <translation>Porta il focus dove guarda la camera</translation>
+        <source>Move the focus to the camera&apos;s target</source>
+        <translation>Sposta il focus al punto mirato dalla camera</translation>
     </message>
     <message>
         <source>&amp;Window</source>
         <translation>&amp;Finestra</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only</source>
+        <source>Show only the part of the domain in a box</source>
         <translation>Mostra solo la parte del dominio in un parallelepipedo</translation>
     </message>
     <message>
@@ -7779,12 +7779,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Solo una fin&amp;estra</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only (W)</source>
+        <source>Show only the part of the domain in a box (W)</source>
         <translation>Mostra solo la parte del dominio in un parallelepipedo (W)</translation>
     </message>
     <message>
-        <source>Where the window ends, in the coordinates of the data</source>
-        <translation>Dove finisce la finestra, nelle coordinate dei dati</translation>
+        <source>Bounds of the window, in data coordinates</source>
+        <translation>Limiti della finestra, nelle coordinate dei dati</translation>
     </message>
     <message>
         <source>&amp;To</source>
@@ -7886,8 +7886,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>M&amp;ostra</translation>
     </message>
     <message>
-        <source>While movin&amp;g</source>
-        <translation>In mo&amp;vimento</translation>
+        <source>Frame r&amp;ate</source>
+        <translation>Frequen&amp;za</translation>
     </message>
 </context>
 <context>
@@ -7901,8 +7901,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Asse degli strati</translation>
     </message>
     <message>
-        <source>The axis across which the layer lies</source>
-        <translation>L&apos;asse di traverso al quale giace lo strato</translation>
+        <source>Axis perpendicular to the layer</source>
+        <translation>Asse perpendicolare allo strato</translation>
     </message>
     <message>
         <source>Across %1</source>
@@ -7913,7 +7913,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Strato</translation>
     </message>
     <message>
-        <source>The layer that is shown, counted from 0</source>
+        <source>Layer shown, counted from 0</source>
         <translation>Lo strato mostrato, contando da 0</translation>
     </message>
     <message>
@@ -7955,32 +7955,32 @@ Il plugin %2 (%3) non è in uso. %4</translation>
 <context>
     <name>tetra::StatusLine</name>
     <message>
-        <source>The picture at the chosen accuracy is being made</source>
-        <translation>Si sta creando l&apos;immagine con l&apos;accuratezza scelta</translation>
+        <source>Drawing the picture at the chosen accuracy</source>
+        <translation>Disegno dell&apos;immagine con l&apos;accuratezza scelta</translation>
     </message>
     <message>
-        <source>Data points in the mesh that is shown</source>
-        <translation>Punti dei dati nella mesh mostrata</translation>
+        <source>Vertices of the mesh shown</source>
+        <translation>Vertici della mesh mostrata</translation>
     </message>
     <message>
-        <source>Tetrahedra in the mesh that is shown</source>
-        <translation>Tetraedri nella mesh mostrata</translation>
+        <source>Tetrahedra of the mesh shown</source>
+        <translation>Tetraedri della mesh mostrata</translation>
     </message>
     <message>
-        <source>Triangles of all surfaces that are shown</source>
+        <source>Triangles of all surfaces shown</source>
         <translation>Triangoli di tutte le superfici mostrate</translation>
     </message>
     <message>
-        <source>Time for taking the mesh out of the model</source>
+        <source>Time to extract the mesh from the model</source>
         <translation>Tempo per estrarre la mesh dal modello</translation>
     </message>
     <message>
-        <source>Memory that the program occupies, mapped files included</source>
+        <source>Memory used by the program, including mapped files</source>
         <translation>Memoria occupata dal programma, compresi i file mappati</translation>
     </message>
     <message>
-        <source>What draws the picture: OpenGL or the processor</source>
-        <translation>Che cosa disegna l&apos;immagine: OpenGL o il processore</translation>
+        <source>Rendering back end: OpenGL or the processor</source>
+        <translation>Disegno con OpenGL o con il processore</translation>
     </message>
     <message>
         <source>%1 vertices</source>
@@ -8108,7 +8108,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Carica…</translation>
     </message>
     <message>
-        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
         <translation>Prende una funzione di trasferimento da un file: una di TAn o preimpostazioni di ParaView (JSON o XML)</translation>
     </message>
     <message>
@@ -8188,8 +8188,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Aggiunge un punto dopo quello selezionato; oppure fare clic sulla curva, o doppio clic nel grafico</translation>
     </message>
     <message>
-        <source>Remove what is selected (Del)</source>
-        <translation>Elimina ciò che è selezionato (Canc)</translation>
+        <source>Remove the selection (Del)</source>
+        <translation>Rimuove la selezione (Canc)</translation>
     </message>
     <message>
         <source>Change the selected points, or all</source>
@@ -8208,24 +8208,24 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Maschera</translation>
     </message>
     <message>
-        <source>Show some values only: between two lines that can be dragged</source>
-        <translation>Mostra solo alcuni valori: tra due linee che si possono trascinare</translation>
+        <source>Show only the values between two draggable lines</source>
+        <translation>Mostra solo i valori fra due linee trascinabili</translation>
     </message>
     <message>
         <source>Table</source>
         <translation>Tabella</translation>
     </message>
     <message>
-        <source>Show all points in a table to be edited</source>
-        <translation>Mostra tutti i punti in una tabella modificabile</translation>
+        <source>Edit all points in a table</source>
+        <translation>Modifica tutti i punti in una tabella</translation>
     </message>
     <message>
         <source>Add a point</source>
         <translation>Aggiungi un punto</translation>
     </message>
     <message>
-        <source>Remove what is selected</source>
-        <translation>Elimina ciò che è selezionato</translation>
+        <source>Remove the selection</source>
+        <translation>Rimuove la selezione</translation>
     </message>
     <message>
         <source>Read-out</source>
@@ -8302,16 +8302,16 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Proiezione</translation>
     </message>
     <message>
-        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
-        <translation>Se ciò che è più lontano appare più piccolo (Ctrl+P)</translation>
+        <source>Perspective: distant parts look smaller (Ctrl+P)</source>
+        <translation>Prospettiva: ciò che è lontano appare più piccolo (Ctrl+P)</translation>
     </message>
     <message>
         <source>Target</source>
         <translation>Bersaglio</translation>
     </message>
     <message>
-        <source>The point that is looked at, in the units of the data</source>
-        <translation>Il punto che si guarda, nelle unità dei dati</translation>
+        <source>The camera&apos;s target, in data units</source>
+        <translation>Il punto mirato dalla camera, nelle unità dei dati</translation>
     </message>
     <message>
         <source>A&amp;zimuth</source>
@@ -8346,8 +8346,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra l&apos;intero dominio (Home)</translation>
     </message>
     <message>
-        <source>Colour behind what is shown, also in saved pictures</source>
-        <translation>Colore dietro a ciò che si mostra, anche nelle immagini salvate</translation>
+        <source>Background colour, also in saved pictures</source>
+        <translation>Colore di sfondo, anche nelle immagini salvate</translation>
     </message>
     <message>
         <source>Background colour</source>
@@ -8362,8 +8362,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il colore adatto alla finestra, chiaro o scuro</translation>
     </message>
     <message>
-        <source>Take the camera from a JSON file</source>
-        <translation>Prende la camera da un file JSON</translation>
+        <source>Load the camera from a JSON file</source>
+        <translation>Carica la camera da un file JSON</translation>
     </message>
     <message>
         <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
@@ -8426,8 +8426,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Rollio</translation>
     </message>
     <message>
-        <source>By how much the picture is turned clockwise, in degrees</source>
-        <translation>Di quanto l’immagine è ruotata in senso orario, in gradi</translation>
+        <source>Clockwise roll of the picture, in degrees</source>
+        <translation>Inclinazione oraria dell&apos;immagine, in gradi</translation>
     </message>
     <message>
         <source>Up axis</source>

@@ -98,7 +98,7 @@ int runDesktop(int argc, char** argv)
     parser.setApplicationDescription(Desktop::tr("Shows volume data at any accuracy."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addOption({"backend", Desktop::tr("What draws the picture: auto, cpu or gl."), "name", "auto"});
+    parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
     QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual
     parser.addOption(screenshots);

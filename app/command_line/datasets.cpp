@@ -70,7 +70,7 @@ void addImportOptions(Syntax& syntax, PluginHost& host)
 {
     syntax.options.push_back({.name = "reader",
                               .placeholder = idChoices(host.readers()),
-                              .explanation = "Who reads the dataset.",
+                              .explanation = "The reader plugin to use.",
                               .byDefault = "the one that suits the file best"});
     syntax.options.push_back(
         {.name = "region",

@@ -219,7 +219,7 @@ QLayout* BuildPanel::makeTargetRow()
     target_ = new QLineEdit;
     target_->setObjectName("build.target");
     target_->setAccessibleName(tr("Model file"));
-    target_->setToolTip(tr("The file that the model is written to"));
+    target_->setToolTip(tr("Model file to write"));
     browse_ = new QPushButton(tr("Browse…"));
     browse_->setObjectName("build.browse");
     targetHint_ = wrappedLabel("build.targetHint");
@@ -246,7 +246,7 @@ QWidget* BuildPanel::makeProgress()
     activity_ = wrappedLabel("build.activity");
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
-    cancel_->setToolTip(tr("Stop the build and discard what it has made"));
+    cancel_->setToolTip(tr("Stop the build and discard the result"));
     connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(false); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");

@@ -79,7 +79,7 @@ QWidget* RenderingPanel::makeContent()
     column->addSpacing(6);
     auto* motion = new QFormLayout;
     motion->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    motion->addRow(tr("While movin&g"), frameRate_);
+    motion->addRow(tr("Frame r&ate"), frameRate_);
     column->addLayout(motion);
     column->addStretch();
     return content;

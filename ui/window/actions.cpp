@@ -200,7 +200,7 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
                             ActionTexts::tr("Click on a control to read what it does"));
     menu->addSeparator();
     actions.plugins =
-        add(menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("The plugins that were found"));
+        add(menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("Installed plugins"));
     actions.about = add(menu, "about", ActionTexts::tr("&About TAn"), {}, ActionTexts::tr("Version and licence"));
 }
 

@@ -175,7 +175,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
     open(files.first());
     if (files.size() > 1)
-        messages_->add(tr("One file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
+        messages_->add(tr("Only one file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
 }
 
 void MainWindow::connectActions()

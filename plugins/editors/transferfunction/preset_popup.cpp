@@ -40,7 +40,7 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     search_->setClearButtonEnabled(true);
     search_->installEventFilter(this);
     part_->setObjectName("transfer.presetPopup.part");
-    part_->setAccessibleName(tr("What to take of a preset"));
+    part_->setAccessibleName(tr("Parts of a preset to apply"));
     part_->setToolTip(part_->accessibleName());
     part_->addItems({tr("Colours and opacities"), tr("Colours alone"), tr("Opacities alone")});
     list_->setObjectName("transfer.presetPopup.list");
