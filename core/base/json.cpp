@@ -231,7 +231,8 @@ private:
         std::optional<std::uint32_t> code = name == 'u' ? readHexadecimal() : fail(Message::say("unknown escape"));
         if (code && *code >= 0xd800 && *code < 0xe000) {
             const bool high = *code < 0xdc00 && take("\\u");
-            const std::optional<std::uint32_t> low = high ? readHexadecimal() : fail(Message::say("half of a surrogate pair"));
+            const std::optional<std::uint32_t> low =
+                high ? readHexadecimal() : fail(Message::say("half of a surrogate pair"));
             if (low && *low >= 0xdc00 && *low < 0xe000)
                 code = 0x10000 + ((*code - 0xd800) << 10) + (*low - 0xdc00);
             else

@@ -22,8 +22,7 @@ TAN_INTERNAL bool isLackOfResources(int error) noexcept;
 TAN_INTERNAL bool namesLackOfResources(std::string_view text) noexcept;
 
 /// What to do about a lack of resources, a sentence.
-inline constexpr MarkedText resourceRemedy =
-    Message::marked("Close other programs, or raise the limit (ulimit).");
+inline constexpr MarkedText resourceRemedy = Message::marked("Close other programs, or raise the limit (ulimit).");
 
 /// What to do about a file that cannot be made or grow on its disk, a sentence.
 Message diskRemedy(int error);

@@ -173,8 +173,8 @@ Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, cons
         result.lattice = *partOfLattice(dataset.lattice, part);
     if (!staysInFile(dataset, *grid))
         result.mappedFile = nullptr;
-    result.remarks.push_back(Message::say("A part of %1 of the %2 points.", partSizeText(grid->count),
-                                          partSizeText(dataset.lattice.size)));
+    result.remarks.push_back(
+        Message::say("A part of %1 of the %2 points.", partSizeText(grid->count), partSizeText(dataset.lattice.size)));
     return result;
 }
 
@@ -232,8 +232,7 @@ Result<Dataset> ofPoints(const Dataset& dataset, const std::vector<std::uint32_t
     result.positions = std::move(positions);
     result.lattice.size = {static_cast<std::uint32_t>(points.size()), 1, 1};
     result.mappedFile = nullptr;
-    result.remarks.push_back(
-        Message::say("A part of %1 of the %2 points.", points.size(), dataset.pointCount()));
+    result.remarks.push_back(Message::say("A part of %1 of the %2 points.", points.size(), dataset.pointCount()));
     return result;
 }
 

@@ -105,7 +105,8 @@ bool ScalarField::findRange(const Progress& progress)
                 return false;
             const auto piece = samples.subspan(begin, std::min(samplesInPiece, samples.size() - begin));
             extremes = joinedExtremes(extremes, extremesOf(piece));
-            progress.report(static_cast<double>(begin + piece.size()) / static_cast<double>(count_), Message::marked("Reading"));
+            progress.report(static_cast<double>(begin + piece.size()) / static_cast<double>(count_),
+                            Message::marked("Reading"));
         }
         notFinite_ = extremes.notFinite;
         if (notFinite_ < count_)

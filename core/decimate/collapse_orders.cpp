@@ -394,7 +394,8 @@ Status PaperOrder::run(const Progress& progress)
         if (++work % workBetweenReports == 0) {
             if (progress.cancelled())
                 return cancelledError(Message::marked("The decimation"));
-            progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(), Message::marked("Collapsing"));
+            progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
+                            Message::marked("Collapsing"));
         }
         const Estimate next = queue_.top();
         queue_.pop();
@@ -449,7 +450,8 @@ Status Rounds::lookAtStale(const Progress& progress)
             continue;
         if (progress.cancelled())
             return cancelledError(Message::marked("The decimation"));
-        progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(), Message::marked("Collapsing in rounds"));
+        progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
+                        Message::marked("Collapsing in rounds"));
     }
     return {};
 }

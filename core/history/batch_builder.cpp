@@ -129,8 +129,8 @@ Status BatchBuilder::check(const HistoryStep& step) const
         if (a == b || a == c || b == c)
             return inconsistent(Message::say("a tetrahedron of its star has a site twice"));
         if (!(tetrahedron.error >= 0) || !(tetrahedron.warping >= 0))
-            return inconsistent(Message::say(
-                "a tetrahedron of its star has an error or a warping that is not a number of at least 0"));
+            return inconsistent(
+                Message::say("a tetrahedron of its star has an error or a warping that is not a number of at least 0"));
     }
     for (const std::uint32_t destroyed : step.destroyed)
         if (destroyed >= madeCount() || storedNumbers_[destroyed] == gone)

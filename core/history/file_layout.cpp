@@ -40,8 +40,7 @@ bool isDomain(const Header& header, DomainClass domain)
 /// Reads the layout of one file; every member gives the first thing that is wrong.
 class LayoutReader {
 public:
-    LayoutReader(std::span<const std::byte> file, const std::filesystem::path& path)
-        : file_(file), name_(path.string())
+    LayoutReader(std::span<const std::byte> file, const std::filesystem::path& path) : file_(file), name_(path.string())
     {
     }
 
@@ -107,8 +106,7 @@ Status LayoutReader::readHeader()
     if (available < sizeof(Header))
         return cutShort(sizeof(Header));
     if (header.byteOrderMark == format::byteOrderMarkReversed)
-        return bad(
-            Message::say("'%1' was written with the other byte order. Build it again on this machine.", name_));
+        return bad(Message::say("'%1' was written with the other byte order. Build it again on this machine.", name_));
     if (header.majorVersion > format::majorVersion)
         return bad(Message::say(
             "'%1' has format version %2.%3; this program reads up to version %4. Install a later version of TAn.",
@@ -220,9 +218,9 @@ Status LayoutReader::checkCodecs() const
     for (const Section& section : layout_.sections) {
         const bool known = format::sectionName(section.id) != "unknown";
         if (!known && (section.flags & format::required))
-            return bad(Message::say(
-                "'%1' needs section %2, which this version does not know. Install a later version of TAn.", name_,
-                section.id));
+            return bad(
+                Message::say("'%1' needs section %2, which this version does not know. Install a later version of TAn.",
+                             name_, section.id));
         if (known && section.codec != static_cast<std::uint32_t>(format::Codec::None))
             return bad(Message::say(
                 "'%1' packs its section '%2' with codec %3, which this version does not know. Install a later version "

@@ -252,7 +252,7 @@ public:
             target = *parsed;
         else
             fail(Message::say("The key \"%1\" of the camera is not a number from %2 to %3 (%4).", key,
-                                      formatNumber(least), formatNumber(largest), describePlace(value->place)));
+                              formatNumber(least), formatNumber(largest), describePlace(value->place)));
     }
 
     void truth(std::string_view key, bool& target)
@@ -264,7 +264,7 @@ public:
             target = *truth;
         else
             fail(Message::say("The key \"%1\" of the camera is neither true nor false (%2).", key,
-                                      describePlace(value->place)));
+                              describePlace(value->place)));
     }
 
     void upAxis(std::string_view key, UpAxis& target)
@@ -278,7 +278,7 @@ public:
             target = static_cast<UpAxis>(found - upNames.begin());
         else
             fail(Message::say("The key \"%1\" of the camera is none of x, -x, y, -y, z and -z (%2).", key,
-                                      describePlace(value->place)));
+                              describePlace(value->place)));
     }
 
     void point(std::string_view key, Eigen::Vector3d& target)
@@ -302,7 +302,7 @@ public:
         for (const auto& [name, value] : *root_.object())
             if (std::ranges::find(keys, name) == keys.end())
                 fail(Message::say("The key \"%1\" of the camera is not known (%2).", printable(name),
-                                         describePlace(value.place)));
+                                  describePlace(value.place)));
     }
 
     const std::optional<Error>& error() const noexcept { return error_; }

@@ -88,7 +88,8 @@ Status readPoint(const JsonValue& value, OpacityPoint& point)
 
 Status readPoint(const JsonValue& value, TransferPoint& point)
 {
-    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {"group"}, Message::marked("a point")); !status)
+    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {"group"}, Message::marked("a point"));
+        !status)
         return status;
     if (Status status = readPlace(value, point); !status)
         return status;
@@ -194,8 +195,7 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
         return status.error();
     TransferFunction function;
     if (version == versionOfPoints) {
-        if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"},
-                                         wholeText);
+        if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, wholeText);
             !status)
             return status.error();
         std::vector<TransferPoint> points;
@@ -206,8 +206,7 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
             return wrongFunction(*root.find("points"), status.error().message);
     } else {
         if (Status status =
-                checkMembers(root, {"format", "version", "colours", "opacities"}, {"unitDistance", "mask"},
-                             wholeText);
+                checkMembers(root, {"format", "version", "colours", "opacities"}, {"unitDistance", "mask"}, wholeText);
             !status)
             return status.error();
         if (Status status = readPoints(root, "colours", function.colours); !status)

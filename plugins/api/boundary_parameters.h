@@ -23,8 +23,8 @@ inline Parameter boundaryParameter()
     parameter.label = Message::marked("Boundary");
     parameter.explanation =
         Message::marked("Shows where the mesh ends, holes and cavities included: 'translucent' in one light colour, "
-        "so that one sees what is inside within its walls, or in the colours that the transfer "
-        "function gives the 'values' there.");
+                        "so that one sees what is inside within its walls, or in the colours that the transfer "
+                        "function gives the 'values' there.");
     parameter.defaultValue = std::string(boundaryOff);
     parameter.choices = {boundaryOff, boundaryTranslucent, boundaryValues};
     return parameter;
@@ -50,8 +50,8 @@ inline Parameter boundaryFarSideParameter()
     Parameter parameter;
     parameter.id = boundaryFarSideId;
     parameter.label = Message::marked("Back faces only");
-    parameter.explanation =
-        Message::marked("Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.");
+    parameter.explanation = Message::marked(
+        "Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.");
     parameter.defaultValue = false;
     parameter.onlyWith = {boundaryId, {std::string(boundaryTranslucent), std::string(boundaryValues)}};
     return parameter;

@@ -81,8 +81,8 @@ inline Parameter clipParameter()
     Parameter parameter;
     parameter.id = clipId;
     parameter.label = Message::marked("Clip planes");
-    parameter.explanation =
-        Message::marked("Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z >= offset.");
+    parameter.explanation = Message::marked(
+        "Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z >= offset.");
     parameter.defaultValue = std::string();
     parameter.separator = ';';
     parameter.mistake = [](const std::string& text) {

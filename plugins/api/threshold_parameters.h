@@ -26,8 +26,7 @@ inline Parameter thresholdParameter(std::string id, MarkedText label, MarkedText
 
 inline Parameter errorThresholdParameter(MarkedText explanation)
 {
-    return thresholdParameter("error", Message::marked("Error"), explanation,
-                              Message::marked("% of the value range"));
+    return thresholdParameter("error", Message::marked("Error"), explanation, Message::marked("% of the value range"));
 }
 
 /// For data of these domains only.

@@ -48,8 +48,8 @@ private:
             return failCircle(start);
         visit(required);
         if (!result_.errors[required].empty())
-            fail(index, Message::say("It needs the plugin \"%1\", which cannot be used: %2", id,
-                                     result_.errors[required]));
+            fail(index,
+                 Message::say("It needs the plugin \"%1\", which cannot be used: %2", id, result_.errors[required]));
     }
 
     void failCircle(std::vector<std::size_t>::const_iterator start)

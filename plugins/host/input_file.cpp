@@ -30,9 +30,9 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     Buffer<std::byte> bytes(shownToReaders);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
     if (file.gcount() == 0)
-        return bad(file.eof() ? Message::say("'%1' is empty. The copy may be incomplete: copy the file again.",
-                                             path.string())
-                              : Message::say("'%1' cannot be read: %2.", path.string(), systemErrorText(errno)));
+        return bad(file.eof()
+                       ? Message::say("'%1' is empty. The copy may be incomplete: copy the file again.", path.string())
+                       : Message::say("'%1' cannot be read: %2.", path.string(), systemErrorText(errno)));
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
 }

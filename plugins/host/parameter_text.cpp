@@ -167,8 +167,8 @@ Message parameterDomain(const Parameter& parameter)
     Message domain =
         choices.empty() ? std::visit(TypeName(), parameter.defaultValue) : Message::say("one of %1", choices);
     if (isBounded(parameter))
-        domain = Message::say("%1 from %2 to %3", domain, formatNumber(parameter.minimum),
-                              formatNumber(parameter.maximum));
+        domain =
+            Message::say("%1 from %2 to %3", domain, formatNumber(parameter.minimum), formatNumber(parameter.maximum));
     if (!parameter.unit.empty())
         domain = Message::say("%1, in %2", domain, Message::of(parameter.unit, {}));
     return domain;

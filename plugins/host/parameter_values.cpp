@@ -60,9 +60,8 @@ Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValue
         }
         const std::string name = prefix + parameter.id;
         if (parameter.onlyWith.id == domainId)
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("'%1' is for %2 data only, and %3. Leave it out.", name, wanted,
-                                      kindOf(dataset.source.name, dataset.domain))};
+            return Error{ErrorKind::WrongUsage, Message::say("'%1' is for %2 data only, and %3. Leave it out.", name,
+                                                             wanted, kindOf(dataset.source.name, dataset.domain))};
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.", name,
                                   prefix + parameter.onlyWith.id, wanted)};

@@ -200,9 +200,8 @@ void PluginHost::refuseDuplicates()
             continue;
         const auto [found, isNew] = first.emplace(entry->status.metadata.id, entry.get());
         if (!isNew)
-            entry->refuse(
-                Message::say("Another plugin has the same id and was found first: %1. Remove one of the two.",
-                             found->second->status.path.string()));
+            entry->refuse(Message::say("Another plugin has the same id and was found first: %1. Remove one of the two.",
+                                       found->second->status.path.string()));
     }
 }
 
@@ -320,9 +319,10 @@ Status PluginHost::open(Entry& entry)
     }
     const std::string interface(pluginInterface(entry.status.metadata.kind));
     if (object->qt_metacast(interface.c_str()) == nullptr)
-        return bad(Message::say("Its metadata call it a %1, but it does not implement %2. Ask the plugin's author for a "
-                                "fixed version.",
-                                pluginKindText(entry.status.metadata.kind), interface));
+        return bad(
+            Message::say("Its metadata call it a %1, but it does not implement %2. Ask the plugin's author for a "
+                         "fixed version.",
+                         pluginKindText(entry.status.metadata.kind), interface));
     entry.object = object;
     entry.status.state = PluginState::Loaded;
     return {};

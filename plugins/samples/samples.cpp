@@ -512,21 +512,23 @@ namespace {
 
 constexpr std::array<SampleKind, 10> kinds = {{
     {"c60", Message::marked("electron density of the C60 molecule, a hollow ball of smooth bumps"), SampleType::UInt8},
-    {"hydrogen", Message::marked("probability density of the hydrogen atom's 3d electron: two lobes and a ring"), SampleType::Float32},
+    {"hydrogen", Message::marked("probability density of the hydrogen atom's 3d electron: two lobes and a ring"),
+     SampleType::Float32},
     {"marschner-lobb", Message::marked("the test signal of Marschner and Lobb: ripples that are hard to reproduce"),
      SampleType::Float32},
     {"noise", Message::marked("white noise, the worst case: no sample tells of its neighbour"), SampleType::UInt8},
-    {"blunt-body", Message::marked("flow in front of a hemisphere: a curvilinear grid whose axis is collapsed"), SampleType::Float32,
-     DomainClass::Curvilinear},
+    {"blunt-body", Message::marked("flow in front of a hemisphere: a curvilinear grid whose axis is collapsed"),
+     SampleType::Float32, DomainClass::Curvilinear},
     {"o-grid", Message::marked("flow around a cylinder: a curvilinear grid that closes on itself"), SampleType::Float32,
      DomainClass::Curvilinear},
-    {"bent-duct", Message::marked("flow through a bent duct: a curvilinear grid"), SampleType::Float32, DomainClass::Curvilinear},
+    {"bent-duct", Message::marked("flow through a bent duct: a curvilinear grid"), SampleType::Float32,
+     DomainClass::Curvilinear},
     {"stretched", Message::marked("a layer at a wall: a rectilinear grid with spacings that grow"), SampleType::Float32,
      DomainClass::Curvilinear},
     {"scattered", Message::marked("random points in a ball, with waves that grow finer outwards"), SampleType::Float32,
      DomainClass::Scattered},
-    {"part", Message::marked("stress in a plate with five holes and a closed cavity: an irregular mesh"), SampleType::Float32,
-     DomainClass::Irregular},
+    {"part", Message::marked("stress in a plate with five holes and a closed cavity: an irregular mesh"),
+     SampleType::Float32, DomainClass::Irregular},
 }};
 
 RowFunction rowFunction(const SampleRequest& request)

@@ -148,8 +148,8 @@ Status writePlySurface(const std::filesystem::path& path, const SurfaceContent& 
 {
     const SurfaceSize size = sizeOf(content);
     if (size.vertices > mostPlyVertices)
-        return tooLarge(
-            Message::say("'%1' would hold more than the 2147483647 vertices that a PLY file can number.", path.string()));
+        return tooLarge(Message::say("'%1' would hold more than the 2147483647 vertices that a PLY file can number.",
+                                     path.string()));
     const bool normals = hasNormals(content);
     const std::size_t vertexBytes = (normals ? 7 : 4) * sizeof(float);
     constexpr std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t);

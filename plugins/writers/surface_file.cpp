@@ -74,8 +74,7 @@ bool hasNormals(const SurfaceContent& content)
 
 Error tooLarge(const Message& sentence)
 {
-    return {ErrorKind::OutOfResource,
-            Message::say("%1 Write a .vtp file, or a surface of a larger error.", sentence)};
+    return {ErrorKind::OutOfResource, Message::say("%1 Write a .vtp file, or a surface of a larger error.", sentence)};
 }
 
 Status checkSurfaceFileName(const std::filesystem::path& path)

@@ -58,7 +58,8 @@ template <class Value> Message errorOf(const Result<Value>& result)
 QString englishWord(const QString& text)
 {
     static const QRegularExpression quoted("„[^“]*“|«[^»]*»|'[^']*'|\"[^\"]*\"");
-    static const QRegularExpression english("\\b(the|is|are|and|of|it|its|with|from|was|were|cannot|has|have|which)\\b");
+    static const QRegularExpression english(
+        "\\b(the|is|are|and|of|it|its|with|from|was|were|cannot|has|have|which)\\b");
     return english.match(QString(text).remove(quoted)).captured();
 }
 
@@ -155,7 +156,8 @@ private:
         refused("table, columns differ", "columns.csv", "x,y,z,v\n1,2,3,4\n1,2,3\n");
         refused("table, names alone", "names.csv", "x,y,z,v\n");
         refused("table, UTF-16", "utf16.csv", "\xff\xfex\0,\0y\0");
-        refused("table, unknown column", "depth.csv", "x,y,z,v\n1,2,3,4\n", {{"positions", std::string("lon,lat,depth")}});
+        refused("table, unknown column", "depth.csv", "x,y,z,v\n1,2,3,4\n",
+                {{"positions", std::string("lon,lat,depth")}});
     }
 
     void meshes()
@@ -163,7 +165,8 @@ private:
         refused("UCD, damaged", "mesh.inp", "8 1 1 0 0\n1 0 0\n");
         refused("UCD, cut short", "cut.inp", "4 1 1 0 0\n1 0 0 0\n2 1 0 0\n");
         refused("PLOT3D, a text", "grid.p3d", "This is a grid.");
-        refused("VTK XML, cut short", "cut.vtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">\n<Unstr");
+        refused("VTK XML, cut short", "cut.vtu",
+                "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">\n<Unstr");
         refused("VTK, damaged", "damaged.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET NONSENSE\n");
         refused("EnSight, damaged", "run.case", "FORM\n");
         refused("MetaImage, no data file", "volume.mhd",
@@ -180,9 +183,8 @@ private:
         const Eigen::AlignedBox3d outside(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(9, 9, 9));
         add("a region outside", part({.region = outside}));
         add("a stride too large", part({.region = {}, .stride = {9, 9, 9}}));
-        add("an unknown parameter", errorOf(openDataset(*host_, volume, {.reader = {},
-                                                                         .values = {{"nonsense", 1.0}},
-                                                                         .part = {}})));
+        add("an unknown parameter",
+            errorOf(openDataset(*host_, volume, {.reader = {}, .values = {{"nonsense", 1.0}}, .part = {}})));
         add("an unknown reader", errorOf(chooseReader(*host_, volume, std::string("nobody"))));
         Parameter percent{.id = "error", .label = {}, .explanation = {}, .unit = "%", .defaultValue = 1.0};
         percent.maximum = 100;
@@ -231,7 +233,8 @@ private:
         add("a dataset in an unknown format", errorOf(saveDataset(*host_, sampleDataset(4), "volume.doc", {}, {})));
         const std::array inputs{made("input.nrrd", "x")};
         add("output as input", errorOf(checkOutput(inputs[0], inputs)));
-        add("something else in the way", errorOf(buildModel(*host_, sampleDataset(4), {}, {}, made("letter.txt", "x"))));
+        add("something else in the way",
+            errorOf(buildModel(*host_, sampleDataset(4), {}, {}, made("letter.txt", "x"))));
     }
 
     /// A file that may not grow, which is the same to a program.
@@ -291,7 +294,8 @@ private:
         add("plugin that throws", errorOf(bad.reader("throwing")));
         add("plugin of another kind", errorOf(bad.builder("impostor")));
         add("plugin without its library",
-            explainLoadError("Cannot load library /p/x.so: (libx.so: cannot open shared object file: No such file)", ""));
+            explainLoadError("Cannot load library /p/x.so: (libx.so: cannot open shared object file: No such file)",
+                             ""));
     }
 
     fs::path folder_;
@@ -308,7 +312,8 @@ void SentencesTest::messagesAreTranslatedByTheirPlaces_data()
     const auto row = [](const char* name, const Message& message, const char* german) {
         QTest::newRow(name) << message << QString(german);
     };
-    row("names stay, whatever they say", Message::say("'%1' is a folder. Choose a file inside it.", "Permission denied"),
+    row("names stay, whatever they say",
+        Message::say("'%1' is a folder. Choose a file inside it.", "Permission denied"),
         "„Permission denied“ ist ein Ordner. Wählen Sie eine Datei darin.");
     row("a sentence in a sentence", Message::say("'%1' cannot be read: %2.", "/a", systemErrorText(EACCES)),
         "„/a“ kann nicht gelesen werden: Keine Berechtigung.");
@@ -318,7 +323,8 @@ void SentencesTest::messagesAreTranslatedByTheirPlaces_data()
     row("places in another order",
         Message::say("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other programs.",
                      "a.tan", 7),
-        "Der Arbeitsspeicher reicht nach 7 Stützstellen nicht mehr, um „a.tan“ zu schreiben. Verlangen Sie einen größeren "
+        "Der Arbeitsspeicher reicht nach 7 Stützstellen nicht mehr, um „a.tan“ zu schreiben. Verlangen Sie einen "
+        "größeren "
         "Fehler, oder schließen Sie andere Programme.");
     row("a marked text", Message::marked("Refining"), "Verfeinern");
     row("unknown", Message::say("Nobody knows %1.", 3), "Nobody knows 3.");

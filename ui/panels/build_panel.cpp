@@ -386,9 +386,8 @@ void BuildPanel::showProgress(const TaskProgress& progress)
     if (!cancel_->isEnabled() || progress.activity.empty())
         return;
     const QString present = translatedMessage(progress.activity);
-    const QString activity = progress.remainingSeconds
-                                 ? tr("%1, %2 left").arg(present, durationText(*progress.remainingSeconds))
-                                 : present;
+    const QString activity =
+        progress.remainingSeconds ? tr("%1, %2 left").arg(present, durationText(*progress.remainingSeconds)) : present;
     const bool isOfOther = workbench_.buildName() != name_->text(); // another dataset was opened since
     activity_->setText(isOfOther ? tr("%1: %2").arg(workbench_.buildName(), activity) : activity);
 }

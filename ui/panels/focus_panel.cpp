@@ -53,7 +53,8 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
       outside_(dimLabel("focus.outside")), expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
 {
     setObjectName("focus");
-    hint_->setText(tr("A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there."));
+    hint_->setText(tr("A part of the domain with its own error. Choose a shape, then drag its handles in the picture; "
+                      "a double click on a surface moves the focus there."));
     auto* settings = new QVBoxLayout(settings_);
     settings->setContentsMargins({});
     settings->addLayout(makeInputs());

@@ -74,8 +74,7 @@ Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
     std::vector<Isovalue> visible;
     std::ranges::copy_if(order.isovalues, std::back_inserter(visible), &Isovalue::visible);
     if (visible.empty())
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("There is no surface to save: add an isovalue, or show one.")};
+        return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
     if (!order.mesh.mesh) {
         auto made = MeshExtractor(order.mesh.model).extract(order.mesh.query, progress.part(0, extracted));
         if (!made)

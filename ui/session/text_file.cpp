@@ -18,8 +18,9 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                     Message::say("The file '%1' cannot be read: %2.", path.string(), file.errorString().toStdString())};
+        return Error{
+            file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
+            Message::say("The file '%1' cannot be read: %2.", path.string(), file.errorString().toStdString())};
     const QByteArray bytes = file.read(largestFile + 1);
     if (bytes.size() > largestFile)
         return Error{ErrorKind::BadInput,

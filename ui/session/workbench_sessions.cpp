@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a model is seen: at first, as somebody left it, and as a session's file says.
 #include "ui/session/field_extent.h"
+#include "ui/session/message_text.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/recent_files.h"
-#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 #include "ui/session/view_picture.h"

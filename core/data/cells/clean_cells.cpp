@@ -53,8 +53,7 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
                      repairs.middles));
     add(repairs.resplit, Message::say("1 cell was cut along other diagonals, because its faces are not flat."),
         Message::say("%1 cells were cut along other diagonals, because their faces are not flat.", repairs.resplit));
-    add(repairs.warped,
-        Message::say("1 cell was left out: too warped to be cut into tetrahedra without a new point."),
+    add(repairs.warped, Message::say("1 cell was left out: too warped to be cut into tetrahedra without a new point."),
         Message::say("%1 cells were left out: too warped to be cut into tetrahedra without a new point.",
                      repairs.warped));
     add(repairs.duplicates, Message::say("1 tetrahedron was there twice."),

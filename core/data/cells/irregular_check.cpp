@@ -248,8 +248,7 @@ Status checkPoints(const Dataset& dataset)
     for (const auto& tetrahedron : *dataset.tetrahedra)
         for (const std::uint32_t point : tetrahedron) {
             if (point >= positions.size())
-                return bad(
-                    Message::say("A tetrahedron of the mesh names point %1 of %2.", point, positions.size()));
+                return bad(Message::say("A tetrahedron of the mesh names point %1 of %2.", point, positions.size()));
             used[point] = true;
         }
     if (const auto unused = std::ranges::count(used, false); unused > 0)

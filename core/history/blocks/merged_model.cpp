@@ -108,7 +108,8 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
         reported = done;
         if (progress.cancelled())
             return cancelledError(Message::marked("Merging the blocks"));
-        progress.report(static_cast<double>(done) / static_cast<double>(numbers.size()), Message::marked("Numbering the sites"));
+        progress.report(static_cast<double>(done) / static_cast<double>(numbers.size()),
+                        Message::marked("Numbering the sites"));
     }
     return done == numbers.size() ? Status() : Status(unfitNumbers());
 }

@@ -397,13 +397,13 @@ private:
         if (error_)
             return;
         skipBlanks();
-        error_ = Error{
-            ErrorKind::WrongUsage,
-            place_ == text_.size()
-                ? Message::say("The error field cannot be read at character %1: expected %2, but the text ends.",
-                               place_ + 1, expected)
-                : Message::say("The error field cannot be read at character %1: expected %2, but there is '%3'.",
-                               place_ + 1, expected, printable(rest()))};
+        error_ =
+            Error{ErrorKind::WrongUsage,
+                  place_ == text_.size()
+                      ? Message::say("The error field cannot be read at character %1: expected %2, but the text ends.",
+                                     place_ + 1, expected)
+                      : Message::say("The error field cannot be read at character %1: expected %2, but there is '%3'.",
+                                     place_ + 1, expected, printable(rest()))};
     }
 
     /// A glance at what comes next, never half a character.

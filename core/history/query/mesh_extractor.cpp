@@ -223,12 +223,10 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
         return extractUniform(query, progress);
     const std::optional<Message> obstacle = obstacleToInsertion(query);
     if (query.method == VariableMethod::Insertion && obstacle)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("%1. Use a closed set, or the automatic choice.", *obstacle)};
+        return Error{ErrorKind::WrongUsage, Message::say("%1. Use a closed set, or the automatic choice.", *obstacle)};
     if (query.method == VariableMethod::Insertion)
         return extractByInsertion(query, progress);
-    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && !obstacle &&
-        insertionIsBetter(query)) {
+    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && !obstacle && insertionIsBetter(query)) {
         if (const Status inserted = extractByInsertion(query, progress);
             inserted || inserted.error().kind != ErrorKind::WrongUsage)
             return inserted;

@@ -419,7 +419,8 @@ Result<TetrahedronSet> TetrahedronSet::make(const Model& model, std::uint32_t fi
         }
         return {};
     };
-    if (const Status walked = walkHistory(model, firstCreator, sites, progress, Message::marked("Looking at the history"), visit);
+    if (const Status walked =
+            walkHistory(model, firstCreator, sites, progress, Message::marked("Looking at the history"), visit);
         !walked)
         return walked.error();
     stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
@@ -680,7 +681,8 @@ Status RegionRefiner::Work::insertMissing(const Progress& progress)
     for (std::size_t first = 0; first < points_.size(); first += insertionsAtOnce) {
         if (progress.cancelled())
             return cancelledError(Message::marked("Extracting the mesh"));
-        progress.report(static_cast<double>(first) / static_cast<double>(points_.size()), Message::marked("Refining the focus"));
+        progress.report(static_cast<double>(first) / static_cast<double>(points_.size()),
+                        Message::marked("Refining the focus"));
         const std::size_t count = std::min(insertionsAtOnce, points_.size() - first);
         if (!mesh_.add(std::span(points_).subspan(first, count)))
             return focusTooLarge();

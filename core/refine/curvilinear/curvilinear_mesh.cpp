@@ -203,7 +203,9 @@ Status CurvilinearMesh::reserve()
         return status;
     if (Status status = pool_.reserve(blockPoints); !status)
         return status;
-    if (Status status = slots_.reserve(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra")); !status)
+    if (Status status =
+            slots_.reserve(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra"));
+        !status)
         return status;
     if (Status status = startStar_.attach(grid_.lattice()); !status)
         return status;

@@ -218,7 +218,9 @@ Status LatticeRefiner::State::start()
         return status;
     if (Status status = buckets_.ensure(pointCount, Message::marked("the lists of the refinement's points")); !status)
         return status;
-    if (Status status = slots_.ensure(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra")); !status)
+    if (Status status =
+            slots_.ensure(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra"));
+        !status)
         return status;
     if (Status status = distributeStart(); !status)
         return status;

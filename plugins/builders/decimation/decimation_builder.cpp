@@ -19,8 +19,8 @@ Parameter orderParameter()
     Parameter order;
     order.id = "order";
     order.label = Message::marked("Order");
-    order.explanation =
-        Message::marked("Which point goes next: 'exact' takes the one whose loss does the least harm, for the fewest points; 'paper' "
+    order.explanation = Message::marked(
+        "Which point goes next: 'exact' takes the one whose loss does the least harm, for the fewest points; 'paper' "
         "estimates that by gradients and planes, as the paper did; 'rounds' takes many points at a time that do not "
         "touch, so that a focus region needs the least besides.");
     order.defaultValue = std::string(exact);
@@ -38,8 +38,7 @@ DecimationOrder orderOf(const std::string& name)
 Message reasonFor(const Dataset& dataset)
 {
     switch (dataset.domain) {
-    case DomainClass::Irregular:
-        return Message::say("An irregular mesh: decimation keeps its shape and its cavities.");
+    case DomainClass::Irregular: return Message::say("An irregular mesh: decimation keeps its shape and its cavities.");
     case DomainClass::Curvilinear:
         return Message::say(
             "A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.");

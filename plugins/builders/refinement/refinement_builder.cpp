@@ -24,9 +24,10 @@ Parameter selectionParameter()
     Parameter selection;
     selection.id = "selection";
     selection.label = Message::marked("Selection");
-    selection.explanation = Message::marked("For curvilinear data: 'normalised' takes the point that is farthest off in error or "
-                            "warping; 'paper' compares the two in the units of the data, as the paper did, to "
-                            "compare with it. Both keep cells from turning over.");
+    selection.explanation =
+        Message::marked("For curvilinear data: 'normalised' takes the point that is farthest off in error or "
+                        "warping; 'paper' compares the two in the units of the data, as the paper did, to "
+                        "compare with it. Both keep cells from turning over.");
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
     selection.onlyWith = {domainId, {std::string(domainClassName(DomainClass::Curvilinear))}};
@@ -38,8 +39,8 @@ Parameter blockParameter()
     Parameter block;
     block.id = "block";
     block.label = Message::marked("Block");
-    block.explanation =
-        Message::marked("The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
+    block.explanation = Message::marked(
+        "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
         "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a "
         "curvilinear grid are refined together, all in memory.");
     block.unit = Message::marked("cells");

@@ -10,7 +10,6 @@
 namespace tetra {
 namespace {
 
-
 constexpr double duplicateDistance = 0.05; ///< of what is seen
 
 } // namespace

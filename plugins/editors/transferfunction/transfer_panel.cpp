@@ -78,8 +78,7 @@ void TransferPanel::nameControls()
     name(view_, "view", tr("View"), tr("How the plot is shown"));
     name(mask_, "mask", tr("Mask"), tr("Show only the values between two draggable lines"));
     name(showTable_, "table.show", tr("Table"), tr("Edit all points in a table"));
-    name(load_, "load", tr("Load…"),
-         tr("Load a transfer function: one of TAn or presets of ParaView (JSON or XML)"));
+    name(load_, "load", tr("Load…"), tr("Load a transfer function: one of TAn or presets of ParaView (JSON or XML)"));
     name(save_, "save", tr("Save…"), tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
     add_->setAccessibleName(tr("Add a point"));
     remove_->setAccessibleName(tr("Remove the selection"));

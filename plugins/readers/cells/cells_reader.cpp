@@ -80,7 +80,8 @@ std::vector<Parameter> CellsReader::parameters() const
     Parameter array;
     array.id = "array";
     array.label = Message::marked("Array");
-    array.explanation = Message::marked("The array whose values to take, of points or of cells; nothing takes the one the file calls "
+    array.explanation =
+        Message::marked("The array whose values to take, of points or of cells; nothing takes the one the file calls "
                         "active, else the first.");
     array.defaultValue = std::string();
     Parameter component;

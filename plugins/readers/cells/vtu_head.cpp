@@ -112,8 +112,7 @@ private:
         if (array.components == 0)
             array.components = 1;
         if (array.components < 1 || array.components > mostComponents)
-            return bad(
-                Message::say("the array '%1' has %2 components.", printable(array.name), printable(components)));
+            return bad(Message::say("the array '%1' has %2 components.", printable(array.name), printable(components)));
         if (array.format == "appended") {
             const auto offset = numberOf(tag, "offset");
             if (!offset)

@@ -48,7 +48,8 @@ Status writeRaw(std::span<const std::byte> content, FileWriter& file, const Prog
         const std::size_t piece = std::min(pieceBytes, content.size() - done);
         if (const Status written = file.write(content.subspan(done, piece)); !written)
             return written;
-        progress.report(static_cast<double>(done + piece) / static_cast<double>(content.size()), Message::marked("Writing"));
+        progress.report(static_cast<double>(done + piece) / static_cast<double>(content.size()),
+                        Message::marked("Writing"));
     }
     return {};
 }

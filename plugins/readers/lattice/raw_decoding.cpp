@@ -41,7 +41,8 @@ Status copyRawSamples(std::span<const std::byte> encoded, SampleType type, std::
         const auto piece = samples.subspan(done, std::min(pieceBytes, samples.size() - done));
         std::memcpy(piece.data(), encoded.data() + done, piece.size());
         toNativeOrder(piece, type, order);
-        progress.report(static_cast<double>(done + piece.size()) / static_cast<double>(samples.size()), Message::marked("Reading"));
+        progress.report(static_cast<double>(done + piece.size()) / static_cast<double>(samples.size()),
+                        Message::marked("Reading"));
     }
     return {};
 }

@@ -29,9 +29,9 @@ template <class Number> Result<std::array<Number, 3>> parseThree(const std::stri
         numbers[i] = number.value_or(Number{});
     }
     if (!understood)
-        return wrongUsage(Message::say(
-            "'%1' for '%2' is not understood. Give three numbers, along x, y and z, as in 64x64x32.", printable(text),
-            id));
+        return wrongUsage(
+            Message::say("'%1' for '%2' is not understood. Give three numbers, along x, y and z, as in 64x64x32.",
+                         printable(text), id));
     return numbers;
 }
 

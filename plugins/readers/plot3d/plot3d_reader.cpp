@@ -209,7 +209,8 @@ std::vector<Parameter> Plot3dReader::parameters() const
     Parameter array;
     array.id = "array";
     array.label = Message::marked("Values");
-    array.explanation = Message::marked("Which scalar of the solution: automatic takes the density, or if that is the same everywhere "
+    array.explanation =
+        Message::marked("Which scalar of the solution: automatic takes the density, or if that is the same everywhere "
                         "the first that varies.");
     array.defaultValue = std::string("automatic");
     array.choices = {Message::marked("automatic")};
@@ -218,7 +219,8 @@ std::vector<Parameter> Plot3dReader::parameters() const
     Parameter solution;
     solution.id = "solution";
     solution.label = Message::marked("Solution file");
-    solution.explanation = Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name.");
+    solution.explanation =
+        Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name.");
     solution.defaultValue = std::string();
     Parameter grid;
     grid.id = "grid";

@@ -44,7 +44,8 @@ try {
         if (const Status written = file->write(std::as_bytes(std::span(text))); !written)
             return written;
         text.clear();
-        progress.report(static_cast<double>(point + 1) / static_cast<double>(dataset.pointCount()), Message::marked("Writing"));
+        progress.report(static_cast<double>(point + 1) / static_cast<double>(dataset.pointCount()),
+                        Message::marked("Writing"));
     }
     if (const Status intact = dataset.checkIntact(); !intact)
         return intact;

@@ -83,18 +83,21 @@ std::vector<Parameter> PointReader::parameters() const
     Parameter positions;
     positions.id = "positions";
     positions.label = Message::marked("Positions");
-    positions.explanation = Message::marked("Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or "
-                            "1,2,3; 'automatic' takes those called x, y and z, else the first three.");
+    positions.explanation =
+        Message::marked("Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or "
+                        "1,2,3; 'automatic' takes those called x, y and z, else the first three.");
     positions.defaultValue = std::string(automaticColumns);
     Parameter array;
     array.id = "array";
     array.label = Message::marked("Values");
-    array.explanation = Message::marked("The values to take, by name or number; 'automatic' takes the first there are.");
+    array.explanation =
+        Message::marked("The values to take, by name or number; 'automatic' takes the first there are.");
     array.defaultValue = std::string(automaticColumns);
     Parameter skip;
     skip.id = "skip-incomplete";
     skip.label = Message::marked("Skip incomplete rows");
-    skip.explanation = Message::marked("Tables of points: leave out rows that lack a number, instead of refusing the file.");
+    skip.explanation =
+        Message::marked("Tables of points: leave out rows that lack a number, instead of refusing the file.");
     skip.defaultValue = false;
     return {positions, array, skip};
 }

@@ -189,7 +189,8 @@ Result<PointTable> TableReading::run(const Progress& progress)
         if (lines_.number() % linesBetweenReports == 0) {
             if (progress.cancelled())
                 return cancelledError(Message::marked("Reading"));
-            progress.report(static_cast<double>(lines_.position()) / static_cast<double>(text_.size()), Message::marked("Reading"));
+            progress.report(static_cast<double>(lines_.position()) / static_cast<double>(text_.size()),
+                            Message::marked("Reading"));
         }
     }
     if (table_.values.empty())

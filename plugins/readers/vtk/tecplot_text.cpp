@@ -194,13 +194,13 @@ private:
             return {};
         }
         if (token.isNumber())
-            return bad(Message::say(
-                "it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.",
-                file_.zones.size()));
+            return bad(
+                Message::say("it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.",
+                             file_.zones.size()));
         if (!isRecord(token))
-            return bad(Message::say(
-                "it has '%1' where a record such as ZONE should begin. It is damaged, or no Tecplot text.",
-                printable(token.text)));
+            return bad(
+                Message::say("it has '%1' where a record such as ZONE should begin. It is damaged, or no Tecplot text.",
+                             printable(token.text)));
         for (auto next = tokens_.next(); next; next = tokens_.next()) // what is drawn beside the data
             if (isRecord(*next) && tecplotUpper(next->text) != "TEXT") {
                 tokens_.back(*next);
@@ -423,9 +423,9 @@ private:
         if (!nodes || !elements)
             return nodes ? elements.error() : nodes.error();
         if (*nodes == 0 || *elements == 0)
-            return bad(Message::say(
-                "%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.",
-                zoneName(header.zone)));
+            return bad(
+                Message::say("%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.",
+                             zoneName(header.zone)));
         header.zone.nodes = *nodes;
         header.zone.elements = *elements;
         return {};
@@ -443,9 +443,8 @@ private:
             if (!size)
                 return size.error();
             if (*size < 1 || *size >= most || nodes > (std::uint64_t(1) << 62U) / *size)
-                return bad(
-                    Message::say("%1 does not say how many points it has (I, J, K). It is damaged or cut short.",
-                                 zoneName(header.zone)));
+                return bad(Message::say("%1 does not say how many points it has (I, J, K). It is damaged or cut short.",
+                                        zoneName(header.zone)));
             header.zone.size[axis] = static_cast<std::uint32_t>(*size);
             nodes *= *size;
             cells *= std::max<std::uint64_t>(1, *size - 1);
@@ -554,8 +553,7 @@ private:
             header.words.contains("DATAPACKING") ? header.words.find("DATAPACKING") : header.words.find("F");
         const std::string packing = format == header.words.end() ? "POINT" : format->second;
         if (packing != "POINT" && packing != "FEPOINT" && packing != "BLOCK" && packing != "FEBLOCK")
-            return bad(
-                Message::say("%1 is packed as '%2', which is not known.", zoneName(zone), printable(packing)));
+            return bad(Message::say("%1 is packed as '%2', which is not known.", zoneName(zone), printable(packing)));
         shortest_ = ~std::size_t(0);
         longest_ = 0;
         repeated_ = 0;
@@ -578,8 +576,8 @@ private:
         };
         if (packing.ends_with("POINT")) {
             if (std::ranges::any_of(own, [&](std::size_t i) { return zone.perElement[i]; }))
-                return bad(Message::say(
-                    "%1 has values of elements, which must be packed by blocks. It is damaged.", zoneName(zone)));
+                return bad(Message::say("%1 has values of elements, which must be packed by blocks. It is damaged.",
+                                        zoneName(zone)));
             for (std::uint64_t node = 0; node < zone.nodes; ++node)
                 for (std::size_t place = 0; place < own.size(); ++place)
                     if (!take(place))
@@ -601,8 +599,8 @@ private:
             zone.values[own[place]] = values[place];
         for (const std::size_t axis : file_.axes)
             if (!zone.values[axis] || zone.perElement[axis])
-                return bad(Message::say("%1 has no positions of its points. Write it with all coordinates.",
-                                        zoneName(zone)));
+                return bad(
+                    Message::say("%1 has no positions of its points. Write it with all coordinates.", zoneName(zone)));
         return {};
     }
 
@@ -628,10 +626,9 @@ private:
             const std::string_view word = tokens_.nextNumber();
             const auto node = parseNumber<std::uint64_t>(word);
             if (!node || *node < 1 || *node > zone.nodes)
-                return word.empty()
-                           ? missing(header, Message::say("%1 elements", zone.elements))
-                           : bad(Message::say("%1 has an element at node '%2', and it has %3. It is damaged.",
-                                              zoneName(zone), printable(word), zone.nodes));
+                return word.empty() ? missing(header, Message::say("%1 elements", zone.elements))
+                                    : bad(Message::say("%1 has an element at node '%2', and it has %3. It is damaged.",
+                                                       zoneName(zone), printable(word), zone.nodes));
             keepLength(word);
             nodes->push_back(static_cast<std::int64_t>(*node - 1));
         }

@@ -93,8 +93,7 @@ void leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<doub
             values[kept++] = values[point];
         }
     if (kept < values.size())
-        remarks.push_back(
-            Message::say("%1 points whose value is no number were left out.", values.size() - kept));
+        remarks.push_back(Message::say("%1 points whose value is no number were left out.", values.size() - kept));
     positions.resize(kept);
     values.resize(kept);
 }

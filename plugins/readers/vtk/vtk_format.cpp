@@ -18,7 +18,8 @@ struct FormatEntry {
 
 /// Names that other readers claim too have a score that leaves those the first choice.
 constexpr std::array<FormatEntry, 17> formats = {{
-    {VtkFormat::Xml, Message::marked("VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
+    {VtkFormat::Xml,
+     Message::marked("VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},
     {VtkFormat::Hdf, Message::marked("VTK HDF (*.vtkhdf *.hdf)"), 0.6},
     {VtkFormat::Exodus, Message::marked("Exodus II (*.ex2 *.exo *.exii *.e *.g)"), 0.6},

@@ -27,14 +27,12 @@ Message componentMistake(const std::string& text)
 
 std::vector<Parameter> vtkParameters()
 {
-    Parameter array =
-        textParameter("array", Message::marked("Values"),
-                      Message::marked("The values to take, by name or number; 'automatic' takes the first there are."),
-                      "automatic");
-    Parameter component =
-        textParameter("component", Message::marked("Component"),
-                      Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'."),
-                      "magnitude");
+    Parameter array = textParameter(
+        "array", Message::marked("Values"),
+        Message::marked("The values to take, by name or number; 'automatic' takes the first there are."), "automatic");
+    Parameter component = textParameter(
+        "component", Message::marked("Component"),
+        Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'."), "magnitude");
     component.mistake = componentMistake;
     Parameter time;
     time.id = "time";
@@ -48,11 +46,9 @@ std::vector<Parameter> vtkParameters()
         Message::marked("Of files with several blocks or parts: one, by name or number from 1; without it all "
                         "irregular meshes that have the values, or the first grid."),
         "");
-    Parameter solution =
-        textParameter("solution", Message::marked("Solution file"),
-                      Message::marked(
-                          "The PLOT3D solution of the grid; without it the one beside it with a matching name."),
-                      "");
+    Parameter solution = textParameter(
+        "solution", Message::marked("Solution file"),
+        Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name."), "");
     return {array, component, time, part, solution};
 }
 

@@ -43,8 +43,7 @@ private slots:
         const auto order = dependencyOrder({{"a", {"b"}}, {"b", {"c"}}, {"c", {"a"}}, {"d", {"a"}}, {"e", {}}});
         QCOMPARE(order.order, std::vector<std::size_t>{4});
         for (const std::size_t index : {0, 1, 2})
-            QVERIFY(
-                QByteArray::fromStdString(order.errors[index].text()).contains("\"a\" > \"b\" > \"c\" > \"a\""));
+            QVERIFY(QByteArray::fromStdString(order.errors[index].text()).contains("\"a\" > \"b\" > \"c\" > \"a\""));
         QVERIFY(QByteArray::fromStdString(order.errors[3].text()).contains("circle"));
     }
 

@@ -566,8 +566,8 @@ private:
     {
         const auto number = leadingInteger(text);
         if (!number)
-            lines_.refuse(
-                Message::say("has a part without a number, in the line '%1'. It is damaged.", printable(lines_.line())));
+            lines_.refuse(Message::say("has a part without a number, in the line '%1'. It is damaged.",
+                                       printable(lines_.line())));
         return *number;
     }
 
@@ -774,9 +774,8 @@ private:
                 lines_.needData(Message::marked("element"));
                 lines_.numbers<std::int64_t>(kind == nullptr ? 1 : kind->corners, Message::marked("element"));
                 if (kind != nullptr && countIntegers(lines_.line()) < kind->nodes)
-                    lines_.refuse(
-                        Message::say("has an element with too few corners: '%1'. It is cut short or damaged.",
-                                     printable(lines_.line())));
+                    lines_.refuse(Message::say("has an element with too few corners: '%1'. It is cut short or damaged.",
+                                               printable(lines_.line())));
             }
             part.elements[name] += count;
             part.cells += count;
@@ -887,7 +886,9 @@ private:
             return;
         }
         more_ = true;
-        valuesOfElements(part, [&](std::uint64_t all) { lines_.values(boundedProduct(all, components), 6, Message::marked("value")); });
+        valuesOfElements(part, [&](std::uint64_t all) {
+            lines_.values(boundedProduct(all, components), 6, Message::marked("value"));
+        });
     }
 
     EnSightLines& lines_;
@@ -998,9 +999,9 @@ private:
             const fs::path path = path_.parent_path() / name;
             std::error_code ignored;
             if (!fs::exists(path, ignored))
-                throw EnSightProblem{Message::say(
-                    "its file '%1' is missing. Copy it into the folder of this one: they belong together.",
-                    printable(name))};
+                throw EnSightProblem{
+                    Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
+                                 printable(name))};
             const auto file = MappedFile::open(path);
             if (!file)
                 throw EnSightProblem{file.error().message};

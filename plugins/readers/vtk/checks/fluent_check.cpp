@@ -65,8 +65,8 @@ Result<CheckedFile> checkFluent(const fs::path& path)
             return Error{ErrorKind::BadInput,
                          Message::say("%1 has no section. It is cut short, or of another format.",
                                       isCase ? Message::say("it") : Message::say("its file %1", nameOf(data)))};
-        const Status ends =
-            checkSections(isCase ? Message::say("it") : Message::say("its file %1", nameOf(data)), text, isCase ? 2 : 3);
+        const Status ends = checkSections(isCase ? Message::say("it") : Message::say("its file %1", nameOf(data)), text,
+                                          isCase ? 2 : 3);
         if (!ends)
             return ends.error();
         checked.bytes = boundedSum(checked.bytes, text.size());

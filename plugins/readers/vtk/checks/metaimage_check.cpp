@@ -118,11 +118,11 @@ Result<std::uint64_t> typeBytes(std::string_view type)
         return entry->second;
     // For VTK a long has 64 bits, for the files 32: half of the samples would be what was in memory.
     return Error{ErrorKind::BadInput,
-                 type.empty() ? Message::say(
-                                    "its header does not say its ElementType. It is cut short: copy the file again.")
-                              : Message::say("its samples are of the type '%1', which is not read. Write them as "
-                                             "MET_INT, MET_FLOAT or MET_DOUBLE.",
-                                             printable(type))};
+                 type.empty()
+                     ? Message::say("its header does not say its ElementType. It is cut short: copy the file again.")
+                     : Message::say("its samples are of the type '%1', which is not read. Write them as "
+                                    "MET_INT, MET_FLOAT or MET_DOUBLE.",
+                                    printable(type))};
 }
 
 Result<MetaLayout> layoutOf(const MetaHeader& header)

@@ -33,7 +33,7 @@ Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::str
 struct VtkSamples {
     SampleType type = SampleType::Float32;
     Buffer<std::byte> samples;
-    std::string name;                   ///< the array's and the component's
+    std::string name;               ///< the array's and the component's
     std::vector<Message> remarks{}; ///< if they are not what stands in the file
 };
 

@@ -130,8 +130,8 @@ Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequ
             Message::say("It contains %1 parts; this is the one called '%2'. Choose another one with 'part'.",
                          leaves.size(), printable(first.name)));
     else if (found && meshes.size() < leaves.size())
-        found->remarks.push_back(Message::say("%1 of its parts are no irregular meshes and were left out.",
-                                              leaves.size() - meshes.size()));
+        found->remarks.push_back(
+            Message::say("%1 of its parts are no irregular meshes and were left out.", leaves.size() - meshes.size()));
     return found;
 }
 
