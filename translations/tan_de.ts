@@ -7229,6 +7229,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Install VTK with &apos;apt install libvtk9.1&apos;.</source>
         <translation>Installieren Sie VTK mit „apt install libvtk9.1“.</translation>
     </message>
+    <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

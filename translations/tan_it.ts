@@ -7229,6 +7229,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Install VTK with &apos;apt install libvtk9.1&apos;.</source>
         <translation>Installare VTK con «apt install libvtk9.1».</translation>
     </message>
+    <message>
+        <source>vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

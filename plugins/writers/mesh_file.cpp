@@ -30,7 +30,7 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path)
     return found == meshFormats.end() ? nullptr : &*found;
 }
 
-Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, std::string_view of)
+Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, MarkedText of)
 {
     for (const NamedArray& array : arrays)
         if (array.name.empty() || valueCount(array) != count)
@@ -72,9 +72,11 @@ Status writeMeshFile(const std::filesystem::path& path, const MeshContent& conte
 {
     if (const Status known = checkMeshFileName(path); !known)
         return known;
-    if (const Status fit = checkArrays(content.pointArrays, content.positions.size(), "vertices"); !fit)
+    if (const Status fit = checkArrays(content.pointArrays, content.positions.size(), Message::marked("vertices"));
+        !fit)
         return fit;
-    if (const Status fit = checkArrays(content.cellArrays, content.tetrahedra.size(), "tetrahedra"); !fit)
+    if (const Status fit = checkArrays(content.cellArrays, content.tetrahedra.size(), Message::marked("tetrahedra"));
+        !fit)
         return fit;
     try {
         return meshFormatOf(path)->write(path, content, progress);
