@@ -7231,11 +7231,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>Tetraeder</translation>
     </message>
 </context>
 <context>

@@ -7231,11 +7231,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>vertici</translation>
     </message>
     <message>
         <source>tetrahedra</source>
-        <translation type="unfinished"></translation>
+        <translation>tetraedri</translation>
     </message>
 </context>
 <context>
