@@ -64,10 +64,10 @@ take en-1x/light-window window
 take en-1x/light-panel-statistics-whole statistics
 take en-1x/light-panel-animation animation
 take en-1x/light-palette palette
-take en-1x/light-picture picture
-take en-1x/light-import-bare import
+take en-1x/light-pictureOptions picture
+take en-1x/light-importDialog-2 import
 take en-1x/light-panel-build-dataset build
-take en-1x/light-leaving-build leaving
+take en-1x/light-leaving.build leaving
 take de-1x/dark-window-volume german-dark
 take it-1x/light-window-volume italian
 
@@ -76,4 +76,4 @@ build engine regular/engine_256x256x128_uint8.nrrd 0.5
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT
 env HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_CACHE_HOME="$home/cache" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home" \
-    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/manual-pictures docs/images "$models"
+    QT_QPA_PLATFORM=offscreen QT_SCALE_FACTOR=1 LC_ALL=C.UTF-8 build/release/bin/window-pictures docs/images "$models"

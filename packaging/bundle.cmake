@@ -15,7 +15,7 @@ execute_process(COMMAND qtpaths6 --query QT_INSTALL_TRANSLATIONS OUTPUT_VARIABLE
     OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 set(wanted platforms/libqxcb.so platforms/libqoffscreen.so platforms/libqminimal.so platforms/libqwayland-*.so
     wayland-shell-integration/*.so wayland-graphics-integration-client/*.so wayland-decoration-client/*.so
-    xcbglintegrations/*.so iconengines/libqsvgicon.so imageformats/libqsvg.so platforminputcontexts/*.so)
+    xcbglintegrations/*.so platforminputcontexts/*.so)
 set(plugins "")
 foreach(pattern IN LISTS wanted)
     file(GLOB found RELATIVE "${qt_plugins}" "${qt_plugins}/${pattern}")

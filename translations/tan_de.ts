@@ -509,10 +509,6 @@
         <translation>Isowerte</translation>
     </message>
     <message>
-        <source>Transfer</source>
-        <translation>Transfer</translation>
-    </message>
-    <message>
         <source>Focus</source>
         <translation>Fokus</translation>
     </message>
@@ -549,10 +545,6 @@
         <translation>Flächen, auf denen das Feld je einen Wert hat, in den Einheiten der Daten.</translation>
     </message>
     <message>
-        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-        <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
-    </message>
-    <message>
         <source>A sphere or a box in which the mesh is more accurate than outside.</source>
         <translation>Eine Kugel oder ein Quader, in dem das Netz genauer ist als außerhalb.</translation>
     </message>
@@ -567,6 +559,10 @@
     <message>
         <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
         <translation>Filme vom Modell: eine Runde um es herum oder ein Weg durch Schlüsselbilder, die Sie wählen.</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfer</translation>
     </message>
 </context>
 <context>
@@ -595,50 +591,6 @@
         <translation>PNG-Bilder (*.png)</translation>
     </message>
     <message>
-        <source>Save Mesh</source>
-        <translation>Netz speichern</translation>
-    </message>
-    <message>
-        <source>VTK XML unstructured grids (*.vtu)</source>
-        <translation>Unstrukturierte Gitter, VTK-XML (*.vtu)</translation>
-    </message>
-    <message>
-        <source>Boundary as VTK XML polydata (*.vtp)</source>
-        <translation>Rand als Polydata, VTK-XML (*.vtp)</translation>
-    </message>
-    <message>
-        <source>Boundary as STL (*.stl)</source>
-        <translation>Rand als STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Boundary as Wavefront OBJ (*.obj)</source>
-        <translation>Rand als Wavefront-OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Boundary as binary glTF (*.glb)</source>
-        <translation>Rand als binäres glTF (*.glb)</translation>
-    </message>
-    <message>
-        <source>Save Surfaces</source>
-        <translation>Flächen speichern</translation>
-    </message>
-    <message>
-        <source>STL files (*.stl)</source>
-        <translation>STL-Dateien (*.stl)</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ files (*.obj)</source>
-        <translation>Wavefront-OBJ-Dateien (*.obj)</translation>
-    </message>
-    <message>
-        <source>Binary glTF files (*.glb)</source>
-        <translation>Binäre glTF-Dateien (*.glb)</translation>
-    </message>
-    <message>
-        <source>VTK XML polydata (*.vtp)</source>
-        <translation>Polydata, VTK-XML (*.vtp)</translation>
-    </message>
-    <message>
         <source>Save Statistics</source>
         <translation>Statistik speichern</translation>
     </message>
@@ -649,14 +601,6 @@
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>VTK legacy files (*.vtk)</source>
-        <translation>Ältere VTK-Dateien (*.vtk)</translation>
-    </message>
-    <message>
-        <source>PLY files (*.ply)</source>
-        <translation>PLY-Dateien (*.ply)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -758,12 +702,12 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
-        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn mit dem Paket python3-markdown; dieselben Texte liegen im Ordner docs der Quellen.</translation>
-    </message>
-    <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>
         <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
+    </message>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn dort, wo Sphinx installiert ist (python3-sphinx, python3-myst-parser, furo); dieselben Texte liegen im Ordner docs der Quellen.</translation>
     </message>
 </context>
 <context>
@@ -880,6 +824,13 @@
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>PluginChoice</name>
+    <message>
+        <source>Boundary: %1</source>
+        <translation>Rand: %1</translation>
     </message>
 </context>
 <context>
@@ -2549,6 +2500,14 @@ Verwerfung %2</translation>
     <message>
         <source>The picture is not of the present settings, which could not be shown.</source>
         <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Netz speichern</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Flächen speichern</translation>
     </message>
 </context>
 <context>
@@ -4878,10 +4837,6 @@ Verwerfung %2</translation>
         <translation>Es wurde mit Qt %1 gebaut, und dieses Programm läuft mit Qt %2. Installieren Sie das Plugin für dieses Qt.</translation>
     </message>
     <message>
-        <source>It was built as %1, and this program as %2. Rebuild the plugin with tan_plugin_module() and the compiler of this program.</source>
-        <translation>Es wurde gebaut als %1, und dieses Programm als %2. Bauen Sie das Plugin neu, mit tan_plugin_module() und dem Compiler dieses Programms.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
         <translation>„%1“ ist gepackt. Entpacken Sie die Datei zuerst mit „%2“, und öffnen Sie, was darin ist.</translation>
     </message>
@@ -4910,20 +4865,8 @@ Verwerfung %2</translation>
         <translation>„%1“ ist ein TAn-Modell, und hier wird ein Datensatz verlangt: die Datei, aus der das Modell gebaut wurde.</translation>
     </message>
     <message>
-        <source>A dataset cannot be written as &apos;%1&apos;. %2%3</source>
-        <translation>Ein Datensatz kann nicht als „%1“ geschrieben werden. %2%3</translation>
-    </message>
-    <message>
         <source>No writer is installed.</source>
         <translation>Es ist kein Schreiber installiert.</translation>
-    </message>
-    <message>
-        <source>These can be written: %1.</source>
-        <translation>Geschrieben werden können: %1.</translation>
-    </message>
-    <message>
-        <source>writer &apos;%1&apos;</source>
-        <translation>Schreiber „%1“</translation>
     </message>
     <message>
         <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
@@ -5454,10 +5397,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Eine .vtu-Datei enthält ein Tetraedernetz, und dieser Datensatz ist keines. Schreiben Sie regelmäßige Gitter als .nrrd, krummlinige Gitter als .xyz, Punkte als .csv.</translation>
     </message>
     <message>
-        <source>Not enough memory to write the file. Close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um die Datei zu schreiben. Schließen Sie andere Programme.</translation>
-    </message>
-    <message>
         <source>its compressed data are damaged (%1). Copy the file again.</source>
         <translation>Ihre komprimierten Daten sind beschädigt (%1). Kopieren Sie die Datei noch einmal.</translation>
     </message>
@@ -5486,10 +5425,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um die Daten zu komprimieren. Schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>Writing</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message>
         <source>%1 The header &apos;%2&apos; names it as its data file.</source>
         <translation>%1 Der Kopf „%2“ nennt sie als seine Datendatei.</translation>
     </message>
@@ -5504,10 +5439,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
         <translation>Rohes Volumen (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
-    </message>
-    <message>
-        <source>Not enough memory to read the file. Close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um die Datei zu lesen. Schließen Sie andere Programme.</translation>
     </message>
     <message>
         <source>must have one entry for each of the %1 axes.</source>
@@ -5628,10 +5559,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>its encoding &apos;%1&apos; is not read. Save it with the encoding raw, gzip or ascii.</source>
         <translation>Ihre Kodierung „%1“ wird nicht gelesen. Speichern Sie sie mit der Kodierung raw, gzip oder ascii.</translation>
-    </message>
-    <message>
-        <source>NRRD volume (*.nrrd)</source>
-        <translation>NRRD-Volumen (*.nrrd)</translation>
     </message>
     <message>
         <source>NRRD files are written with the encoding raw or gzip, not &apos;%1&apos;.</source>
@@ -5902,16 +5829,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
     </message>
     <message>
-        <source>PLOT3D grid, with its solution beside it (*.xyz)</source>
-        <translation>PLOT3D-Gitter, mit seiner Lösung daneben (*.xyz)</translation>
-    </message>
-    <message>
         <source>PLOT3D files hold points on a grid, and &apos;%1&apos; is not. Give the file another ending, such as .csv for scattered points.</source>
         <translation>PLOT3D-Dateien enthalten Punkte auf einem Gitter, und „%1“ nicht. Geben Sie der Datei eine andere Endung, etwa .csv für verstreute Punkte.</translation>
-    </message>
-    <message>
-        <source>Table of points (*.csv)</source>
-        <translation>Tabelle von Punkten (*.csv)</translation>
     </message>
     <message>
         <source>there is no column &apos;%1&apos;; there are %2, or give a number from 1 to %3.</source>
@@ -6986,10 +6905,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ihr Format liest VTK nicht.</translation>
     </message>
     <message>
-        <source>Not enough memory to look into the file. Close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um in die Datei zu sehen. Schließen Sie andere Programme.</translation>
-    </message>
-    <message>
         <source>with-cell</source>
         <translation>mit der Zelle</translation>
     </message>
@@ -7058,36 +6973,16 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um das Beispiel zu erzeugen. Verlangen Sie eine kleinere Größe.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can.</source>
-        <translation>„%1“ wäre größer als die 4 GiB, die eine .glb-Datei haben kann.</translation>
-    </message>
-    <message>
         <source>The array &apos;%1&apos; has %2 values for %3 %4: an array needs a name, and one value for each.</source>
         <translation>Das Feld „%1“ hat %2 Werte für %3 %4: Ein Feld braucht einen Namen und für jeden einen Wert.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
-        <translation>„%1“ endet weder auf .vtu, .vtk oder .ply, in denen Netze geschrieben werden, noch auf .vtp, .stl, .obj oder .glb, für ihren Rand allein. Wählen Sie eine dieser Endungen.</translation>
     </message>
     <message>
         <source>Not enough memory to write &apos;%1&apos;.</source>
         <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben.</translation>
     </message>
     <message>
-        <source>Writing the mesh</source>
-        <translation>Netz wird geschrieben</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would hold more vertices than a PLY file can number. Write a .vtu file.</source>
         <translation>„%1“ hätte mehr Knoten, als eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtu-Datei.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number.</source>
-        <translation>„%1“ hätte mehr als die 2147483647 Knoten, die eine PLY-Datei nummerieren kann.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count.</source>
-        <translation>„%1“ hätte mehr als die 4294967295 Dreiecke, die eine STL-Datei zählen kann.</translation>
     </message>
     <message>
         <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
@@ -7106,28 +7001,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dreiecke von Knoten, die sie nicht hat</translation>
     </message>
     <message>
-        <source>%1 Write a .vtp file, or a surface of a larger error.</source>
-        <translation>%1 Schreiben Sie eine .vtp-Datei oder eine Fläche mit größerem Fehler.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings.</source>
-        <translation>„%1“ endet auf keine von .vtp, .vtk, .vtu, .ply, .stl, .obj und .glb, in denen Flächen geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, which is too many to find it. Write a .vtu file.</source>
         <translation>„%1“ wäre die Berandung von mehr als 1073741824 Tetraedern, zu vielen, um sie zu finden. Schreiben Sie eine .vtu-Datei.</translation>
     </message>
     <message>
-        <source>Writing the surfaces</source>
-        <translation>Flächen werden geschrieben</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtu file.</source>
         <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtu-Datei.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; would hold more than a legacy VTK file can number.</source>
-        <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann.</translation>
     </message>
     <message>
         <source>The film</source>
@@ -7230,12 +7109,160 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Installieren Sie VTK mit „apt install libvtk9.1“.</translation>
     </message>
     <message>
+        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Ein Datensatz kann nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Ein Netz kann nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Flächen können nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
+        <translation>Wählen Sie eine dieser Endungen: %1; oder, für den Rand des Netzes allein, %2.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1.</source>
+        <translation>Wählen Sie eine dieser Endungen: %1.</translation>
+    </message>
+    <message>
+        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
+        <translation>Es wurde mit %1 gebaut und dieses Programm mit %2. Bauen Sie das Plugin mit diesem Compiler und den Headern dieses TAn neu, oder installieren Sie eine Fassung für dieses TAn.</translation>
+    </message>
+    <message>
+        <source>The plugin that writes &apos;%1&apos; promises what it cannot write. Tell its author.</source>
+        <translation>Das Plugin, das „%1“ schreibt, verspricht, was es nicht schreiben kann. Sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>It does not say what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
+        <translation>Es sagt nicht, womit es gebaut wurde, und dieses Programm wurde mit %1 gebaut. Bauen Sie das Plugin neu, mit tan_plugin_module().</translation>
+    </message>
+    <message>
+        <source>%1%2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>a colour, #rrggbb or a name</source>
+        <translation>eine Farbe, #rrggbb oder ein Name</translation>
+    </message>
+    <message>
+        <source>three numbers x,y,z</source>
+        <translation>drei Zahlen x,y,z</translation>
+    </message>
+    <message>
+        <source>a text that makes a %1</source>
+        <translation>ein Text, der ein %1 ergibt</translation>
+    </message>
+    <message>
+        <source>&quot;edits&quot; does not say which type of parameters the editor is for</source>
+        <translation>„edits“ sagt nicht, für welchen Typ von Parametern der Editor ist</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr als die 4 GiB, die eine .glb-Datei fasst. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr als die 2147483647 Knoten, die eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr als die 4294967295 Dreiecke, die eine STL-Datei zählen kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>It makes no widget. Tell its author.</source>
+        <translation>Er zeigt nichts an. Sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabellen von Punkten</translation>
+    </message>
+    <message>
+        <source>NRRD volumes</source>
+        <translation>NRRD-Volumen</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids with a solution file</source>
+        <translation>PLOT3D-Gitter mit Lösungsdatei</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids</source>
+        <translation>Unstrukturierte Gitter, VTK-XML</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata</source>
+        <translation>Polydata, VTK-XML</translation>
+    </message>
+    <message>
+        <source>VTK legacy files</source>
+        <translation>Ältere VTK-Dateien</translation>
+    </message>
+    <message>
+        <source>PLY files</source>
+        <translation>PLY-Dateien</translation>
+    </message>
+    <message>
+        <source>STL files</source>
+        <translation>STL-Dateien</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files</source>
+        <translation>Wavefront-OBJ-Dateien</translation>
+    </message>
+    <message>
+        <source>Binary glTF files</source>
+        <translation>Binäre glTF-Dateien</translation>
+    </message>
+    <message>
+        <source>Writing the dataset</source>
+        <translation>Schreiben des Datensatzes</translation>
+    </message>
+    <message>
+        <source>Writing the mesh</source>
+        <translation>Netz wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the surfaces</source>
+        <translation>Flächen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>writer &apos;%1&apos;</source>
+        <translation>Schreiber „%1“</translation>
+    </message>
+    <message>
         <source>vertices</source>
         <translation>Knoten</translation>
     </message>
     <message>
         <source>tetrahedra</source>
         <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>it threw something unknown</source>
+        <translation>es warf etwas Unbekanntes</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>Kodierung</translation>
+    </message>
+    <message>
+        <source>raw is quick to write and to read, gzip is smaller.</source>
+        <translation>raw ist schnell geschrieben und gelesen, gzip ist kleiner.</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>raw</translation>
+    </message>
+    <message>
+        <source>gzip</source>
+        <translation>gzip</translation>
     </message>
 </context>
 <context>

@@ -509,10 +509,6 @@
         <translation>Isovalori</translation>
     </message>
     <message>
-        <source>Transfer</source>
-        <translation>Trasferimento</translation>
-    </message>
-    <message>
         <source>Focus</source>
         <translation>Focus</translation>
     </message>
@@ -549,10 +545,6 @@
         <translation>Superfici su ciascuna delle quali il campo ha un solo valore, nelle unità dei dati.</translation>
     </message>
     <message>
-        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-        <translation>La funzione di trasferimento dà a ogni valore un colore e un&apos;opacità per il volume.</translation>
-    </message>
-    <message>
         <source>A sphere or a box in which the mesh is more accurate than outside.</source>
         <translation>Una sfera o un parallelepipedo in cui la mesh è più accurata che all&apos;esterno.</translation>
     </message>
@@ -567,6 +559,10 @@
     <message>
         <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
         <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave scelti da voi.</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Trasferimento</translation>
     </message>
 </context>
 <context>
@@ -595,50 +591,6 @@
         <translation>Immagini PNG (*.png)</translation>
     </message>
     <message>
-        <source>Save Mesh</source>
-        <translation>Salva mesh</translation>
-    </message>
-    <message>
-        <source>VTK XML unstructured grids (*.vtu)</source>
-        <translation>Griglie non strutturate VTK XML (*.vtu)</translation>
-    </message>
-    <message>
-        <source>Boundary as VTK XML polydata (*.vtp)</source>
-        <translation>Contorno come VTK XML polydata (*.vtp)</translation>
-    </message>
-    <message>
-        <source>Boundary as STL (*.stl)</source>
-        <translation>Contorno come STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Boundary as Wavefront OBJ (*.obj)</source>
-        <translation>Contorno come Wavefront OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Boundary as binary glTF (*.glb)</source>
-        <translation>Contorno come glTF binario (*.glb)</translation>
-    </message>
-    <message>
-        <source>Save Surfaces</source>
-        <translation>Salva superfici</translation>
-    </message>
-    <message>
-        <source>STL files (*.stl)</source>
-        <translation>File STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ files (*.obj)</source>
-        <translation>File Wavefront OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Binary glTF files (*.glb)</source>
-        <translation>File glTF binari (*.glb)</translation>
-    </message>
-    <message>
-        <source>VTK XML polydata (*.vtp)</source>
-        <translation>VTK XML polydata (*.vtp)</translation>
-    </message>
-    <message>
         <source>Save Statistics</source>
         <translation>Salva statistiche</translation>
     </message>
@@ -649,14 +601,6 @@
     <message>
         <source>JSON (*.json)</source>
         <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>VTK legacy files (*.vtk)</source>
-        <translation>File VTK legacy (*.vtk)</translation>
-    </message>
-    <message>
-        <source>PLY files (*.ply)</source>
-        <translation>File PLY (*.ply)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -758,12 +702,12 @@
 <context>
     <name>Manual</name>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn with the package python3-markdown; the same texts are in the folder docs of its sources.</source>
-        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn con il pacchetto python3-markdown; gli stessi testi sono nella cartella docs dei sorgenti.</translation>
-    </message>
-    <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>
         <translation>Qui nessun programma apre pagine web. Installare un browser, oppure leggere %1.</translation>
+    </message>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn dove Sphinx è installato (python3-sphinx, python3-myst-parser, furo); gli stessi testi sono nella cartella docs dei sorgenti.</translation>
     </message>
 </context>
 <context>
@@ -880,6 +824,13 @@
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>PluginChoice</name>
+    <message>
+        <source>Boundary: %1</source>
+        <translation>Contorno: %1</translation>
     </message>
 </context>
 <context>
@@ -2549,6 +2500,14 @@ deformazione %2</translation>
     <message>
         <source>The picture is not of the present settings, which could not be shown.</source>
         <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
+    </message>
+    <message>
+        <source>Save Mesh</source>
+        <translation>Salva mesh</translation>
+    </message>
+    <message>
+        <source>Save Surfaces</source>
+        <translation>Salva superfici</translation>
     </message>
 </context>
 <context>
@@ -4878,10 +4837,6 @@ deformazione %2</translation>
         <translation>È stato compilato con Qt %1, e questo programma usa Qt %2. Installare il plugin per questo Qt.</translation>
     </message>
     <message>
-        <source>It was built as %1, and this program as %2. Rebuild the plugin with tan_plugin_module() and the compiler of this program.</source>
-        <translation>È stato compilato come %1, e questo programma come %2. Ricompilare il plugin con tan_plugin_module() e il compilatore di questo programma.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
         <translation>«%1» è compresso. Decomprimerlo prima con «%2» e aprire ciò che contiene.</translation>
     </message>
@@ -4910,20 +4865,8 @@ deformazione %2</translation>
         <translation>«%1» è un modello TAn, e qui si vuole un insieme di dati: il file da cui il modello è stato costruito.</translation>
     </message>
     <message>
-        <source>A dataset cannot be written as &apos;%1&apos;. %2%3</source>
-        <translation>Un insieme di dati non può essere scritto come «%1». %2%3</translation>
-    </message>
-    <message>
         <source>No writer is installed.</source>
         <translation>Nessun plugin di scrittura è installato.</translation>
-    </message>
-    <message>
-        <source>These can be written: %1.</source>
-        <translation>Si possono scrivere: %1.</translation>
-    </message>
-    <message>
-        <source>writer &apos;%1&apos;</source>
-        <translation>scrittura «%1»</translation>
     </message>
     <message>
         <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
@@ -5454,10 +5397,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Un file .vtu contiene una mesh di tetraedri, e questo insieme di dati non lo è. Scrivere i reticoli come .nrrd, le griglie curvilinee come .xyz, i punti come .csv.</translation>
     </message>
     <message>
-        <source>Not enough memory to write the file. Close other programs.</source>
-        <translation>La memoria non basta per scrivere il file. Chiudere altri programmi.</translation>
-    </message>
-    <message>
         <source>its compressed data are damaged (%1). Copy the file again.</source>
         <translation>i suoi dati compressi sono danneggiati (%1). Copiare di nuovo il file.</translation>
     </message>
@@ -5486,10 +5425,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per comprimere i dati. Chiudere altri programmi.</translation>
     </message>
     <message>
-        <source>Writing</source>
-        <translation>Scrittura</translation>
-    </message>
-    <message>
         <source>%1 The header &apos;%2&apos; names it as its data file.</source>
         <translation>%1 L&apos;intestazione «%2» lo nomina come suo file di dati.</translation>
     </message>
@@ -5504,10 +5439,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
         <translation>Volume raw (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
-    </message>
-    <message>
-        <source>Not enough memory to read the file. Close other programs.</source>
-        <translation>La memoria non basta per leggere il file. Chiudere altri programmi.</translation>
     </message>
     <message>
         <source>must have one entry for each of the %1 axes.</source>
@@ -5628,10 +5559,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>its encoding &apos;%1&apos; is not read. Save it with the encoding raw, gzip or ascii.</source>
         <translation>la sua codifica «%1» non si legge. Salvarlo con la codifica raw, gzip o ascii.</translation>
-    </message>
-    <message>
-        <source>NRRD volume (*.nrrd)</source>
-        <translation>Volume NRRD (*.nrrd)</translation>
     </message>
     <message>
         <source>NRRD files are written with the encoding raw or gzip, not &apos;%1&apos;.</source>
@@ -5902,16 +5829,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 prende l&apos;unica.</translation>
     </message>
     <message>
-        <source>PLOT3D grid, with its solution beside it (*.xyz)</source>
-        <translation>Griglia PLOT3D, con la sua soluzione accanto (*.xyz)</translation>
-    </message>
-    <message>
         <source>PLOT3D files hold points on a grid, and &apos;%1&apos; is not. Give the file another ending, such as .csv for scattered points.</source>
         <translation>I file PLOT3D contengono punti su una griglia, e «%1» no. Dare al file un&apos;altra estensione, come .csv per punti sparsi.</translation>
-    </message>
-    <message>
-        <source>Table of points (*.csv)</source>
-        <translation>Tabella di punti (*.csv)</translation>
     </message>
     <message>
         <source>there is no column &apos;%1&apos;; there are %2, or give a number from 1 to %3.</source>
@@ -6986,10 +6905,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>non è di un formato che VTK legge.</translation>
     </message>
     <message>
-        <source>Not enough memory to look into the file. Close other programs.</source>
-        <translation>La memoria non basta per esaminare il file. Chiudere altri programmi.</translation>
-    </message>
-    <message>
         <source>with-cell</source>
         <translation>con la cella</translation>
     </message>
@@ -7058,36 +6973,16 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per creare l&apos;esempio. Chiedere dimensioni più piccole.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can.</source>
-        <translation>«%1» conterrebbe più dei 4 GiB che un file .glb può avere.</translation>
-    </message>
-    <message>
         <source>The array &apos;%1&apos; has %2 values for %3 %4: an array needs a name, and one value for each.</source>
         <translation>Il vettore «%1» ha %2 valori per %3 %4: un vettore richiede un nome e un valore per ciascuno.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in none of .vtu, .vtk and .ply, the formats in which meshes are written, nor of .vtp, .stl, .obj and .glb, for their boundary alone. Choose one of these endings.</source>
-        <translation>«%1» non termina né in .vtu, .vtk o .ply, i formati in cui si scrivono le mesh, né in .vtp, .stl, .obj o .glb, per il solo bordo. Scegliere una di queste estensioni.</translation>
     </message>
     <message>
         <source>Not enough memory to write &apos;%1&apos;.</source>
         <translation>La memoria non basta per scrivere «%1».</translation>
     </message>
     <message>
-        <source>Writing the mesh</source>
-        <translation>Scrittura della mesh</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would hold more vertices than a PLY file can number. Write a .vtu file.</source>
         <translation>«%1» avrebbe più vertici di quanti un file PLY possa numerare. Scrivere un file .vtu.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number.</source>
-        <translation>«%1» avrebbe più dei 2147483647 vertici che un file PLY può numerare.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count.</source>
-        <translation>«%1» avrebbe più dei 4294967295 triangoli che un file STL può contare.</translation>
     </message>
     <message>
         <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
@@ -7106,28 +7001,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>triangoli di vertici che non ha</translation>
     </message>
     <message>
-        <source>%1 Write a .vtp file, or a surface of a larger error.</source>
-        <translation>%1 Scrivere un file .vtp, o una superficie di errore più grande.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in none of .vtp, .vtk, .vtu, .ply, .stl, .obj and .glb, the formats in which surfaces are written. Choose one of these endings.</source>
-        <translation>«%1» non termina in .vtp, .vtk, .vtu, .ply, .stl, .obj o .glb, i formati in cui si scrivono le superfici. Scegliere una di queste estensioni.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, which is too many to find it. Write a .vtu file.</source>
         <translation>«%1» sarebbe il contorno di più di 1073741824 tetraedri, troppi per trovarlo. Scrivere un file .vtu.</translation>
     </message>
     <message>
-        <source>Writing the surfaces</source>
-        <translation>Scrittura delle superfici</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtu file.</source>
         <translation>«%1» avrebbe più di quanto un file VTK legacy possa numerare. Scrivere un file .vtu.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; would hold more than a legacy VTK file can number.</source>
-        <translation>«%1» avrebbe più di quanto un file VTK legacy possa numerare.</translation>
     </message>
     <message>
         <source>The film</source>
@@ -7230,12 +7109,160 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Installare VTK con «apt install libvtk9.1».</translation>
     </message>
     <message>
+        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Un dataset non può essere scritto come «%1». %2</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Una mesh non può essere scritta come «%1». %2</translation>
+    </message>
+    <message>
+        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Le superfici non possono essere scritte come «%1». %2</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
+        <translation>Scegliere una di queste estensioni: %1; oppure, per il solo contorno della mesh, %2.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1.</source>
+        <translation>Scegliere una di queste estensioni: %1.</translation>
+    </message>
+    <message>
+        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
+        <translation>È stato compilato con %1 e questo programma con %2. Ricompilare il plugin con questo compilatore e gli header di questo TAn, oppure installarne una versione per questo TAn.</translation>
+    </message>
+    <message>
+        <source>The plugin that writes &apos;%1&apos; promises what it cannot write. Tell its author.</source>
+        <translation>Il plugin che scrive «%1» promette ciò che non sa scrivere. Avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>It does not say what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
+        <translation>Non dice con che cosa è stato compilato, e questo programma è stato compilato con %1. Ricompilare il plugin con tan_plugin_module().</translation>
+    </message>
+    <message>
+        <source>%1%2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>a colour, #rrggbb or a name</source>
+        <translation>un colore, #rrggbb o un nome</translation>
+    </message>
+    <message>
+        <source>three numbers x,y,z</source>
+        <translation>tre numeri x,y,z</translation>
+    </message>
+    <message>
+        <source>a text that makes a %1</source>
+        <translation>un testo che dia un %1</translation>
+    </message>
+    <message>
+        <source>&quot;edits&quot; does not say which type of parameters the editor is for</source>
+        <translation>«edits» non dice per quale tipo di parametri è l&apos;editor</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più dei 4 GiB che un file .glb può contenere. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più dei 2147483647 vertici che un file PLY può numerare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più dei 4294967295 triangoli che un file STL può contare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più di quanto un file VTK legacy possa numerare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>It makes no widget. Tell its author.</source>
+        <translation>Non mostra nulla. Avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabelle di punti</translation>
+    </message>
+    <message>
+        <source>NRRD volumes</source>
+        <translation>Volumi NRRD</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids with a solution file</source>
+        <translation>Griglie PLOT3D con file di soluzione</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids</source>
+        <translation>Griglie non strutturate VTK XML</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata</source>
+        <translation>VTK XML polydata</translation>
+    </message>
+    <message>
+        <source>VTK legacy files</source>
+        <translation>File VTK legacy</translation>
+    </message>
+    <message>
+        <source>PLY files</source>
+        <translation>File PLY</translation>
+    </message>
+    <message>
+        <source>STL files</source>
+        <translation>File STL</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files</source>
+        <translation>File Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Binary glTF files</source>
+        <translation>File glTF binari</translation>
+    </message>
+    <message>
+        <source>Writing the dataset</source>
+        <translation>Scrittura dell&apos;insieme di dati</translation>
+    </message>
+    <message>
+        <source>Writing the mesh</source>
+        <translation>Scrittura della mesh</translation>
+    </message>
+    <message>
+        <source>Writing the surfaces</source>
+        <translation>Scrittura delle superfici</translation>
+    </message>
+    <message>
+        <source>writer &apos;%1&apos;</source>
+        <translation>scrittura «%1»</translation>
+    </message>
+    <message>
         <source>vertices</source>
         <translation>vertici</translation>
     </message>
     <message>
         <source>tetrahedra</source>
         <translation>tetraedri</translation>
+    </message>
+    <message>
+        <source>it threw something unknown</source>
+        <translation>ha lanciato qualcosa di sconosciuto</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>Codifica</translation>
+    </message>
+    <message>
+        <source>raw is quick to write and to read, gzip is smaller.</source>
+        <translation>raw è rapido da scrivere e da leggere, gzip è più piccolo.</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>raw</translation>
+    </message>
+    <message>
+        <source>gzip</source>
+        <translation>gzip</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,6 @@
 #include "ui/session/plugin_translations.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/main_window.h"
-#include "ui/window/screenshots.h"
 #include "ui/work/steady_heap.h"
 
 #include <QApplication>
@@ -99,9 +98,6 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
-    QCommandLineOption screenshots("screenshots", "Makes pictures of all panels and dialogs in a folder.", "folder");
-    screenshots.setFlags(QCommandLineOption::HiddenFromHelp); // for those who write the manual
-    parser.addOption(screenshots);
     parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open."), "[file]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
@@ -113,8 +109,6 @@ int runDesktop(int argc, char** argv)
     const std::unique_ptr<PluginHost> host = wantedPlugins();
     const auto ofPlugins = pluginTranslators(*host, textLocale());
     installBehind(ofPlugins, ours);
-    if (parser.isSet(screenshots))
-        return makeScreenshots(*host, parser.value(screenshots));
     if (!isShown)
         return refuseWithoutDisplay();
     Workbench workbench(*host);

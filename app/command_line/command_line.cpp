@@ -147,7 +147,10 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
     const Subcommand* subcommand = findSubcommand(first);
     if (subcommand == nullptr)
         return fail(streams, unknownSubcommand(first));
-    return runSubcommand(*subcommand, words.subspan(1), host, streams, stop);
+    host.whenFailing([&streams](const Error& error) { streams.messages << "tan: " << error.text() << std::endl; });
+    const int code = runSubcommand(*subcommand, words.subspan(1), host, streams, stop);
+    host.whenFailing({});
+    return code;
 }
 
 } // namespace tetra

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/extracted_content.h"
 #include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/verify/verify_mesh.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
-#include "plugins/writers/surface_file.h"
 
 #include <tan/query.h>
 
@@ -26,6 +27,8 @@ constexpr double extractionEnd = 0.6; ///< how far it is when the mesh is there
 struct Task {
     const Arguments& arguments;
     std::filesystem::path output;
+    PluginHost& host;
+    const ParameterValues& values; ///< of the writer
     const Model& model;
     const Progress& progress;
 };
@@ -50,7 +53,7 @@ Result<std::array<Accuracy, 2>> rangeOf(const Arguments& arguments)
     return ends;
 }
 
-Status checkRangeStandsAlone(const Arguments& arguments)
+Status checkRangeStandsAlone(PluginHost& host, const Arguments& arguments)
 {
     for (const Option& option : fieldOptions())
         if (option.name != "warping" && arguments.has(option.name))
@@ -59,7 +62,7 @@ Status checkRangeStandsAlone(const Arguments& arguments)
     if (arguments.value("border") == "clipped")
         return Error{ErrorKind::WrongUsage, "'--border clipped' does not go with '--range': what is cut off is no "
                                             "tetrahedron of the model. Use intersecting or contained."};
-    if (isSurfaceFileOnly(*arguments.value("output")))
+    if (isSurfaceFileOnly(host, *arguments.value("output")))
         return Error{ErrorKind::WrongUsage,
                      "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
                      "Write a .vtu, .vtk or .ply file."};
@@ -85,8 +88,8 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     const ExtractedMesh& found = **extracted;
     if (const Status some = checkNotEmpty(task.arguments, task.model, found.mesh); !some)
         return some.error();
-    if (const Status written =
-            writeMeshFile(task.output, contentOf(task.model, query, found), task.progress.part(extractionEnd, 1));
+    if (const Status written = saveMesh(task.host, contentOf(task.model, query, found), task.output, task.values,
+                                        task.progress.part(extractionEnd, 1));
         !written)
         return written.error();
     Outcome outcome = outcomeOf(task, found.mesh);
@@ -98,7 +101,7 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
                         std::to_string(found.wholeTetrahedra) + " of the whole mesh";
     else if (found.keptTetrahedra != found.wholeTetrahedra)
         outcome.text += " of " + std::to_string(found.wholeTetrahedra);
-    if (isSurfaceFileOnly(task.output))
+    if (isSurfaceFileOnly(task.host, task.output))
         outcome.text += ", of which the file has the boundary";
     if (found.scale > 1)
         outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
@@ -135,8 +138,8 @@ Result<Outcome> extractRange(const Task& task)
     const Lives lives = livesOf(task.model, *part);
     if (const Status right = task.model.checkIntact(); !right)
         return right.error();
-    if (const Status written =
-            writeMeshFile(task.output, contentOf(task.model, *part, lives), task.progress.part(extractionEnd, 1));
+    if (const Status written = saveMesh(task.host, contentOf(task.model, *part, lives), task.output, task.values,
+                                        task.progress.part(extractionEnd, 1));
         !written)
         return written.error();
     Outcome outcome = outcomeOf(task, part->mesh);
@@ -147,7 +150,7 @@ Result<Outcome> extractRange(const Task& task)
 
 } // namespace
 
-Syntax extractSyntax(PluginHost&)
+Syntax extractSyntax(PluginHost& host)
 {
     Syntax syntax{
         .purpose = "write a mesh of a model",
@@ -169,7 +172,8 @@ Syntax extractSyntax(PluginHost&)
                                   "In place of --error, all tetrahedra that are in the mesh of some error "
                                   "from A to B, each with its life: the arrays birth_error and death_error."});
     std::ranges::move(partOptions(), std::back_inserter(syntax.options));
-    syntax.options.push_back(outputOption("FILE.vtu|.vtk|.ply|.vtp|.stl|.obj|.glb", "The file to write."));
+    syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Mesh), "The file to write."));
+    addPluginOptions(syntax, writerParameters(host, WrittenContent::Mesh));
     return syntax;
 }
 
@@ -179,13 +183,16 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const std::filesystem::path input = arguments.positionals[0];
     const std::filesystem::path output = *arguments.value("output");
     const bool ranges = arguments.has("range");
-    if (const Status alone = ranges ? checkRangeStandsAlone(arguments) : Status(); !alone)
+    if (const Status alone = ranges ? checkRangeStandsAlone(invocation.host, arguments) : Status(); !alone)
         return alone.error();
     const auto query = ranges ? Result<MeshQuery>(MeshQuery()) : queryOf(arguments);
     if (!query)
         return query.error();
-    if (const Status named = checkMeshFileName(output); !named)
-        return named.error();
+    const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Mesh));
+    if (!values)
+        return values.error();
+    if (const Status writable = checkWritable(invocation.host, WrittenContent::Mesh, output, *values); !writable)
+        return writable.error();
     if (const Status safe = checkOutput(output, std::array{input}); !safe)
         return safe.error();
 
@@ -195,7 +202,7 @@ Result<Outcome> runExtract(const Invocation& invocation)
         return model.error();
     if (const Status safe = checkMeshOutput(output, **model); !safe)
         return safe.error();
-    const Task task{arguments, output, **model, invocation.progress};
+    const Task task{arguments, output, invocation.host, *values, **model, invocation.progress};
     auto outcome = ranges ? extractRange(task) : extractMesh(task, *query, *model);
     if (!outcome)
         return outcome.error();

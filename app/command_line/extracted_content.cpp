@@ -42,12 +42,12 @@ MeshContent contentOf(const Model& model, const MeshQuery& query, const Extracte
 
 Lives livesOf(const Model& model, const HistoryPart& part)
 {
-    model.check(model.runningErrors()); // what it finds is known to checkIntact()
+    model.check(model.runningKeys()); // what it finds is known to checkIntact()
     const double extent = model.description().range.extent();
     const auto error = [&](std::uint32_t sites) {
         if (sites == Model::never)
             return 0.0F;
-        const float key = model.runningErrors()[sites - 1]; // what the mesh without the last of them keeps
+        const float key = model.runningKeys()[sites - 1]; // what the mesh without the last of them keeps
         return std::isinf(key) ? key : static_cast<float>(extent > 0 ? 100 * static_cast<double>(key) / extent : 0);
     };
     Lives lives{std::vector<float>(part.births.size()), std::vector<float>(part.deaths.size())};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/history/query/history_part.h"
-#include "plugins/writers/mesh_file.h"
+#include "plugins/api/written_content.h"
 
 #include <tan/query.h>
 

@@ -101,7 +101,7 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
 
 Status writeLevels(const Model& model, const std::vector<Accuracy>& levels, const std::filesystem::path& output)
 {
-    const auto text = levelsFor(output, model, levels);
+    const auto text = levelsAsText(output, model, levels);
     if (!text)
         return text.error();
     if (const Status intact = model.checkIntact(); !intact)

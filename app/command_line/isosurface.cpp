@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/model_mesh.h"
 #include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
-#include "plugins/writers/surface_file.h"
 
 #include <tan/render.h>
 
@@ -119,27 +120,29 @@ SurfaceContent contentOf(const ModelMesh& shown, const std::vector<ValuedSurface
 
 } // namespace
 
-Syntax isosurfaceSyntax(PluginHost&)
+Syntax isosurfaceSyntax(PluginHost& host)
 {
-    return {.purpose = "write isosurfaces of a model as a triangle mesh",
-            .explanation =
-                "Marching tetrahedra over the mesh of the accuracy asked for: closed but for the domain's "
-                "boundary, with shared vertices and smooth normals. The file is VTK polydata (.vtp, .vtk), a VTK "
-                "unstructured grid (.vtu), binary PLY (.ply) or STL (.stl), Wavefront text (.obj) or binary glTF "
-                "(.glb). Each vertex has a position, a normal and the isovalue that it belongs to, as far as the "
-                "format can hold them.",
-            .positionals = {{"MODEL", "The model."}},
-            .options = {{.name = "value",
-                         .placeholder = "V[,V2...]",
-                         .explanation = "The isovalues, in units of the data.",
-                         .repeatable = true,
-                         .required = true},
-                        errorOption(),
-                        warpingOption(),
-                        outputOption("FILE.vtp|.vtk|.vtu|.ply|.stl|.obj|.glb", "The file to write.")},
-            .examples = {
-                {"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply", "Two surfaces in one file."},
-                {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."}}};
+    Syntax syntax{.purpose = "write isosurfaces of a model as a triangle mesh",
+                  .explanation =
+                      "Marching tetrahedra over the mesh of the accuracy asked for: closed but for the domain's "
+                      "boundary, with shared vertices and smooth normals. The file is VTK polydata (.vtp, .vtk), a VTK "
+                      "unstructured grid (.vtu), binary PLY (.ply) or STL (.stl), Wavefront text (.obj) or binary glTF "
+                      "(.glb). Each vertex has a position, a normal and the isovalue that it belongs to, as far as the "
+                      "format can hold them.",
+                  .positionals = {{"MODEL", "The model."}},
+                  .options = {{.name = "value",
+                               .placeholder = "V[,V2...]",
+                               .explanation = "The isovalues, in units of the data.",
+                               .repeatable = true,
+                               .required = true},
+                              errorOption(),
+                              warpingOption(),
+                              outputOption(fileChoices(host, WrittenContent::Surface), "The file to write.")},
+                  .examples = {{"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply",
+                                "Two surfaces in one file."},
+                               {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."}}};
+    addPluginOptions(syntax, writerParameters(host, WrittenContent::Surface));
+    return syntax;
 }
 
 Result<Outcome> runIsosurface(const Invocation& invocation)
@@ -153,8 +156,11 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto isovalues = isovaluesOf(arguments);
     if (!isovalues)
         return isovalues.error();
-    if (const Status named = checkSurfaceFileName(output); !named)
-        return named.error();
+    const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Surface));
+    if (!values)
+        return values.error();
+    if (const Status writable = checkWritable(invocation.host, WrittenContent::Surface, output, *values); !writable)
+        return writable.error();
     if (const Status safe = checkOutput(output, std::array{input}); !safe)
         return safe.error();
 
@@ -171,7 +177,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto surfaces = extractAll(*shown->mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = writeSurfaceFile(output, contentOf(*shown, *surfaces), invocation.progress.part(0.8, 1));
+    if (const Status written = saveSurface(invocation.host, contentOf(*shown, *surfaces), output, *values,
+                                           invocation.progress.part(0.8, 1));
         !written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

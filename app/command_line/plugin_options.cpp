@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/plugin_options.h"
 
+#include "plugins/host/file_saving.h"
 #include "plugins/host/parameter_text.h"
 
 #include <tan/transfer.h>
@@ -61,7 +62,13 @@ std::string placeholder(const Parameter& parameter)
             choices += (choices.empty() ? "" : "|") + choice;
         return choices;
     }
-    return std::holds_alternative<std::string>(parameter.defaultValue) ? "TEXT" : "NUMBER";
+    if (std::holds_alternative<Colour>(parameter.defaultValue))
+        return "COLOUR";
+    if (std::holds_alternative<Eigen::Vector3d>(parameter.defaultValue))
+        return "X,Y,Z";
+    const bool isText = std::holds_alternative<std::string>(parameter.defaultValue) ||
+                        std::holds_alternative<OwnValue>(parameter.defaultValue);
+    return isText ? "TEXT" : "NUMBER";
 }
 
 Option optionOf(const Parameter& parameter)
@@ -153,6 +160,14 @@ Status checkPluginOptions(const Arguments& arguments, const std::vector<Paramete
         if (arguments.has(optionName(parameter)) && std::ranges::find(used, parameter.id, &Parameter::id) == used.end())
             return Error{ErrorKind::WrongUsage, "The " + owner + " has no option '--" + optionName(parameter) + "'."};
     return {};
+}
+
+std::string fileChoices(PluginHost& host, WrittenContent content)
+{
+    std::string choices;
+    for (const std::string& ending : writableEndings(host, content))
+        choices += (choices.empty() ? "FILE" : "|") + ending;
+    return choices.empty() ? "FILE" : choices;
 }
 
 } // namespace tetra

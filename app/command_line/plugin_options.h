@@ -42,4 +42,7 @@ Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vect
 Status checkPluginOptions(const Arguments& arguments, const std::vector<Parameter>& all,
                           const std::vector<Parameter>& used, const std::string& owner);
 
+/// "FILE.obj|.ply ...": a placeholder with the endings under which such content can be written.
+std::string fileChoices(PluginHost& host, WrittenContent content);
+
 } // namespace tetra

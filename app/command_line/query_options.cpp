@@ -104,8 +104,9 @@ std::vector<Option> fieldOptions()
                                       "multiplied by the smallest number, at least 1, that makes it possible."});
     options.push_back({.name = "method",
                        .placeholder = "NAME",
-                       .explanation = "How a mesh of varying accuracy is found: closed-set, insertion (into the coarse "
-                                      "mesh: one sharp focus in a regular lattice), or automatic, the smaller one.",
+                       .explanation =
+                           "How a mesh of varying accuracy is found: closed-set, insertion (into the coarse "
+                           "mesh: one sharp focus in a lattice, any in a grid), or automatic, the smaller one.",
                        .byDefault = "automatic"});
     return options;
 }

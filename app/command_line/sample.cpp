@@ -4,7 +4,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 
 #include <QFile>
@@ -104,7 +104,7 @@ Syntax sampleSyntax(PluginHost& host)
                      {"tan sample scattered --size 20 -o ball.csv", "8000 random points in a ball."},
                      {"tan sample part -o part.vtu", "A plate with holes, as tetrahedra."},
                      {"tan sample --list", "What there is."}}};
-    addPluginOptions(syntax, allParameters(host.writers()));
+    addPluginOptions(syntax, writerParameters(host, WrittenContent::Dataset));
     return syntax;
 }
 
@@ -121,7 +121,7 @@ Result<Outcome> runSample(const Invocation& invocation)
     const auto request = requestOf(arguments);
     if (!request)
         return request.error();
-    const auto values = pluginValues(arguments, allParameters(invocation.host.writers()));
+    const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Dataset));
     if (!values)
         return values.error();
     const auto dataset = makeSample(*request, invocation.progress.part(0, 0.7));

@@ -2,181 +2,284 @@
 #include "app/reproduction/chart.h"
 
 #include <QLocale>
-#include <QPainter>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace tetra {
-
 namespace {
 
-constexpr double textHeight = 20;
-constexpr double legendWidth = 250;
+constexpr double side = 16;       // of the drawing, left free
+constexpr double lineHeight = 17; // of text
+constexpr double top = 66;        // below title and note
+constexpr double letterWidth = 6.7;
+constexpr double barChartWidth = 780;
+constexpr double labelWidth = 282;
+constexpr double limitWidth = 126; // for what was asked for, in words
+constexpr double barHeight = 15;
 
-/// A logarithmic axis from whole decade to whole decade.
-class Axis {
-public:
-    void include(double value)
-    {
-        first_ = std::min(first_, std::floor(std::log10(value)));
-        last_ = std::max(last_, std::ceil(std::log10(value)));
-    }
-    /// 0 at the axis's beginning, 1 at its end.
-    double share(double value) const { return (std::log10(value) - first_) / std::max(last_ - first_, 1.0); }
-    bool empty() const { return first_ > last_; }
-
-    /// One to nine times each power of ten.
-    std::vector<double> ticks() const
-    {
-        std::vector<double> values;
-        for (double decade = first_; decade <= last_; ++decade)
-            for (int digit = 1; digit <= (decade < last_ ? 9 : 1); ++digit)
-                values.push_back(digit * std::pow(10, decade));
-        return values;
-    }
-
-private:
-    double first_ = std::numeric_limits<double>::infinity();
-    double last_ = -std::numeric_limits<double>::infinity();
-};
-
-bool isPowerOfTen(double value)
+/// Thousands with commas; small numbers with as many digits as count.
+QString tickText(double value)
 {
-    const double logarithm = std::log10(value);
-    return std::abs(logarithm - std::round(logarithm)) < 1e-9;
+    return value >= 1 && value == std::floor(value) ? QLocale(QLocale::English).toString(value, 'f', 0)
+                                                    : QLocale::c().toString(value, 'g', 6);
 }
 
-/// The chart on its way to the paper.
-class ChartDrawing {
+/// From values to places along an axis.
+class Scale {
 public:
-    ChartDrawing(QPainter& painter, const QRectF& frame, const Chart& chart)
-        : painter_(painter), frame_(frame), plot_(frame.adjusted(90, 50, -legendWidth, -60)), chart_(chart)
+    Scale(const std::vector<double>& values, double start, double end, bool isLogarithmic)
+        : start_(start), end_(end), isLogarithmic_(isLogarithmic)
     {
-        for (const ChartSeries& series : chart.series)
-            for (const QPointF& point : series.points) {
-                horizontal_.include(point.x());
-                vertical_.include(point.y());
-            }
+        const auto [least, largest] = std::ranges::minmax_element(values);
+        low_ = isLogarithmic ? 0.8 * *least : 0;
+        high_ = (isLogarithmic ? 1.15 : 1.04) * *largest;
     }
-
-    void draw()
+    double place(double value) const
     {
-        drawTitles();
-        if (horizontal_.empty())
-            return;
-        drawGrid();
-        for (const ChartSeries& series : chart_.series)
-            drawSeries(series);
-        drawLegend();
+        const double share =
+            isLogarithmic_ ? std::log(std::max(value, low_) / low_) / std::log(high_ / low_) : value / high_;
+        return start_ + share * (end_ - start_);
     }
+    double middle() const { return (start_ + end_) / 2; }
+    /// Round numbers, about seven.
+    std::vector<double> ticks() const { return isLogarithmic_ ? logarithmicTicks() : linearTicks(); }
 
 private:
-    QPointF place(const QPointF& value) const
+    std::vector<double> linearTicks() const
     {
-        return {plot_.left() + horizontal_.share(value.x()) * plot_.width(),
-                plot_.bottom() - vertical_.share(value.y()) * plot_.height()};
+        double step = std::pow(10, std::floor(std::log10(high_ / 2)));
+        for (const double factor : {1.0, 2.0, 5.0, 10.0})
+            if (high_ / (factor * step) <= 6) {
+                step *= factor;
+                break;
+            }
+        std::vector<double> ticks;
+        for (int i = 0; i * step <= high_; ++i)
+            ticks.push_back(i * step);
+        return ticks;
     }
-
-    void drawTitles()
+    std::vector<double> logarithmicTicks() const
     {
-        painter_.setPen(Qt::black);
-        painter_.drawText(QRectF(frame_.left(), frame_.top() + 12, frame_.width(), textHeight), Qt::AlignHCenter,
-                          chart_.title);
-        painter_.drawText(QRectF(plot_.left(), plot_.bottom() + 32, plot_.width(), textHeight), Qt::AlignHCenter,
-                          chart_.horizontal);
-        painter_.save();
-        painter_.translate(frame_.left() + 12, plot_.bottom());
-        painter_.rotate(-90);
-        painter_.drawText(QRectF(0, 0, plot_.height(), textHeight), Qt::AlignHCenter, chart_.vertical);
-        painter_.restore();
-    }
-
-    void drawGrid()
-    {
-        const QPen fine(QColor(230, 230, 230), 1);
-        const QPen coarse(QColor(170, 170, 170), 1);
-        for (const double value : horizontal_.ticks()) {
-            const double x = plot_.left() + horizontal_.share(value) * plot_.width();
-            painter_.setPen(isPowerOfTen(value) ? coarse : fine);
-            painter_.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
-            if (isPowerOfTen(value))
-                drawNumber(QRectF(x - 50, plot_.bottom() + 6, 100, textHeight), Qt::AlignHCenter, value);
+        std::vector<double> ticks;
+        for (const auto& factors : std::initializer_list<std::vector<double>>{{1, 2, 5}, {1, 3}, {1}}) {
+            ticks.clear();
+            for (double power = std::floor(std::log10(low_)); power <= std::ceil(std::log10(high_)); ++power)
+                for (const double factor : factors)
+                    if (const double tick = factor * std::pow(10, power); tick >= low_ && tick <= high_)
+                        ticks.push_back(tick);
+            if (ticks.size() <= 7)
+                break;
         }
-        for (const double value : vertical_.ticks()) {
-            const double y = plot_.bottom() - vertical_.share(value) * plot_.height();
-            painter_.setPen(isPowerOfTen(value) ? coarse : fine);
-            painter_.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
-            if (isPowerOfTen(value))
-                drawNumber(QRectF(plot_.left() - 80, y - textHeight / 2, 74, textHeight),
-                           Qt::AlignRight | Qt::AlignVCenter, value);
-        }
+        return ticks;
     }
 
-    void drawNumber(const QRectF& where, int alignment, double value)
-    {
-        painter_.setPen(Qt::black);
-        painter_.drawText(where, alignment,
-                          value < 1 ? QLocale::c().toString(value, 'g', 6)
-                                    : QLocale(QLocale::English).toString(value, 'f', 0));
-    }
-
-    void drawSeries(const ChartSeries& series)
-    {
-        painter_.setPen(QPen(series.colour, 2));
-        painter_.setBrush(Qt::NoBrush);
-        QPolygonF line;
-        for (const QPointF& point : series.points)
-            line << place(point);
-        if (series.joined)
-            painter_.drawPolyline(line);
-        else
-            for (const QPointF& point : line)
-                painter_.drawEllipse(point, 4, 4);
-    }
-
-    void drawLegend()
-    {
-        double y = plot_.top();
-        for (const ChartSeries& series : chart_.series) {
-            if (series.name.isEmpty())
-                continue;
-            const double left = plot_.right() + 16;
-            const double middle = y + textHeight / 2;
-            painter_.setPen(QPen(series.colour, 2));
-            if (series.joined)
-                painter_.drawLine(QPointF(left, middle), QPointF(left + 24, middle));
-            else
-                painter_.drawEllipse(QPointF(left + 12, middle), 4, 4);
-            painter_.setPen(Qt::black);
-            painter_.drawText(QRectF(left + 32, y, legendWidth - 48, textHeight), Qt::AlignVCenter, series.name);
-            y += textHeight + 4;
-        }
-    }
-
-    QPainter& painter_;
-    QRectF frame_;
-    QRectF plot_;
-    const Chart& chart_;
-    Axis horizontal_;
-    Axis vertical_;
+    double start_;
+    double end_;
+    bool isLogarithmic_;
+    double low_;
+    double high_;
 };
+
+void writeHeader(Drawing& drawing, const ChartTexts& texts)
+{
+    drawing.text({side, 26}, texts.title, Letters::Title);
+    drawing.text({side, 26 + lineHeight}, texts.note, Letters::Soft);
+}
+
+void drawTick(Drawing& drawing, double x, double from, double to, double value)
+{
+    drawing.line(QPolygonF({{x, from}, {x, to}}), Ink::Grid);
+    drawing.text({x, to + lineHeight}, tickText(value), Letters::Soft, Anchor::Middle);
+}
+
+// Bars.
+
+std::vector<double> valuesOf(const BarChart& chart)
+{
+    std::vector<double> values;
+    for (const BarRow& row : chart.rows) {
+        for (const auto& bar : row.bars)
+            if (bar && (bar->value > 0 || !chart.isLogarithmic))
+                values.push_back(bar->value);
+        if (row.limit)
+            values.push_back(row.limit->value);
+    }
+    return values;
+}
+
+double heightOf(const BarRow& row)
+{
+    return barHeight * static_cast<double>(row.bars.size()) + 12;
+}
+
+void drawLegend(Drawing& drawing, const BarChart& chart, bool hasLimits)
+{
+    double x = labelWidth;
+    for (const auto& [name, ink] : chart.legend) {
+        drawing.area(QPolygonF(QRectF(x, top - 9, 11, 11)), ink);
+        drawing.text({x + 16, top + 1}, name, Letters::Soft);
+        x += 26 + letterWidth * static_cast<double>(name.size());
+    }
+    if (!hasLimits)
+        return;
+    x = barChartWidth - limitWidth;
+    drawing.text({x, top + 1}, "asked for", Letters::Soft);
+    drawing.line(QPolygonF({{x + 68, top - 10}, {x + 68, top + 4}}), Ink::Text, 2.5);
+}
+
+void drawRow(Drawing& drawing, const BarRow& row, const Scale& scale, double y)
+{
+    const double height = heightOf(row);
+    const double middle = y + height / 2 + 5;
+    drawing.text({side, middle}, row.label);
+    double barTop = y + 6;
+    for (const auto& bar : row.bars) {
+        if (bar) {
+            const double end = scale.place(bar->value);
+            const QRectF box(labelWidth, barTop + 1, std::max(end - labelWidth, 1.0), barHeight - 3);
+            drawing.area(QPolygonF(box), bar->ink);
+            drawing.text({end + 5, barTop + 12}, bar->text, row.limit ? Letters::Strong : Letters::Soft);
+        }
+        barTop += barHeight;
+    }
+    if (!row.limit)
+        return;
+    const double place = scale.place(row.limit->value);
+    drawing.line(QPolygonF({{place, y + 2}, {place, y + height - 2}}), Ink::Text, 2.5);
+    drawing.text({barChartWidth - limitWidth, middle}, row.limit->text,
+                 row.limit->isMissed ? Letters::Strong : Letters::Plain);
+}
+
+// Lines.
+
+/// The ends of lines, as their names beside them need room: moved apart, and back into the chart.
+std::vector<double> spread(std::vector<double> ends, double bottom)
+{
+    std::vector<std::size_t> order(ends.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ends[i]; });
+    for (std::size_t i = 1; i < order.size(); ++i)
+        ends[order[i]] = std::max(ends[order[i]], ends[order[i - 1]] + lineHeight);
+    double limit = bottom;
+    for (auto i = order.rbegin(); i != order.rend(); ++i) {
+        ends[*i] = std::min(ends[*i], limit);
+        limit = ends[*i] - lineHeight;
+    }
+    return ends;
+}
+
+/// What the horizontal axis has numbers for: the values themselves where they are few.
+std::vector<double> placesAcross(const LineChart& chart, const Scale& scale)
+{
+    std::set<double> values;
+    for (const LineSeries& series : chart.series)
+        for (const QPointF& point : series.points)
+            values.insert(point.x());
+    return values.size() <= 8 ? std::vector(values.begin(), values.end()) : scale.ticks();
+}
+
+void drawRing(Drawing& drawing, const QPointF& place, Ink ink)
+{
+    drawing.dots(QPolygonF({place}), ink, 9);
+    drawing.dots(QPolygonF({place}), Ink::Ground, 5);
+}
+
+/// A disc, a square or a triangle: lines differ without colours, too.
+void drawMark(Drawing& drawing, const QPointF& place, std::size_t number, Ink ink)
+{
+    if (number % 3 == 0)
+        drawing.dots(QPolygonF({place}), ink, 8);
+    else if (number % 3 == 1)
+        drawing.area(QPolygonF(QRectF(place - QPointF(4, 4), QSizeF(8, 8))), ink);
+    else
+        drawing.area(QPolygonF({place + QPointF(0, -5), place + QPointF(5, 4), place + QPointF(-5, 4)}), ink);
+}
+
+void drawSeries(Drawing& drawing, const LineSeries& series, const QPolygonF& places, std::size_t number)
+{
+    if (series.style != LineSeries::Style::Rings)
+        drawing.line(places, series.ink, 2);
+    for (const QPointF& place : places) {
+        if (series.style == LineSeries::Style::Rings)
+            drawRing(drawing, place, series.ink);
+        if (series.style == LineSeries::Style::MarkedLine)
+            drawMark(drawing, place, number, series.ink);
+    }
+}
 
 } // namespace
 
-QColor chartColour(std::size_t number)
+Drawing drawChart(const BarChart& chart)
 {
-    static constexpr std::array<QRgb, 8> colours = {0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
-                                                    0xffe69f00, 0xff56b4e9, 0xff000000, 0xff999933};
-    return QColor::fromRgb(colours[number % colours.size()]);
+    const bool hasLimits = std::ranges::any_of(chart.rows, [](const BarRow& row) { return row.limit.has_value(); });
+    double bottom = top + (chart.legend.empty() && !hasLimits ? 0 : 14);
+    const double first = bottom;
+    for (const BarRow& row : chart.rows)
+        bottom += heightOf(row);
+    Drawing drawing({barChartWidth, bottom + 44}, chart.texts.title, chart.texts.description);
+    writeHeader(drawing, chart.texts);
+    drawLegend(drawing, chart, hasLimits);
+    const double end = barChartWidth - 70 - (hasLimits ? limitWidth : 0);
+    const Scale scale(valuesOf(chart), labelWidth, end, chart.isLogarithmic);
+    for (const double tick : scale.ticks())
+        drawTick(drawing, scale.place(tick), first, bottom, tick);
+    drawing.text({scale.middle(), bottom + 2 * lineHeight}, chart.texts.unit, Letters::Soft, Anchor::Middle);
+    double y = first;
+    for (const BarRow& row : chart.rows) {
+        drawRow(drawing, row, scale, y);
+        y += heightOf(row);
+    }
+    drawing.line(QPolygonF({{labelWidth, first}, {labelWidth, bottom}}), Ink::Axis);
+    return drawing;
 }
 
-void drawChart(QPainter& painter, const QRectF& frame, const Chart& chart)
+Drawing drawChart(const LineChart& chart)
 {
-    painter.fillRect(frame, Qt::white);
-    ChartDrawing(painter, frame, chart).draw();
+    std::vector<double> xs, ys;
+    qsizetype longestName = 0;
+    for (const LineSeries& series : chart.series) {
+        longestName = std::max(longestName, series.name.size());
+        for (const QPointF& point : series.points) {
+            xs.push_back(point.x());
+            ys.push_back(point.y());
+        }
+    }
+    const double left = 84, right = chart.size.width() - 36 - letterWidth * 1.1 * static_cast<double>(longestName);
+    const double upper = top + 14, bottom = chart.size.height() - 50;
+    const Scale across(xs, left, right, true), up(ys, bottom, upper, true);
+    Drawing drawing(chart.size, chart.texts.title, chart.texts.description);
+    writeHeader(drawing, chart.texts);
+    for (const double x : placesAcross(chart, across))
+        drawTick(drawing, across.place(x), upper, bottom, x);
+    for (const double tick : up.ticks()) {
+        drawing.line(QPolygonF({{left, up.place(tick)}, {right, up.place(tick)}}), Ink::Grid);
+        drawing.text({left - 8, up.place(tick) + 4}, tickText(tick), Letters::Soft, Anchor::Right);
+    }
+    drawing.text({across.middle(), bottom + 2 * lineHeight + 2}, chart.across, Letters::Soft, Anchor::Middle);
+    drawing.text({side, upper - 6}, chart.texts.unit, Letters::Soft);
+    std::vector<double> ends;
+    for (std::size_t number = 0; number < chart.series.size(); ++number) {
+        QPolygonF places;
+        for (const QPointF& point : chart.series[number].points)
+            places << QPointF(across.place(point.x()), up.place(point.y()));
+        std::ranges::sort(places, {}, &QPointF::x);
+        drawSeries(drawing, chart.series[number], places, number);
+        if (!chart.series[number].name.isEmpty())
+            ends.push_back(places.isEmpty() ? bottom : places.last().y());
+    }
+    ends = spread(ends, bottom);
+    auto end = ends.begin();
+    for (std::size_t number = 0; number < chart.series.size(); ++number) {
+        const LineSeries& series = chart.series[number];
+        if (series.name.isEmpty())
+            continue;
+        drawSeries(drawing, series, QPolygonF({{right + 6, *end}, {right + 22, *end}}), number);
+        drawing.text({right + 30, *end++ + 4}, series.name);
+    }
+    return drawing;
 }
 
 } // namespace tetra

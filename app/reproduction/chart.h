@@ -1,37 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QColor>
-#include <QPointF>
-#include <QString>
+#include "app/reproduction/drawing.h"
 
-#include <vector>
-
-class QPainter;
-class QRectF;
+#include <optional>
 
 namespace tetra {
 
-/// Points in a chart: joined by a line, or each marked with a ring.
-struct ChartSeries {
-    QString name; ///< in the legend; empty for none
-    QColor colour;
-    std::vector<QPointF> points; ///< in the units of the axes, both positive
-    bool joined = true;
-};
-
-/// A chart with two logarithmic axes.
-struct Chart {
+/// What stands over and beside every chart.
+struct ChartTexts {
     QString title;
-    QString horizontal; ///< what the axis shows, with its unit
-    QString vertical;
-    std::vector<ChartSeries> series;
+    QString note;        ///< below the title
+    QString unit;        ///< of the values
+    QString description; ///< in words, for those who cannot see it
 };
 
-/// Eight colours that people of any colour vision can tell apart (Okabe and Ito), over and over.
-QColor chartColour(std::size_t number);
+/// A number that was asked for, as a line across the bars of a row and as text beside them.
+struct BarLimit {
+    double value = 0;
+    QString text;
+    bool isMissed = false;
+};
 
-/// Draws the chart into `frame`, dark on a white ground.
-void drawChart(QPainter& painter, const QRectF& frame, const Chart& chart);
+struct Bar {
+    double value = 0;
+    QString text;
+    Ink ink = Ink::Series;
+};
+
+/// What has a label at the left: bars below each other; none where nothing is known.
+struct BarRow {
+    QString label;
+    std::vector<std::optional<Bar>> bars;
+    std::optional<BarLimit> limit;
+};
+
+/// Horizontal bars. The axis is linear from 0 on, or logarithmic, of positive values then.
+struct BarChart {
+    ChartTexts texts;
+    std::vector<std::pair<QString, Ink>> legend; ///< of the bars of each row; may be empty
+    std::vector<BarRow> rows;
+    bool isLogarithmic = false;
+};
+
+/// A name, beside the end of the line, and points in the units of the axes. Without a name it is not in the legend.
+struct LineSeries {
+    enum class Style { Line, Rings, MarkedLine };
+    QString name;
+    Ink ink = Ink::Series;
+    QPolygonF points;
+    Style style = Style::Line;
+};
+
+/// Lines over two logarithmic axes; all coordinates are positive.
+struct LineChart {
+    ChartTexts texts;
+    QString across; ///< the unit of the horizontal axis
+    std::vector<LineSeries> series;
+    QSizeF size = {780, 420};
+};
+
+/// There is at least one bar, one point.
+Drawing drawChart(const BarChart& chart);
+Drawing drawChart(const LineChart& chart);
 
 } // namespace tetra

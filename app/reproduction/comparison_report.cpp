@@ -3,19 +3,15 @@
 
 #include "app/command_line/table.h"
 #include "app/reproduction/chart.h"
-#include "app/reproduction/drawing_file.h"
 #include "app/reproduction/sites_curve.h"
 
 #include <QJsonObject>
-#include <QPainter>
 
 #include <algorithm>
 
 namespace tetra {
 
 namespace {
-
-constexpr QSizeF chartSize(1000, 640);
 
 std::string sizeCell(const ComparedBuild& build, std::size_t level, std::uint64_t ComparedBuild::Size::*figure)
 {
@@ -91,23 +87,28 @@ QJsonObject levelFigures(const ComparedDataset& dataset, std::size_t level)
     return figures;
 }
 
-Chart chartOf(DomainClass domain, const std::vector<ComparedDataset>& datasets)
+LineChart chartOf(DomainClass domain, const std::vector<ComparedDataset>& datasets)
 {
-    Chart chart{.title = "Sites of the mesh against its error (lines: decimation, rings: refinement)",
-                .horizontal = domain == DomainClass::RegularLattice
+    LineChart chart{.texts = {.title = "Sites of the mesh against its error",
+                              .note = "Lines: decimation. Rings: refinement.",
+                              .unit = "sites",
+                              .description = "The numbers of sites are in the tables of this comparison."},
+                    .across = domain == DomainClass::RegularLattice
                                   ? "error, % of the value range"
                                   : "error, % of the value range, and warping, % of the diagonal",
-                .vertical = "sites",
-                .series = {}};
+                    .series = {},
+                    .size = {1000, 640}};
     std::size_t colour = 0;
     for (const ComparedDataset& dataset : datasets) {
         if (!dataset.skipped.empty() || dataset.domain != domain)
             continue;
         for (const ComparedBuild& build : dataset.builds) {
-            const bool line = build.builder == "decimation";
+            const bool isLine = build.builder == "decimation";
             if (build.model)
-                chart.series.push_back({line ? QString::fromStdString(dataset.name) : QString(), chartColour(colour),
-                                        sitesCurve(*build.model), line});
+                chart.series.push_back({.name = isLine ? QString::fromStdString(dataset.name) : QString(),
+                                        .ink = seriesInk(colour),
+                                        .points = sitesCurve(*build.model),
+                                        .style = isLine ? LineSeries::Style::Line : LineSeries::Style::Rings});
         }
         ++colour;
     }
@@ -150,13 +151,11 @@ Result<std::vector<std::filesystem::path>> drawComparison(const std::vector<Comp
 {
     std::vector<std::filesystem::path> files;
     for (const DomainClass domain : {DomainClass::RegularLattice, DomainClass::Curvilinear, DomainClass::Irregular}) {
-        const Chart chart = chartOf(domain, datasets);
+        const LineChart chart = chartOf(domain, datasets);
         if (chart.series.empty())
             continue;
-        const auto written = writeDrawing(folder / ("builders-" + std::string(domainClassName(domain))), chartSize,
-                                          [&](QPainter& painter) {
-                                              drawChart(painter, {{0, 0}, chartSize}, chart);
-                                          });
+        const auto written =
+            writeDrawing(folder / ("builders-" + std::string(domainClassName(domain))), drawChart(chart));
         if (!written)
             return written.error();
         files.insert(files.end(), written->begin(), written->end());

@@ -2,12 +2,9 @@
 #include "app/reproduction/figures.h"
 
 #include "app/reproduction/chart.h"
-#include "app/reproduction/drawing_file.h"
 #include "app/reproduction/sites_curve.h"
 
 #include <tan/query.h>
-
-#include <QPainter>
 
 #include <algorithm>
 
@@ -15,7 +12,6 @@ namespace tetra {
 
 namespace {
 
-constexpr QSizeF figureSize(1000, 640);
 constexpr QSizeF distributionSize(1200, 560);
 
 QString seriesName(const ReproducedModel& model)
@@ -26,18 +22,22 @@ QString seriesName(const ReproducedModel& model)
            (model.experiment.variant.empty() ? QString() : ", " + QString::fromStdString(model.experiment.variant));
 }
 
-Chart sitesAgainstError(const Reproduction& reproduction)
+LineChart sitesAgainstError(const Reproduction& reproduction)
 {
-    Chart chart{.title = "Sites of the mesh against its error (lines: TAn, rings: the paper's tables)",
-                .horizontal = "error, % of the value range",
-                .vertical = "sites",
-                .series = {}};
+    LineChart chart{.texts = {.title = "Sites of the mesh against its error",
+                              .note = "Lines: TAn. Rings: the paper's tables.",
+                              .unit = "sites",
+                              .description = "The numbers of sites are in the tables of this reproduction."},
+                    .across = "error, % of the value range",
+                    .series = {},
+                    .size = {1000, 640}};
     std::size_t colour = 0;
     for (const ReproducedModel& model : reproduction.models) {
         if (!model.model || !reproduction.tables.contains(model.table))
             continue;
-        chart.series.push_back({seriesName(model), chartColour(colour), sitesCurve(*model.model)});
-        ChartSeries rings{{}, chartColour(colour), {}, false};
+        chart.series.push_back(
+            {.name = seriesName(model), .ink = seriesInk(colour), .points = sitesCurve(*model.model)});
+        LineSeries rings{.name = {}, .ink = seriesInk(colour), .points = {}, .style = LineSeries::Style::Rings};
         for (const ReproducedLevel& level : model.levels)
             if (level.paper.error > 0)
                 rings.points.emplace_back(level.paper.error, static_cast<double>(level.paper.sites));
@@ -67,36 +67,35 @@ private:
     Eigen::Matrix3d rotation_;
 };
 
-void drawPoints(QPainter& painter, const QRectF& frame, const QString& title, const std::vector<QPointF>& points)
+/// A title, and the points below it, in a half of the drawing.
+void drawPoints(Drawing& drawing, double left, const QString& title, const QPolygonF& points)
 {
-    painter.setPen(Qt::black);
-    painter.drawText(QRectF(frame.left(), frame.top() + 10, frame.width(), 20), Qt::AlignHCenter, title);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(chartColour(0));
-    const double scale = 0.95 * frame.width();
+    const double width = distributionSize.width() / 2;
+    const QPointF centre(left + width / 2, distributionSize.height() / 2);
+    drawing.text({centre.x(), 26}, title, Letters::Plain, Anchor::Middle);
+    QPolygonF places;
     for (const QPointF& point : points)
-        painter.drawEllipse(frame.center() + scale * point, 0.7, 0.7);
+        places << centre + 0.95 * width * point;
+    drawing.dots(places, seriesInk(0), 1.4);
 }
 
 /// Fig. 11.
-void drawDistribution(QPainter& painter, const ReproducedModel& model)
+Drawing distribution(const ReproducedModel& model)
 {
     const Dataset& dataset = *model.dataset;
     const Projection projection(dataset.bounds());
-    std::vector<QPointF> all;
+    QPolygonF all, some;
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point)
-        all.push_back(projection(dataset.position(point)));
-    std::vector<QPointF> some;
+        all << projection(dataset.position(point));
     const MeshSize size = meshSizeAt(*model.model, {.error = 2, .warping = 2});
     for (std::uint32_t site = 0; site < size.sites; ++site)
-        some.push_back(all[model.model->points()[site]]);
-
-    const QRectF frame(QPointF(0, 0), distributionSize);
-    painter.fillRect(frame, Qt::white);
-    const double half = frame.width() / 2;
-    drawPoints(painter, QRectF(0, 0, half, frame.height()), QString("BluntFin, %1 points").arg(all.size()), all);
-    drawPoints(painter, QRectF(half, 0, half, frame.height()),
-               QString("warping and error at most 2 %, %1 sites").arg(some.size()), some);
+        some << all[model.model->points()[site]];
+    const QString allTitle = QString("BluntFin, %1 points").arg(all.size());
+    const QString someTitle = QString("warping and error at most 2 %, %1 sites").arg(some.size());
+    Drawing drawing(distributionSize, "Where the vertices lie", allTitle + "; " + someTitle + '.');
+    drawPoints(drawing, 0, allTitle, all);
+    drawPoints(drawing, distributionSize.width() / 2, someTitle, some);
+    return drawing;
 }
 
 } // namespace
@@ -105,30 +104,24 @@ Result<std::vector<std::filesystem::path>> drawFigures(const Reproduction& repro
                                                        const std::filesystem::path& folder)
 {
     std::vector<std::filesystem::path> files;
-    const auto draw = [&](const std::string& name, const QSizeF& size, const Drawing& drawing) -> Status {
-        const auto written = writeDrawing(folder / name, size, drawing);
+    const auto write = [&](const std::string& name, const Drawing& drawing) -> Status {
+        const auto written = writeDrawing(folder / name, drawing);
         if (!written)
             return written.error();
         files.insert(files.end(), written->begin(), written->end());
         return {};
     };
 
-    const Chart chart = sitesAgainstError(reproduction);
+    const LineChart chart = sitesAgainstError(reproduction);
     if (!chart.series.empty())
-        if (const Status drawn = draw("figure10", figureSize,
-                                      [&](QPainter& painter) {
-                                          drawChart(painter, {{0, 0}, figureSize}, chart);
-                                      });
-            !drawn)
-            return drawn.error();
+        if (const Status written = write("figure10", drawChart(chart)); !written)
+            return written.error();
     const auto bluntFin = std::ranges::find_if(reproduction.models, [](const ReproducedModel& model) {
         return model.paper.dataset == "BluntFin" && model.model != nullptr;
     });
     if (bluntFin != reproduction.models.end())
-        if (const Status drawn =
-                draw("figure11", distributionSize, [&](QPainter& painter) { drawDistribution(painter, *bluntFin); });
-            !drawn)
-            return drawn.error();
+        if (const Status written = write("figure11", distribution(*bluntFin)); !written)
+            return written.error();
     return files;
 }
 

@@ -7,9 +7,9 @@
 
 namespace tetra {
 
-std::vector<QPointF> sitesCurve(const Model& model)
+QPolygonF sitesCurve(const Model& model)
 {
-    std::vector<QPointF> points;
+    QPolygonF points;
     for (double exponent = 1; exponent >= -2; exponent -= 0.05) {
         const double percent = std::pow(10, exponent);
         const MeshSize size = meshSizeAt(model, {.error = percent, .warping = percent});

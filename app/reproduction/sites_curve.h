@@ -3,13 +3,11 @@
 
 #include <tan/model.h>
 
-#include <QPointF>
-
-#include <vector>
+#include <QPolygonF>
 
 namespace tetra {
 
 /// Sites against error (and, where there is one, the same warping) in %, from 10 % down to a hundredth.
-std::vector<QPointF> sitesCurve(const Model& model);
+QPolygonF sitesCurve(const Model& model);
 
 } // namespace tetra

@@ -219,7 +219,7 @@ Status DerivedWriter::writeBatchEnds()
 {
     if (const Status begun = sections_.grow(SectionId::BatchEnds, sizeof(std::uint32_t), 0); !begun)
         return begun;
-    auto errors = perSite<float>(SectionId::SiteRunningErrors);
+    auto errors = perSite<float>(SectionId::SiteRunningKeys);
     constexpr std::size_t atOnce = 1 << 14;
     std::vector<std::uint32_t> ends;
     if (weight_ > 0)

@@ -133,7 +133,7 @@ double keyOf(const Model& model, const Accuracy& accuracy)
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
     const double asked = keyOf(model, accuracy);
-    const std::span<const float> errors = model.runningErrors();
+    const std::span<const float> errors = model.runningKeys();
     // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
     const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
         return !model.check(error) || std::isinf(error) || !(static_cast<double>(error) <= asked);
@@ -147,9 +147,9 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
         return {};
     const double extent = model.description().range.extent();
     const double weight = model.description().warpingWeight;
-    const std::span<const float> errors = model.runningErrors();
+    const std::span<const float> errors = model.runningKeys();
     const float& next = sites == errors.size() ? errors.back() : errors[sites];
-    const double key = sites == errors.size() ? std::min(model.finalError(), next) : next;
+    const double key = sites == errors.size() ? std::min(model.finalKey(), next) : next;
     if (!model.check(next) || !model.check(model.meshSizes()[sites - 1]))
         return {};
     return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * key / extent : 0,
@@ -233,7 +233,8 @@ std::string levelsAsJson(const Model& model, std::span<const Accuracy> levels)
            ",\n  \"bytes\": " + std::to_string(model.fileSize()) + ",\n  \"levels\": [" + list + "\n  ]\n}\n";
 }
 
-Result<std::string> levelsFor(const std::filesystem::path& path, const Model& model, std::span<const Accuracy> levels)
+Result<std::string> levelsAsText(const std::filesystem::path& path, const Model& model,
+                                 std::span<const Accuracy> levels)
 {
     const std::string ending = fileEnding(path);
     if (ending == ".csv")

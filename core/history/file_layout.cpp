@@ -24,9 +24,9 @@ struct Expected {
     SectionId id;
     std::uint32_t elementBytes;
 };
-constexpr Expected perSite[] = {{SectionId::SitePoints, 4},        {SectionId::SiteValues, 0},
-                                {SectionId::SiteRunningErrors, 4}, {SectionId::StarOffsets, 8},
-                                {SectionId::MeshSizes, 4},         {SectionId::SiteGroups, 1}};
+constexpr Expected perSite[] = {{SectionId::SitePoints, 4},      {SectionId::SiteValues, 0},
+                                {SectionId::SiteRunningKeys, 4}, {SectionId::StarOffsets, 8},
+                                {SectionId::MeshSizes, 4},       {SectionId::SiteGroups, 1}};
 constexpr Expected perTetrahedron[] = {
     {SectionId::OtherSites, 12}, {SectionId::Destroyers, 4}, {SectionId::OwnErrors, 2}};
 constexpr std::uint32_t positionBytesInFloats = 12;
@@ -176,7 +176,7 @@ Status LayoutReader::checkValues() const
 {
     const Header& header = layout_.header;
     if (!std::isfinite(header.valueRange[0]) || !std::isfinite(header.valueRange[1]) ||
-        header.valueRange[0] > header.valueRange[1] || !(header.finalError >= 0) || !std::isfinite(header.finalError))
+        header.valueRange[0] > header.valueRange[1] || !(header.finalKey >= 0) || !std::isfinite(header.finalKey))
         return damaged(Message::say("its value range or its final error makes no sense"));
     return {};
 }

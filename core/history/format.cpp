@@ -12,7 +12,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::LevelIndex: return "level index";
     case SectionId::SitePoints: return "site points";
     case SectionId::SiteValues: return "site values";
-    case SectionId::SiteRunningErrors: return "site running errors";
+    case SectionId::SiteRunningKeys: return "site running keys";
     case SectionId::StarOffsets: return "star offsets";
     case SectionId::MeshSizes: return "mesh sizes";
     case SectionId::SiteGroups: return "site groups";

@@ -42,7 +42,7 @@ enum class SectionId : std::uint32_t {
     LevelIndex = 4,
     SitePoints = 16,
     SiteValues = 17,
-    SiteRunningErrors = 18,
+    SiteRunningKeys = 18,
     StarOffsets = 19,
     MeshSizes = 20,
     SiteGroups = 21,
@@ -101,7 +101,7 @@ struct Header {
     std::array<double, 2> valueRange{};
     std::array<double, 6> boundingBox{}; ///< minimum x y z, maximum x y z
     std::uint64_t sourceHash = 0;
-    float finalError = 0;
+    float finalKey = 0;
     std::uint32_t leftHanded = 0;
     double warpingWeight = 0;
     std::array<std::uint32_t, 12> reserved{};

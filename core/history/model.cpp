@@ -61,14 +61,14 @@ struct Model::File {
 Model::Model(File file, ModelDescription description)
     : file_(std::make_unique<const File>(std::move(file))), path_(file_->mapped->path()),
       description_(std::move(description)), fileSize_(file_->mapped->bytes().size()),
-      finalError_(file_->layout.header.finalError)
+      finalKey_(file_->layout.header.finalKey)
 {
     const auto map = [this]<class T>(std::span<const T>& elements, SectionId id) {
         elements = elementsOf<T>(*file_->mapped, file_->layout, id);
     };
     map(points_, SectionId::SitePoints);
     map(values_, SectionId::SiteValues);
-    map(runningErrors_, SectionId::SiteRunningErrors);
+    map(runningKeys_, SectionId::SiteRunningKeys);
     map(starOffsets_, SectionId::StarOffsets);
     map(meshSizes_, SectionId::MeshSizes);
     map(groupGoesOn_, SectionId::SiteGroups);
@@ -178,7 +178,7 @@ Status Model::checkPrefix(std::uint32_t sites, unsigned reading, const Progress&
         if (right && (reading & part) != 0 && !elements.empty())
             right = check(elements.first(count), progress);
     };
-    checkAlso(Batches, runningErrors_, sites);
+    checkAlso(Batches, runningKeys_, sites);
     checkAlso(Batches, meshSizes_, sites);
     checkAlso(Batches, groupGoesOn_, sites);
     checkAlso(Stars, otherSites_, tetrahedra);

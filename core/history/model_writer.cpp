@@ -156,7 +156,7 @@ Status ModelFileWriter::announce(const FixedCounts& counts)
         sections.push_back({SectionId::OtherSites, 12, tetrahedra});
     sections.insert(sections.end(), {{SectionId::SitePoints, 4, sites},
                                      {SectionId::SiteValues, sampleBytes, sites},
-                                     {SectionId::SiteRunningErrors, 4, sites},
+                                     {SectionId::SiteRunningKeys, 4, sites},
                                      {SectionId::StarOffsets, 8, sites + 1},
                                      {SectionId::MeshSizes, 4, sites},
                                      {SectionId::SiteGroups, 1, sites},
@@ -253,7 +253,7 @@ Status ModelFileWriter::finish(float finalKey)
     format::Header header = headerOf(description_);
     header.siteCount = counts_.sites;
     header.tetrahedronCount = counts_.tetrahedra;
-    header.finalError = finalKey;
+    header.finalKey = finalKey;
     if (const Status intact = dataset_.checkIntact(); !intact)
         return intact;
     return sections_.finish(header);
@@ -295,14 +295,14 @@ public:
 
     Status begin(const HistoryTraits& traits) override;
     Status add(const HistoryStep& step) override;
-    Status finish(float finalError) override;
+    Status finish(float finalKey) override;
     Status finishEarly() override;
     std::uint32_t siteCount() const noexcept override { return builder_.siteCount(); }
     std::uint64_t tetrahedronCount() const noexcept override { return builder_.storedCount(); }
 
 private:
     Status add(const Batch& batch) override;
-    Status writeArrays(float finalError);
+    Status writeArrays(float finalKey);
     void storeMeshSizes(const Batch& batch);
     const ModelDescription& description() const { return file_->description(); }
     Error inconsistent(const Message& what) const;
@@ -311,7 +311,7 @@ private:
     std::unique_ptr<ModelFileWriter> file_;
     SpoolFile spool_; ///< of the arrays that are only read at the end
     SpooledArray<std::uint32_t> points_{spool_};
-    SpooledArray<float> runningErrors_{spool_};
+    SpooledArray<float> runningKeys_{spool_};
     SpooledArray<std::uint32_t> starSizes_{spool_};
     SpooledArray<std::uint32_t> meshSizes_{spool_};
     SpooledArray<std::uint8_t> groupGoesOn_{spool_};
@@ -366,7 +366,7 @@ Status HistoryFileWriter::add(const Batch& batch)
 {
     for (std::size_t place = 0; place < batch.points.size(); ++place) {
         points_.push_back(static_cast<std::uint32_t>(batch.points[place]));
-        runningErrors_.push_back(batch.runningKey);
+        runningKeys_.push_back(batch.runningKey);
         groupGoesOn_.push_back(batch.groupGoesOn[place]);
         starSizes_.push_back(batch.starEnds[place] - (place == 0 ? 0 : batch.starEnds[place - 1]));
     }
@@ -404,16 +404,16 @@ void HistoryFileWriter::storeMeshSizes(const Batch& batch)
     }
 }
 
-Status HistoryFileWriter::finish(float finalError)
+Status HistoryFileWriter::finish(float finalKey)
 {
     if (siteCount() < fewestSites(description().domain) || builder_.aliveCount() == 0)
         return inconsistent(Message::say("a model needs at least the sites of a first mesh"));
-    if (!(finalError >= 0) || !std::isfinite(finalError))
+    if (!(finalKey >= 0) || !std::isfinite(finalKey))
         return inconsistent(Message::say("the final error is not a number of at least 0"));
     try {
         if (const Status closed = builder_.finish(); !closed)
             return closed;
-        return writeArrays(finalError);
+        return writeArrays(finalKey);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     }
@@ -435,7 +435,7 @@ Status HistoryFileWriter::finishEarly()
 }
 
 /// All but what went to the file on the way; may throw std::bad_alloc.
-Status HistoryFileWriter::writeArrays(float finalError)
+Status HistoryFileWriter::writeArrays(float finalKey)
 {
     if (const Status announced = file_->announce({siteCount(), tetrahedronCount()}); !announced)
         return announced;
@@ -443,7 +443,7 @@ Status HistoryFileWriter::writeArrays(float finalError)
     for (const Status& written :
          {points_.forEachChunk([this](auto chunk) { return file_->addPoints(chunk); }),
           starSizes_.forEachChunk([this](auto chunk) { return file_->addStarSizes(chunk); }),
-          runningErrors_.forEachChunk(asItIs(SectionId::SiteRunningErrors)),
+          runningKeys_.forEachChunk(asItIs(SectionId::SiteRunningKeys)),
           meshSizes_.forEachChunk(asItIs(SectionId::MeshSizes)),
           groupGoesOn_.forEachChunk(asItIs(SectionId::SiteGroups)),
           destroyers_.forEachChunk(asItIs(SectionId::Destroyers)),
@@ -452,7 +452,7 @@ Status HistoryFileWriter::writeArrays(float finalError)
         if (!written)
             return written;
     destroyers_ = {}; // what follows needs memory, too
-    return file_->finish(finalError);
+    return file_->finish(finalKey);
 }
 
 Error HistoryFileWriter::inconsistent(const Message& what) const

@@ -50,7 +50,7 @@ public:
     Status addPoints(std::span<const std::uint32_t> points);
     /// How many tetrahedra each site created.
     Status addStarSizes(std::span<const std::uint32_t> starSizes);
-    /// A section that is written as it is: SiteRunningErrors, MeshSizes, SiteGroups, Destroyers, OwnErrors,
+    /// A section that is written as it is: SiteRunningKeys, MeshSizes, SiteGroups, Destroyers, OwnErrors,
     /// OwnWarpings.
     template <class Element> Status add(format::SectionId id, std::span<const Element> elements)
     {

@@ -41,7 +41,7 @@ double keyAsked(const Model& model, const Original& original, const Accuracy& as
 std::uint32_t firstPassage(const Model& model, double asked)
 {
     std::uint32_t sites = initialSiteCount(model);
-    while (sites < model.siteCount() && !(static_cast<double>(model.runningErrors()[sites]) <= asked))
+    while (sites < model.siteCount() && !(static_cast<double>(model.runningKeys()[sites]) <= asked))
         ++sites;
     return sites;
 }
@@ -51,7 +51,7 @@ std::uint32_t firstPassage(const Model& model, double asked)
 MeshBounds claimedBounds(const Model& model, std::uint32_t sites)
 {
     const double weight = model.description().warpingWeight;
-    double error = static_cast<double>(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
+    double error = static_cast<double>(sites < model.siteCount() ? model.runningKeys()[sites] : model.finalKey());
     double warping = weight > 0 ? error / weight : 0;
     const DerivedSections derived = derivedSections(model);
     const auto end = std::ranges::lower_bound(derived.batchEnds, sites - 1);

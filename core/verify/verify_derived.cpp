@@ -30,13 +30,13 @@ struct Batches {
 
     explicit Batches(const Model& model)
     {
-        const std::span<const float> errors = model.runningErrors();
+        const std::span<const float> errors = model.runningKeys();
         for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
             const bool isLast = site + 1 == model.siteCount();
             if (!isLast && errors[site + 1] == errors[site])
                 continue;
             ends.push_back(site);
-            keys.push_back(static_cast<double>(isLast ? model.finalError() : errors[site + 1]));
+            keys.push_back(static_cast<double>(isLast ? model.finalKey() : errors[site + 1]));
         }
     }
     /// The batch that a site belongs to; behind all, that of no site.

@@ -252,7 +252,7 @@ void verifyPositions(const Model& model, const Dataset& original, Findings& find
 
 void verifyRunningErrors(const Model& model, Findings& findings)
 {
-    const std::span<const float> errors = model.runningErrors();
+    const std::span<const float> errors = model.runningKeys();
     const std::uint32_t initial = initialSiteCount(model);
     if (initial == 0)
         findings.add(0,
@@ -270,7 +270,7 @@ void verifyRunningErrors(const Model& model, Findings& findings)
 
 std::uint32_t initialSiteCount(const Model& model)
 {
-    const std::span<const float> errors = model.runningErrors();
+    const std::span<const float> errors = model.runningKeys();
     const auto end = std::ranges::find_if(errors, [](float error) { return !(std::isinf(error) && error > 0); });
     return static_cast<std::uint32_t>(end - errors.begin());
 }
@@ -583,7 +583,7 @@ private:
     void checkStar(std::uint32_t creator);
     bool sameBatch(std::uint32_t first, std::uint32_t second) const
     {
-        return model_.runningErrors()[first] == model_.runningErrors()[second];
+        return model_.runningKeys()[first] == model_.runningKeys()[second];
     }
 
     const Model& model_;

@@ -9,9 +9,10 @@
 namespace {
 using namespace tetra;
 
-Error refused(const std::filesystem::path& path, const Message& reason)
+/// What is wrong in the file, and what to do. The program says which file it is.
+Error refused(const Message& reason)
 {
-    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason)};
+    return {ErrorKind::BadInput, reason};
 }
 } // namespace
 
@@ -33,27 +34,24 @@ public:
     {
         QFile file(QString::fromStdString(path.string()));
         if (!file.open(QIODevice::ReadOnly))
-            return refused(path, Message::say("%1.", file.errorString().toStdString()));
+            return refused(Message::say("%1.", file.errorString().toStdString()));
         const QByteArrayList words = file.readAll().simplified().split(' ');
         Lattice lattice;
         for (int axis = 0; axis < 3; ++axis) {
             lattice.size[axis] = words.value(axis).toUInt();
             if (lattice.size[axis] < 2 || lattice.size[axis] > 1024)
-                return refused(path, Message::say("it begins with three numbers of points, each from 2 to 1024."));
+                return refused(Message::say("it begins with three numbers of points, each from 2 to 1024."));
         }
         const std::uint64_t count = lattice.pointCount();
         if (std::uint64_t(words.size()) != count + 3)
-            return refused(path, Message::say("it should have %1 values.", count));
+            return refused(Message::say("it should have %1 values.", count));
         std::vector<float> samples(count);
         bool allNumbers = true;
         for (std::uint64_t i = 0; i < count && allNumbers; ++i)
             samples[i] = words[qsizetype(i) + 3].toFloat(&allNumbers);
         if (!allNumbers)
-            return refused(path, Message::say("a value is no number."));
-        auto dataset = latticeDataset(lattice, ScalarField::of(std::move(samples)), path.filename().string());
-        if (dataset)
-            dataset->source.path = path;
-        return dataset;
+            return refused(Message::say("a value is no number."));
+        return latticeDataset(lattice, ScalarField::of(std::move(samples)), path.filename().string());
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/parameter.h"
+
 #include <tan/base.h>
 #include <tan/data.h>
 #include <tan/render.h>
@@ -25,7 +27,7 @@ namespace tetra {
 /// What of an editor's surroundings has changed.
 enum class EditorChange {
     Model,     ///< another one is open, or none: all is new
-    Function,  ///< the transfer function, by whatever hand
+    Value,     ///< of a parameter, by whatever hand; or another mode, which may have other parameters
     Isovalues, ///< one or all of them
     Mesh,      ///< and with it the histogram
     Picked,    ///< the value that was picked in the picture
@@ -54,6 +56,19 @@ class EditorHost {
 public:
     virtual ~EditorHost() = default;
 
+    /// What the present way of looking at the model has of the type that the editor edits, as far as it matters: which
+    /// values it may edit.
+    virtual std::vector<Parameter> parameters() const = 0;
+    /// The value of a parameter; its default as long as nobody has chosen one. Valid until the next change. A
+    /// "transfer" (plugins/api/scene_parameters.h) there is always, whether it is seen or not.
+    virtual const ParameterValue& value(const std::string& id) const = 0;
+    /// Proposes another one, of the same type.
+    virtual void setValue(const std::string& id, const ParameterValue& value) = 0;
+    virtual void beginGesture() = 0;
+    virtual void endGesture() = 0;
+    /// Calls `call` after every change, as long as `receiver` lives.
+    virtual void whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call) = 0;
+
     virtual bool hasModel() const = 0;
     /// Of the model's values; empty without a model.
     virtual ValueRange range() const = 0;
@@ -63,14 +78,8 @@ public:
     virtual std::shared_ptr<const ValueHistogram> histogram() const = 0;
     /// The same of the values' natural logarithms, for an axis that goes by them; none if not all values are positive.
     virtual std::shared_ptr<const ValueHistogram> logarithmicHistogram() const = 0;
-    virtual const TransferFunction& function() const = 0;
-    virtual const std::vector<Isovalue>& isovalues() const = 0;
-    /// Calls `call` after every change, as long as `receiver` lives.
-    virtual void whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call) = 0;
 
-    virtual void beginGesture() = 0;
-    virtual void endGesture() = 0;
-    virtual void setFunction(const TransferFunction& function) = 0;
+    virtual const std::vector<Isovalue>& isovalues() const = 0;
     /// In a colour that is not in use yet.
     virtual void addIsovalue(double value) = 0;
     virtual void setIsovalue(std::size_t index, const Isovalue& isovalue) = 0;
@@ -92,7 +101,8 @@ public:
     virtual void forgetPicked() = 0;
 };
 
-/// A widget over a value of the window.
+/// A widget over the parameters of one type, which the plugin's metadata name ("edits"). It gets a dock of its own,
+/// which has the metadata's title and is called dock.ID.
 class Editor {
 public:
     virtual ~Editor() = default;
@@ -102,5 +112,5 @@ public:
 
 } // namespace tetra
 
-#define TAN_EDITOR_INTERFACE "org.tan.Editor/1"
+#define TAN_EDITOR_INTERFACE "org.tan.Editor/2"
 Q_DECLARE_INTERFACE(tetra::Editor, TAN_EDITOR_INTERFACE)

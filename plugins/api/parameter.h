@@ -2,21 +2,53 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/mesh.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace tetra {
 
+/// A value of a type that plugins have among themselves: a renderer that has a parameter of it, and an editor that
+/// edits it. The program keeps it, undoes it and puts it into sessions and models, and does not look into it.
+struct OwnValue {
+    std::string type; ///< stable, and nobody else's: "example.clipping-curve"
+    std::string text; ///< UTF-8, and not large: it is kept at each step of undo; JSON for instance
+    bool operator==(const OwnValue&) const = default;
+};
+
 /// The value of a plugin's parameter.
-using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<Isovalue>, TransferFunction>;
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<Isovalue>, TransferFunction,
+                                    Colour, Eigen::Vector3d, OwnValue>;
+
+/// The type of a value, as editors name it in their metadata ("edits"): boolean, integer, number, text, isovalues,
+/// transfer-function, colour, vector, or that of an OwnValue.
+inline std::string parameterTypeName(const ParameterValue& value)
+{
+    if (const auto* own = std::get_if<OwnValue>(&value))
+        return own->type;
+    constexpr std::string_view names[] = {"boolean",   "integer",           "number", "text",
+                                          "isovalues", "transfer-function", "colour", "vector"};
+    return std::string(names[value.index()]);
+}
+
+/// Whether two values are of one type.
+inline bool haveOneType(const ParameterValue& one, const ParameterValue& other)
+{
+    const auto *own = std::get_if<OwnValue>(&one), *otherOwn = std::get_if<OwnValue>(&other);
+    return one.index() == other.index() && (own == nullptr || own->type == otherOwn->type);
+}
+
 /// Values by parameter id; what is missing has its default.
 using ParameterValues = std::map<std::string, ParameterValue>;
 

@@ -36,8 +36,9 @@ struct FileContents {
     std::vector<ParameterValues> suggestions{};
 };
 
-/// Reads files of some formats into datasets. Never crashes on bad input: every refusal is an Error that names the
-/// file, what is wrong in it and what to do.
+/// Reads files of some formats into datasets. Never crashes on bad input: every refusal is an Error that says what is
+/// wrong in the file and what to do, "it is empty. Copy it again."; the program adds which file that is, unless the
+/// text begins with "Cannot read 'FILE'" because it is another one. Runs on a worker thread; safe to call from any.
 class Reader {
 public:
     virtual ~Reader() = default;
@@ -47,6 +48,7 @@ public:
     virtual double score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const = 0;
     /// What must be known besides the file (a raw file's size and sample type).
     virtual std::vector<Parameter> parameters() const = 0;
+    /// What Source leaves empty, the name, the path or the hash, the program fills in.
     virtual Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                                  const Progress& progress) const = 0;
     /// What there is to choose from, quickly: headers and names, not the samples. `values` as far as they are known
@@ -58,21 +60,7 @@ public:
     }
 };
 
-/// Writes datasets into files of some formats, safely: beside the target, synced, renamed.
-class Writer {
-public:
-    virtual ~Writer() = default;
-    virtual std::vector<std::string> nameFilters() const = 0;
-    /// 0 cannot, 1 made for it; from the name.
-    virtual double score(const std::filesystem::path& path) const = 0;
-    virtual std::vector<Parameter> parameters() const = 0;
-    virtual Status write(const Dataset& dataset, const std::filesystem::path& path, const ParameterValues& values,
-                         const Progress& progress) const = 0;
-};
-
 } // namespace tetra
 
 #define TAN_READER_INTERFACE "org.tan.Reader/1"
 Q_DECLARE_INTERFACE(tetra::Reader, TAN_READER_INTERFACE)
-#define TAN_WRITER_INTERFACE "org.tan.Writer/1"
-Q_DECLARE_INTERFACE(tetra::Writer, TAN_WRITER_INTERFACE)

@@ -19,10 +19,11 @@ struct Version {
 
 /// Whether something made for `wanted` works with what is `offered`: the same major version (another one breaks), and
 /// no later minor one (what was added since `offered` would be missing). Patches change no interface. A version fits
-/// itself.
+/// itself. Before 1.0 minor versions break, too.
 constexpr bool fits(const Version& wanted, const Version& offered) noexcept
 {
-    return wanted.major == offered.major && wanted.minor <= offered.minor;
+    const bool breaks = wanted.major == 0 && wanted.minor != offered.minor;
+    return wanted.major == offered.major && wanted.minor <= offered.minor && !breaks;
 }
 
 /// Reads "1", "1.2" or "1.2.3": one to three decimal numbers, nothing before, between or after; what is missing is 0.

@@ -6,6 +6,10 @@
 #include <QtGlobal>
 
 namespace tetra {
+
+static_assert(pluginInterfaceVersion.major > 0 || pluginInterfaceVersion == Version{TAN_VERSION_NUMBERS},
+              "before 1.0 the plugin interface has the version of the program");
+
 namespace {
 
 Error refused(Message text)
@@ -49,9 +53,13 @@ Status checkBuildTag(const std::string& plugin, const std::string& host)
 {
     if (plugin == host)
         return {};
-    return refused(Message::say("It was built as %1, and this program as %2. Rebuild the plugin with "
-                                "tan_plugin_module() and the compiler of this program.",
-                                plugin.empty() ? "?" : plugin, host));
+    if (plugin.empty())
+        return refused(Message::say("It does not say what it was built with, and this program was built with %1. "
+                                    "Rebuild the plugin with tan_plugin_module().",
+                                    host));
+    return refused(Message::say("It was built with %1, and this program with %2. Rebuild the plugin with that "
+                                "compiler and the headers of this TAn, or install a build of it for this TAn.",
+                                plugin, host));
 }
 
 } // namespace

@@ -16,7 +16,8 @@ struct HostBuild {
 HostBuild thisBuild();
 
 /// Whether a plugin can be loaded at all, from its metadata alone: an interface of its kind and of this major version,
-/// no newer Qt, the same system, processor and compiler. The error says what does not fit and what to do.
+/// no newer Qt, the same build tag: system, pointers, compiler, C++ library, TAn's version before 1.0. The error names
+/// both and what to do.
 Status checkCompatible(const PluginMetadata& plugin, const HostBuild& host);
 
 } // namespace tetra

@@ -4,7 +4,6 @@
 #include "plugins/host/input_file.h"
 #include "plugins/host/packed_file.h"
 #include "plugins/host/parameter_values.h"
-#include "plugins/host/plugin_call.h"
 
 namespace tetra {
 namespace {
@@ -149,9 +148,7 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
         return file.error();
     const double readBegin = file->unpacked ? unpackEnd : 0;
     const double readEnd = options.part.isWhole() ? 1 : 0.8;
-    auto whole = callPlugin(reader->id, [&] {
-        return reader->plugin->read(file->path, options.values, progress.part(readBegin, readEnd));
-    });
+    auto whole = reader->plugin->read(file->path, options.values, progress.part(readBegin, readEnd));
     if (!whole)
         return inPackedFile(whole.error(), *file, path);
     if (file->unpacked)
@@ -168,8 +165,7 @@ Result<FileContents> probeDataset(PluginHost& host, const std::filesystem::path&
     const auto file = readableFile(*reader->plugin, path, progress);
     if (!file)
         return file.error();
-    const auto contents =
-        callPlugin(reader->id, [&] { return reader->plugin->probe(file->path, options.values, progress); });
+    const auto contents = reader->plugin->probe(file->path, options.values, progress);
     return contents ? contents : inPackedFile(contents.error(), *file, path);
 }
 

@@ -6,7 +6,6 @@
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"
-#include "plugins/host/plugin_call.h"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +75,7 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     ModelWriter& writer = (*file)->writer();
     const auto watch = control.live != nullptr ? control.live->watch(writer, dataset, description) : nullptr;
     BuildTarget target = (*file)->target(watch ? *watch : writer);
-    auto report = callPlugin(id, [&] { return builder.build(dataset, values, target, progress); });
+    auto report = builder.build(dataset, values, target, progress);
     if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0)
         return keepWhatIsFinished(writer);
     if (!report) {

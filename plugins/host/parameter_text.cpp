@@ -63,6 +63,21 @@ Result<ParameterValue> parseIsovalues(const Parameter& parameter, std::string_vi
     return ParameterValue(isovalues);
 }
 
+Result<ParameterValue> parseVector(const Parameter& parameter, std::string_view text)
+{
+    const auto parts = split(text, ',');
+    if (parts.size() != 3)
+        return notIn(parameter, text);
+    Eigen::Vector3d vector;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto number = parseNumber<double>(parts[axis]);
+        if (!number || !std::isfinite(*number) || !isWithinBounds(parameter, *number))
+            return notIn(parameter, text);
+        vector[static_cast<Eigen::Index>(axis)] = *number;
+    }
+    return ParameterValue(vector);
+}
+
 std::string isovalueText(const Isovalue& isovalue)
 {
     return formatNumber(isovalue.value) + ":" + colourText({isovalue.red, isovalue.green, isovalue.blue}) + ":" +
@@ -80,6 +95,9 @@ struct TypeName {
         return Message::say("isovalues %1", "V[:COLOUR[:OPACITY]], V");
     }
     Message operator()(const TransferFunction&) const { return Message::say("a transfer function as JSON"); }
+    Message operator()(const Colour&) const { return Message::say("a colour, #rrggbb or a name"); }
+    Message operator()(const Eigen::Vector3d&) const { return Message::say("three numbers x,y,z"); }
+    Message operator()(const OwnValue& value) const { return Message::say("a text that makes a %1", value.type); }
 };
 
 struct ToText {
@@ -95,6 +113,12 @@ struct ToText {
         return text;
     }
     std::string operator()(const TransferFunction& function) const { return transferFunctionToText(function); }
+    std::string operator()(const Colour& colour) const { return colourText(colour); }
+    std::string operator()(const Eigen::Vector3d& vector) const
+    {
+        return formatNumber(vector[0]) + "," + formatNumber(vector[1]) + "," + formatNumber(vector[2]);
+    }
+    std::string operator()(const OwnValue& value) const { return value.text; }
 };
 
 } // namespace
@@ -146,11 +170,19 @@ Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_vi
             return function.error();
         return ParameterValue(*std::move(function));
     }
+    if (std::holds_alternative<Colour>(parameter.defaultValue)) {
+        const auto colour = parseColour(text);
+        return colour ? Result<ParameterValue>(ParameterValue(*colour)) : colour.error();
+    }
+    if (std::holds_alternative<Eigen::Vector3d>(parameter.defaultValue))
+        return parseVector(parameter, text);
     if (!parameter.choices.empty() && std::ranges::find(parameter.choices, text) == parameter.choices.end())
         return notIn(parameter, text);
     if (parameter.mistake)
         if (const Message mistake = parameter.mistake(std::string(text)); !mistake.empty())
             return Error{ErrorKind::WrongUsage, mistake};
+    if (const auto* own = std::get_if<OwnValue>(&parameter.defaultValue))
+        return ParameterValue(OwnValue{own->type, std::string(text)});
     return ParameterValue(std::string(text));
 }
 

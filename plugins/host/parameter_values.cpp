@@ -33,7 +33,7 @@ Status checkParameterValues(const Message& owner, const std::vector<Parameter>& 
             return Error{ErrorKind::WrongUsage,
                          Message::say("The %1 knows no parameter '%2'. %3", owner, id,
                                       ids.empty() ? Message::say("It has none.") : Message::say("It has: %1.", ids))};
-        if (known->defaultValue.index() != value.index())
+        if (!haveOneType(known->defaultValue, value))
             return Error{ErrorKind::WrongUsage,
                          Message::say("The parameter '%1' of the %2 takes %3.", id, owner, parameterDomain(*known))};
     }

@@ -3,6 +3,8 @@
 
 #include <QByteArray>
 #include <QDir>
+#include <QFile>
+#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -20,6 +22,12 @@ std::vector<std::string> listInEnvironment(const char* variable, char separator)
 
 } // namespace
 
+std::filesystem::path userPluginFolder()
+{
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    return std::filesystem::path(QFile::encodeName(data).toStdString()) / "tan/plugins";
+}
+
 std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& programFolder)
 {
     std::vector<std::filesystem::path> folders;
@@ -30,6 +38,7 @@ std::vector<std::filesystem::path> pluginFolders(const std::filesystem::path& pr
     };
     for (const std::string& folder : listInEnvironment("TAN_PLUGIN_PATH", QDir::listSeparator().toLatin1()))
         add(folder);
+    add(userPluginFolder());
     add(programFolder / "../lib/tan/plugins");
     add(programFolder / TAN_INSTALLED_PLUGINS_FROM_PROGRAM);
     return folders;

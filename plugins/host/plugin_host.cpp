@@ -27,6 +27,7 @@ struct PluginHost::Entry {
     PluginStatus status;
     std::unique_ptr<QPluginLoader> loader; ///< of a plugin that is in use; never unloaded
     QObject* object = nullptr;
+    PluginGuard guard; ///< of the kinds that have one
 
     bool usable() const { return status.state == PluginState::Found || status.state == PluginState::Loaded; }
     void refuse(Message error)
@@ -141,10 +142,21 @@ Message PluginHost::explainMissing(PluginKind kind) const
     return text;
 }
 
-void PluginHost::whenRefused(std::function<void(const PluginStatus&)> tell)
+void PluginHost::whenFailing(std::function<void(const Error&)> tell)
 {
     const std::lock_guard lock(mutex_);
-    tellRefused_ = std::move(tell);
+    tell_ = std::move(tell);
+}
+
+void PluginHost::tell(const Error& error) const
+{
+    std::function<void(const Error&)> tell;
+    {
+        const std::lock_guard lock(mutex_);
+        tell = tell_;
+    }
+    if (tell)
+        tell(error);
 }
 
 void PluginHost::find()
@@ -254,7 +266,7 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
         if (entry != nullptr && entry->status.metadata.kind == kind) {
             if (const Status loaded = load(*entry); !loaded)
                 return loaded.error();
-            return Loaded{&entry->status.metadata, entry->object};
+            return Loaded{&entry->status.metadata, entry->object, &entry->guard};
         }
         if (const Message reason = whyNotUsed(id); !reason.empty())
             return Error{ErrorKind::WrongUsage, Message::say("The %1 \"%2\" cannot be used. %3", kindName, id, reason)};
@@ -291,8 +303,6 @@ Status PluginHost::load(Entry& entry)
     if (loaded || loaded.error().kind == ErrorKind::OutOfResource)
         return loaded;
     entry.refuse(loaded.error().message);
-    if (tellRefused_)
-        tellRefused_(entry.status);
     return Error{ErrorKind::BadInput,
                  Message::say("The plugin \"%1\" cannot be used. %2", entry.status.metadata.id, entry.status.error)};
 }
@@ -324,6 +334,14 @@ Status PluginHost::open(Entry& entry)
                          "fixed version.",
                          pluginKindText(entry.status.metadata.kind), interface));
     entry.object = object;
+    GuardTarget target{entry.status.metadata.id, [this](const Error& error) { tell(error); }};
+    switch (entry.status.metadata.kind) {
+    case PluginKind::Builder: entry.guard = guarded(*qobject_cast<Builder*>(object), std::move(target)); break;
+    case PluginKind::Reader: entry.guard = guarded(*qobject_cast<Reader*>(object), std::move(target)); break;
+    case PluginKind::Writer: entry.guard = guarded(*qobject_cast<Writer*>(object), std::move(target)); break;
+    case PluginKind::Renderer:
+    case PluginKind::Editor: break;
+    }
     entry.status.state = PluginState::Loaded;
     return {};
 }

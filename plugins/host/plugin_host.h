@@ -5,7 +5,9 @@
 #include "plugins/api/editor.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
+#include "plugins/api/writer.h"
 #include "plugins/host/compatibility.h"
+#include "plugins/host/plugin_guards.h"
 
 #include <QObject>
 
@@ -15,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace tetra {
@@ -38,7 +41,8 @@ struct PluginStatus {
     Message error; ///< why it is disabled or refused, and the remedy
 };
 
-/// A loaded plugin. The object lives until the program ends.
+/// A loaded plugin, which lives until the program ends. Of builders, readers and writers it is a guard, which lets no
+/// exception through (plugin_guards.h).
 template <class Interface> struct Provided {
     std::string id;
     std::string name;
@@ -71,7 +75,8 @@ public:
     /// All that was found, by kind and id.
     std::vector<PluginStatus> plugins() const;
 
-    /// All usable plugins of a kind, by id; loads them.
+    /// All usable plugins of a kind, by id; loads them. One that cannot be loaded is missing here, and whenFailing()
+    /// says why.
     std::vector<Provided<Builder>> builders() { return all<Builder>(PluginKind::Builder); }
     std::vector<Provided<Renderer>> renderers() { return all<Renderer>(PluginKind::Renderer); }
     std::vector<Provided<Reader>> readers() { return all<Reader>(PluginKind::Reader); }
@@ -84,9 +89,10 @@ public:
     Result<Provided<Editor>> editor(const std::string& id) { return one<Editor>(PluginKind::Editor, id); }
     Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
 
-    /// `tell` hears of each plugin that turns out to be unusable when it is loaded; from any thread, so that it may
-    /// only pass it on, and must not call the host. None: nobody hears of it.
-    void whenRefused(std::function<void(const PluginStatus&)> tell);
+    /// `tell` hears of each failure that the caller is not given as an error: of a plugin that turns out to be unusable
+    /// when all of its kind are loaded, and of one that throws where it has no Result to give. From any thread, so that
+    /// it may only pass it on, and must not call the host. None: nobody hears of it.
+    void whenFailing(std::function<void(const Error&)> tell);
 
     /// Why plugins of this kind are missing, a line each; empty if none is.
     Message explainMissing(PluginKind kind) const;
@@ -100,6 +106,7 @@ private:
     struct Loaded {
         const PluginMetadata* metadata;
         QObject* object;
+        const PluginGuard* guard;
     };
 
     void find();
@@ -113,6 +120,7 @@ private:
     Status load(Entry& entry);
     Status open(Entry& entry);
     Error lacking(const Message& reason);
+    void tell(const Error& error) const;
     Status loadRequired(const Entry& entry);
 
     template <class Interface> Result<Provided<Interface>> one(PluginKind kind, const std::string& id)
@@ -120,15 +128,24 @@ private:
         const auto loaded = instance(kind, id);
         if (!loaded)
             return loaded.error();
-        return Provided<Interface>{id, loaded->metadata->name, qobject_cast<Interface*>(loaded->object),
-                                   loaded->metadata->names};
+        return Provided<Interface>{id, loaded->metadata->name, face<Interface>(*loaded), loaded->metadata->names};
+    }
+    template <class Interface> static const Interface* face(const Loaded& loaded)
+    {
+        if constexpr (std::is_same_v<Interface, Renderer> || std::is_same_v<Interface, Editor>)
+            return qobject_cast<Interface*>(loaded.object);
+        else
+            return std::get<std::unique_ptr<const Interface>>(*loaded.guard).get();
     }
     template <class Interface> std::vector<Provided<Interface>> all(PluginKind kind)
     {
         std::vector<Provided<Interface>> found;
-        for (const std::string& id : usableIds(kind))
+        for (const std::string& id : usableIds(kind)) {
             if (auto provided = one<Interface>(kind, id))
                 found.push_back(*std::move(provided));
+            else
+                tell(provided.error());
+        }
         return found;
     }
 
@@ -136,7 +153,7 @@ private:
     mutable std::mutex mutex_; ///< guards the next three after construction
     std::vector<std::unique_ptr<Entry>> entries_;
     Status complete_;
-    std::function<void(const PluginStatus&)> tellRefused_;
+    std::function<void(const Error&)> tell_;
 };
 
 } // namespace tetra

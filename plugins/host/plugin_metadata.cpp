@@ -5,6 +5,7 @@
 #include "plugins/api/editor.h"
 #include "plugins/api/reader.h"
 #include "plugins/api/renderer.h"
+#include "plugins/api/writer.h"
 
 #include <QJsonArray>
 
@@ -161,8 +162,14 @@ Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json)
         return requiredIds.error();
     metadata.requiredIds = *std::move(requiredIds);
 
+    metadata.title =
+        own.value(QLatin1String("title")).toString(own.value(QLatin1String("name")).toString()).toStdString();
+    metadata.edits = own.value(QLatin1String("edits")).toString().toStdString();
+    if (metadata.kind == PluginKind::Editor && metadata.edits.empty())
+        return malformed(Message::say("\"edits\" does not say which type of parameters the editor is for"));
     metadata.description = own.value(QLatin1String("description")).toString().toStdString();
     metadata.names = translationsOf(own, "name");
+    metadata.titles = translationsOf(own, own.contains(QLatin1String("title")) ? "title" : "name");
     metadata.descriptions = translationsOf(own, "description");
     metadata.remedy = own.value(QLatin1String("remedy")).toString().toStdString();
     metadata.interface = json.value(QLatin1String("IID")).toString().toStdString();

@@ -32,14 +32,16 @@ struct PluginMetadata {
     Version version;
     Version api;
     std::string name;
+    std::string title; ///< a word or two, for a dock; else the name
     std::string description;
-    /// The two in other languages, by their codes: "de", "pt_BR".
-    std::map<std::string, std::string> names, descriptions;
+    /// The three in other languages, by their codes: "de", "pt_BR".
+    std::map<std::string, std::string> names, titles, descriptions;
+    std::string edits; ///< of editors: the type of the parameters that they edit
     std::vector<std::string> requiredIds;
     std::string remedy;
     std::string interface; ///< the IID
     Version qt;            ///< of the Qt that it was built with
-    std::string buildTag;  ///< system, processor and compiler that it was built with
+    std::string buildTag;  ///< what it was built with, and for (TAnPlugin.cmake)
 };
 
 /// Reads what QPluginLoader::metaData() gave. The error says which key is missing or wrong.

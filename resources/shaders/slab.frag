@@ -1,7 +1,7 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The light of the slabs that a cell has between the knots of the transfer function: the formulas of
-// core/render/volume/slab_shading.h and slab_shading.h.
+// core/render/volume/slab_integral.h and slab_shading.h.
 uniform samplerBuffer segments; // begin, end, origin, 1 if transparent; half extinction and its rise, ...
 
 struct Segment {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `tan build`: an option is used, refused with what to do instead, or its limits are told; none is taken and ignored
-/// (R10, R12, B6).
+/// (R10, R12, B6, C7).
 #include "tests/app/program.h"
 
 #include <QFile>

@@ -181,7 +181,7 @@ std::vector<BenchCase> compareWithVtk(const QString& name, const QString& file)
         const std::size_t sites = sitesFor(history, level.mesh.tetrahedra.size());
         const PlainMesh ours = meshAt(history, vtk->original, sites);
         // The next split would leave this error behind: collapses up to it lead here.
-        options.stopKey = sites < history.points.size() ? history.runningErrors[sites] : 0;
+        options.stopKey = sites < history.points.size() ? history.runningKeys[sites] : 0;
         BenchCase one{.name = QString("%1, %2 % of %3 tetrahedra")
                                   .arg(name)
                                   .arg(100 * level.share)

@@ -55,7 +55,7 @@ public:
         for (const std::uint32_t destroyed : step.destroyed)
             destroyers_[blockStart_ + destroyed] = site;
         points_.push_back(static_cast<std::uint32_t>(step.point));
-        runningErrors_.push_back(std::min(step.keyBefore, site == 0 ? step.keyBefore : runningErrors_.back()));
+        runningKeys_.push_back(std::min(step.keyBefore, site == 0 ? step.keyBefore : runningKeys_.back()));
         return {};
     }
     Status finish(float) override { return {}; }
@@ -68,7 +68,7 @@ private:
     ReservedArray<std::uint32_t> destroyers_;
     ReservedArray<float> errors_;
     std::vector<std::uint32_t> points_;
-    std::vector<float> runningErrors_;
+    std::vector<float> runningKeys_;
 };
 
 Result<LatticeRefinementResult> refine(const Dataset& dataset, HistorySink& sink)

@@ -10,6 +10,7 @@ export XDG_RUNTIME_DIR=$scratch/runtime XDG_CONFIG_HOME=$scratch/config XDG_CACH
 mkdir -m 700 "$XDG_RUNTIME_DIR"
 "$python" "$source/tests/bench/run_all.py" --source "$source" --build "$build" --folder "$scratch/results" --trial \
     --only refinement,refinement-large,threads,extraction,volume,surfaces,hybrid,decimation,growth,paper
-"$python" "$source/tests/bench/page/make_page.py" "$scratch/results" "$scratch/measured.md" "$scratch/pictures" --without interaction
+"$python" "$source/tests/bench/page/make_page.py" "$scratch/results" "$scratch/measured.md" "$scratch/pictures" --without interaction \
+    --drawer "$build/bin/tan-bench-plots"
 grep -q 'trial of tiny sizes' "$scratch/measured.md"
 test -s "$scratch/pictures/refinement.svg"

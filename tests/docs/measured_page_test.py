@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""measured_page_test.py SOURCE: the page of what was measured, from results of a trial that are kept beside this test
+"""measured_page_test.py SOURCE DRAWER: the page of what was measured, from results of a trial that are kept beside this test
 (`./dev bench all --trial` makes them; those of the window are written here): its plots are sound, its numbers are those of the results, and what is missing or broken is said."""
 import json
 import pathlib
@@ -13,6 +13,7 @@ import unittest
 from xml.etree import ElementTree
 
 SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
+DRAWER = sys.argv.pop(1)
 RESULTS = SOURCE / "tests/docs/trial_results"
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -37,7 +38,8 @@ class Making(unittest.TestCase):
         (self.results / "interaction.json").write_text(json.dumps(result), encoding="utf-8")
 
     def make(self, *words):
-        return subprocess.run([sys.executable, SOURCE / "tests/bench/page/make_page.py", self.results, self.page, self.folder / "plots", *words],
+        return subprocess.run([sys.executable, SOURCE / "tests/bench/page/make_page.py", self.results, self.page, self.folder / "plots",
+                               "--drawer", DRAWER, *words],
                               capture_output=True, text=True, check=False)
 
     def text(self, *words):
@@ -88,10 +90,10 @@ class Page(Making):
             self.assertRegex(root.find(SVG + "desc").text, r": .*\d.*Units?: \S", plot)
             self.assertIn("prefers-color-scheme: dark", root.find(SVG + "style").text)
             width, height = map(float, root.get("viewBox").split()[2:])
-            for shape in root.iter(SVG + "rect"):
-                self.assertGreaterEqual(float(shape.get("x")), 0, plot)
-                self.assertLessEqual(float(shape.get("x")) + float(shape.get("width")), width, plot)
-                self.assertLessEqual(float(shape.get("y")) + float(shape.get("height")), height, plot)
+            for shape in [*root.iter(SVG + "polygon"), *root.iter(SVG + "polyline")]:
+                for point in shape.get("points").split():
+                    x, y = map(float, point.split(","))
+                    self.assertTrue(0 <= x <= width and 0 <= y <= height, f"{plot}: {point}")
             self.assertNotRegex(plot.read_text(encoding="utf-8"), r"\b(nan|inf|None)\b")
 
     def test_numbers_are_those_of_the_results(self):

@@ -98,9 +98,11 @@ class Runner:
 
     def check_example(self):
         guide = (self.source / "docs/developers.md").read_text(encoding="utf-8")
-        for file in ("grid_text_reader.json", "CMakeLists.txt", "grid_text_reader.cpp"):
-            if (self.source / "examples/reader" / file).read_text(encoding="utf-8") not in guide:
-                self.failures.append(f"docs/developers.md does not show examples/reader/{file} as it is")
+        for file in ("reader/grid_text_reader.json", "reader/CMakeLists.txt", "reader/grid_text_reader.cpp",
+                     "writer/off_writer.json", "writer/off_writer.cpp",
+                     "editor/band_editor.json", "editor/CMakeLists.txt", "editor/band_editor.cpp"):
+            if (self.source / "examples" / file).read_text(encoding="utf-8") not in guide:
+                self.failures.append(f"docs/developers.md does not show examples/{file} as it is")
 
 
 def check_own_reading():

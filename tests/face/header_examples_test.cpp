@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples in the headers do what they say, on data that go from an array to a picture by the face alone.
+// The examples in the headers do what they say, on data that go from an array to a picture by the face alone (R29).
 #include "tests/face/header_examples.h"
 
 #include <QTemporaryDir>

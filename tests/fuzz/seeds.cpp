@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes what the fuzzers start from: small valid inputs, a folder for each fuzzer in the folder that is named.
-#include "plugins/readers/cells/vtu_writer.h"
+#include "plugins/host/file_saving.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/query/some_models.h"
 #include "tests/fuzz/small_part.h"
+#include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/readers/cells/vtu_text.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
@@ -115,7 +116,7 @@ void addCells(const QString& folder)
     seeds.add(VtuText().text());
     const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
     const Dataset two = datasetOfTetrahedra(corners, {1, 2, 3, 4, 5}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
-    if (const Status written = VtuWriter().write(two, seeds.next().toStdString(), {}, {}); !written)
+    if (const Status written = saveDataset(pluginsOfThisBuild(), two, (seeds.next() + ".vtu").toStdString()); !written)
         qFatal("%s", written.error().text().c_str());
     seeds.add(std::string("# cells\n9 3 1 1 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
                           "9 .5 .5 2\n1 0 hex 1 2 3 4 5 6 7 8\n2 0 pyr 5 6 7 8 9\n3 0 tet 1 2 3 9\n1 1\nheat, K\n"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # installation_test.sh SOURCE BUILD COMPILER: what `cmake --install` puts into a folder works from there, wherever it is, and the
-# example of a plugin outside of the tree is built with the installed headers, loaded, and reads a file.
+# examples of plugins outside of the tree are built with the installed headers, loaded and used.
 set -euo pipefail
 source=$1 build=$2 compiler=$3
 scratch=$(mktemp -d)
@@ -16,7 +16,7 @@ for component in core program development; do
     cmake --install "$build" --prefix "$place" --component "$component" >"$scratch/files"
 done
 for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins include/tan/base.h \
-    include/tan-plugin/plugins/api/reader.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
+    include/tan-plugin/plugins/api/{reader,writer,editor}.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
     share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
     installed "$file"
 done
@@ -84,4 +84,27 @@ tan build cube.grid -o cube.tan 2>messages
 tan verify cube.tan --against cube.grid --lod 0 --json | grep '"ok": true' >/dev/null
 echo "2 2 3  0 1 2 3  4 5 6 seven  8 9 10 11" >bad.grid
 check test "$(tan info bad.grid 2>&1 | grep -c 'is no number')" = 1
+# A file of its format is written by every command that writes surfaces.
+build_example writer
+export TAN_PLUGIN_PATH=$scratch/writer
+tan isosurface wells.tan --value -0.5 -o surface.off >messages
+check test "$(sed -n 2p surface.off)" = "$(sed 's/.*: \([0-9]*\) vertices, \([0-9]*\) triangles.*/\1 \2 0/' messages)"
+tan extract wells.tan --error 1 -o boundary.off >messages
+check test "$(grep -c '^3 ' boundary.off)" -gt 10
+check grep -q boundary messages
+check test "$(tan isosurface wells.tan --value -0.5 -o surface.of 2>&1 | grep -c '\.obj, \.off, \.ply')" = 1
+
+# An editor, from the user's own folder.
+build_example editor
+unset TAN_PLUGIN_PATH
+export XDG_DATA_HOME=$scratch/data
+mkdir -p "$XDG_DATA_HOME/tan/plugins"
+cp editor/libband-editor.so "$XDG_DATA_HOME/tan/plugins"
+tan plugins --json | grep -A5 '"id": "example.band-editor"' | grep '"state": "loaded"' >/dev/null || { tan plugins; exit 1; }
+check grep -qF "$XDG_DATA_HOME/tan/plugins" <(tan plugins)
+
+# A plugin of another build is refused, with both builds and the remedy.
+sed -i 's|/tan-0\.1\.0|/tan-0.0.9|' "$XDG_DATA_HOME/tan/plugins/libband-editor.so"
+tan plugins >messages
+check grep -q 'tan-0.0.9.*tan-0.1.0.*Rebuild' messages
 echo "passed"

@@ -91,8 +91,8 @@ const std::vector<Room>& rooms()
         {"plugins/editors", {"core", "plugins/api", "plugins/widgets"}},
         {"plugins/readers", {"core", "plugins/api"}},
         {"plugins/writers", {"core", "plugins/api"}},
-        {"ui", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "plugins/writers"}},
-        {"app", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "plugins/writers", "ui"}},
+        {"ui", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets"}},
+        {"app", {"core", "plugins/api", "plugins/samples", "plugins/host", "plugins/widgets", "ui"}},
         {"tests", {"core", "plugins", "ui", "app"}},
     };
     return all;
@@ -119,8 +119,8 @@ const Room* roomOf(std::string_view path)
 /// The folder inside which files may include each other: the room, or for a plugin its own folder inside the room.
 std::string homeOf(std::string_view path, const Room& room)
 {
-    constexpr std::array<std::string_view, 4> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
-                                                       "plugins/readers"};
+    constexpr std::array<std::string_view, 5> kinds = {"plugins/builders", "plugins/renderers", "plugins/editors",
+                                                       "plugins/readers", "plugins/writers"};
     if (std::ranges::find(kinds, room.folder) == kinds.end())
         return std::string(room.folder);
     const auto end = path.find('/', room.folder.size() + 1);

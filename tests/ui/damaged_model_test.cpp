@@ -92,8 +92,8 @@ void DamagedModelWindowTest::nothingIsSavedOfAnOldFile()
     }));
     const std::shared_ptr<const Model> model = workbench.session().model();
     const MeshOrder order{model, nullptr, {}, path("mesh.ply")};
-    QVERIFY(!writeMesh(order, {}).ok());
-    QVERIFY(!writeSurfaces({order, {Isovalue()}}, {}).ok());
+    QVERIFY(!writeMesh(*window_->host, order, {}).ok());
+    QVERIFY(!writeSurfaces(*window_->host, {order, {Isovalue()}}, {}).ok());
     QVERIFY(!std::filesystem::exists(path("mesh.ply")));
 }
 

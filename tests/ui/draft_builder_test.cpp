@@ -6,9 +6,53 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QThread>
+
+#include <semaphore>
 
 using namespace tetra;
+
+namespace {
+
+/// A renderer that says what the worker is at, and waits where the test wants it to.
+struct Watch {
+    std::counting_semaphore<> begun{0}; ///< a scene is being prepared
+    std::counting_semaphore<> go{0};    ///< and may be finished
+    std::counting_semaphore<> gone{0};  ///< what was kept of a mesh is given back: nothing more is told of it
+};
+
+class WatchedSession : public RendererSession {
+public:
+    WatchedSession(std::unique_ptr<RendererSession> inner, Watch& watch) : inner_(std::move(inner)), watch_(watch) {}
+    ~WatchedSession() override { watch_.gone.release(); }
+    Result<std::shared_ptr<const Scene>> prepare(const ParameterValues& values, const Camera& camera,
+                                                 const Progress& progress) override
+    {
+        watch_.begun.release();
+        watch_.go.acquire();
+        return inner_->prepare(values, camera, progress);
+    }
+
+private:
+    std::unique_ptr<RendererSession> inner_;
+    Watch& watch_;
+};
+
+class WatchedRenderer : public Renderer {
+public:
+    WatchedRenderer(const Renderer& inner, Watch& watch) : inner_(inner), watch_(watch) {}
+    std::vector<Parameter> parameters(const FieldExtent& field) const override { return inner_.parameters(field); }
+    std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh> mesh,
+                                          const Eigen::AlignedBox3d& bounds) const override
+    {
+        return std::make_unique<WatchedSession>(inner_.open(std::move(mesh), bounds), watch_);
+    }
+
+private:
+    const Renderer& inner_;
+    Watch& watch_;
+};
+
+} // namespace
 
 /// Coarser meshes for moving pictures, and the pictures themselves (R23).
 class DraftBuilderTest : public QObject {
@@ -108,35 +152,56 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
     SceneRequest elsewhere = full.request;
     elsewhere.query.error = 3.0;
-    ready.clear();
-    builder.requestLook(elsewhere); // of a mesh that is not known yet
-    QVERIFY(!ready.wait(100));
+    builder.requestLook(elsewhere); // of a mesh that is not known yet: as if it had not been asked for
+    builder.requestLook(full.request);
+    QTRY_VERIFY(newest().size() == expected && !newest().front().scene->volume->shaded);
+    QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
 }
 
+/// Cleared while a draft is being made, which is finished then.
 void DraftBuilderTest::nothingArrivesAfterClear()
 {
-    const Shown full = shown("isosurface");
+    Shown full = shown("isosurface");
+    Watch watch;
+    const WatchedRenderer watched(*full.request.renderer, watch);
+    full.request.renderer = &watched;
     DraftBuilder builder;
-    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
     builder.request(full.request, full.scene.mesh);
+    watch.begun.acquire();
+    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
     builder.clear();
-    QVERIFY(!ready.wait(100));
+    watch.go.release(1000);
+    QTRY_VERIFY(watch.gone.try_acquire());
+    QCoreApplication::processEvents();
+    QCOMPARE(ready.count(), 0);
 }
 
+/// Drafts that are made already and wait to be heard of go with their mesh.
 void DraftBuilderTest::nothingArrivesAfterAnotherMesh()
 {
-    const Shown full = shown("isosurface");
+    Shown full = shown("isosurface");
+    Watch watch;
+    const WatchedRenderer watched(*full.request.renderer, watch);
+    full.request.renderer = &watched;
     DraftBuilder builder;
     QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
     builder.request(full.request, full.scene.mesh);
-    QThread::msleep(1000); // drafts are made, and wait to be heard of
+    watch.go.release(1000);
+    const std::size_t drafts = coarserMeshes(full.scene.mesh.tetrahedra).size();
+    QVERIFY(drafts >= 2);
+    for (std::size_t draft = 0; draft < drafts; ++draft)
+        watch.begun.acquire(); // when the last one begins, those before are told
     SceneRequest other = full.request;
     other.query.error = 50.0;
     ShownMesh small = full.scene.mesh;
     small.tetrahedra = 100; // too few for drafts
+    ready.clear();
     builder.request(other, small);
-    QCOMPARE(ready.last()[0].value<std::vector<DraftScene>>().size(), std::size_t{0}); // the others go
-    QVERIFY(!ready.wait(100));
+    for (std::size_t draft = 0; draft < drafts; ++draft)
+        QTRY_VERIFY(watch.gone.try_acquire());
+    QCoreApplication::processEvents();
+    QCOMPARE(ready.count(), 1); // that the others go
+    QCOMPARE(ready.last()[0].value<std::vector<DraftScene>>().size(), std::size_t{0});
 }
 
 void DraftBuilderTest::movingPicturesAreQuickAndRestingOnesFull()

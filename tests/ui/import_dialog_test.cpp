@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/slice_preview.h"

@@ -196,7 +196,7 @@ void LeavingTest::aBuildIsKeptAndTheProgramQuits()
     QTRY_VERIFY_WITH_TIMEOUT(!window_->window.isVisible(), 30'000);
     const auto kept = Model::open(filePath(target_));
     QVERIFY2(kept, kept ? "" : kept.error().text().c_str());
-    QVERIFY((*kept)->finalError() > 0);
+    QVERIFY((*kept)->finalKey() > 0);
 }
 
 void LeavingTest::aBuildThatCannotBeKeptKeepsTheWindow()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sample_window.h"
 #include "tests/waiting.h"
 #include "ui/session/accuracy_scale.h"
 
@@ -65,12 +65,7 @@ void QueryPanelsTest::initTestCase()
 
 void QueryPanelsTest::init()
 {
-    QSettings().clear();
-    window_ = std::make_unique<WindowFixture>();
-    window_->window.show();
-    const auto path = buildSampleModel(*window_->host, sampleDataset(24), window_->folderPath());
-    window_->window.open(QString::fromStdString(path));
-    QTRY_VERIFY(session().model() && upToDate());
+    window_ = windowOnSample(24);
 }
 
 void QueryPanelsTest::cleanup()

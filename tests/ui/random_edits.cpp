@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t mostPoints = 40; ///< a person's function
 constexpr int mostIsovalues = 4;
+constexpr std::size_t mostKeys = 6; ///< of a film
 
 TransferSelection anySelection(const JoinedFunction& function, std::mt19937& random)
 {
@@ -29,13 +30,8 @@ TransferSelection anySelection(const JoinedFunction& function, std::mt19937& ran
 
 } // namespace
 
-Seen seen(const Session& session)
-{
-    return {session.view().query(), session.view().look(), session.view().isovalues()};
-}
-
-RandomEdits::RandomEdits(Session& session, std::vector<std::string> modes, unsigned seed)
-    : session_(session), modes_(std::move(modes)), random_(seed)
+RandomEdits::RandomEdits(Session& session, Viewport& viewport, std::vector<std::string> modes, unsigned seed)
+    : session_(session), viewport_(viewport), modes_(std::move(modes)), random_(seed)
 {
 }
 
@@ -57,11 +53,15 @@ double RandomEdits::value()
 
 void RandomEdits::editOnce()
 {
-    switch (below(8)) {
+    switch (below(12)) {
     case 0: return editQuery();
     case 1: return editLook();
     case 2: return editIsovalues();
     case 3: return dragOrNot();
+    case 4: return editAnnotations();
+    case 5: return editAnimation();
+    case 6: return editCamera();
+    case 7: return editBackground();
     default: return editTransfer();
     }
 }
@@ -189,6 +189,69 @@ void RandomEdits::editIsovalues()
     isovalue.opacity = static_cast<float>(number(0, 1));
     isovalue.visible = below(3) != 0;
     session_.setIsovalue(static_cast<int>(below(6)) - 1, isovalue);
+}
+
+void RandomEdits::editAnnotations()
+{
+    AnnotationState annotations = session_.view().annotations();
+    AnnotationPlace& place = annotations.places[below(annotationCount)];
+    place.shown = below(2) == 0;
+    place.corner = static_cast<Corner>(below(cornerNames.size()));
+    session_.setAnnotations(annotations);
+}
+
+void RandomEdits::editAnimation()
+{
+    session_.setAnimation(anyAnimation());
+}
+
+Animation RandomEdits::anyAnimation()
+{
+    Animation animation = session_.view().animation();
+    const int key = static_cast<int>(below(mostKeys)) - 1;
+    const Moment moment = momentOf(session_, viewport_);
+    const FilmFrame frame{moment.camera,      moment.look.transfer,  moment.isovalues,
+                          moment.query.error, moment.query.byBudget, moment.query.budget};
+    switch (below(8)) {
+    case 0: animation.kind = static_cast<Animation::Kind>(below(2)); return animation;
+    case 1: animation.framesPerSecond = number(-1, 200); return animation;
+    case 2:
+        animation.turntable = {static_cast<Turntable::Axis>(below(2)), number(-720, 720), static_cast<int>(below(300))};
+        return animation;
+    case 3: return withoutKey(animation, key);
+    case 4: return withKeyAt(animation, key, number(-1, 20));
+    case 5: return withKeyMoved(animation, key, below(2) == 0 ? 1 : -1);
+    default: return animation.keys.size() < mostKeys ? withKey(animation, frame) : withoutKey(animation, 0);
+    }
+}
+
+void RandomEdits::editCamera()
+{
+    const Camera camera = viewport_.camera();
+    const auto any = [this](double least, double largest) {
+        return std::uniform_real_distribution<double>(least, largest)(random_);
+    };
+    switch (below(10)) {
+    case 0: return viewport_.setCamera(turned(camera, any(-90, 90), any(-90, 90)));
+    case 1: return viewport_.setCamera(zoomed(camera, any(0.8, 1.25)));
+    case 2: return viewport_.setCamera(panned(camera, any(-0.1, 0.1), any(-0.1, 0.1)));
+    case 3: return viewport_.glideTo(rolled(camera, 90));
+    case 4: return viewport_.glideTo(upright(camera, static_cast<UpAxis>(below(6))));
+    case 5: return viewport_.seeFrom(static_cast<NamedView>(below(7)));
+    case 6: return viewport_.setPerspective(!camera.perspective);
+    case 7: return viewport_.fit(session_.model()->description().bounds);
+    default: break;
+    }
+    Camera other = camera;
+    other.fieldOfView = any(1, 170);
+    other.trackball = !other.trackball;
+    viewport_.setCamera(other);
+}
+
+void RandomEdits::editBackground()
+{
+    const auto channel = [this] { return std::uniform_real_distribution<float>(0, 1)(random_); };
+    viewport_.setBackground(below(3) == 0 ? std::nullopt : std::optional(Colour{channel(), channel(), channel()}));
 }
 
 } // namespace tetra

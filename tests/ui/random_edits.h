@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/session.h"
+#include "tests/ui/moment.h"
 
 #include <random>
 
 namespace tetra {
 
-/// What undo and redo have to bring back.
-struct Seen {
-    QueryState query;
-    Look look;
-    std::vector<Isovalue> isovalues;
-    bool operator==(const Seen&) const = default;
-};
-
-Seen seen(const Session& session);
-
-/// Edits a session as somebody would who tries everything: each setter, all edits of transfer functions, drags of many
-/// edits, numbers that make no sense. The same seed makes the same edits.
+/// Edits a window as somebody would who tries everything: each setter of the session, all edits of transfer functions,
+/// camera and background, drags of many edits, numbers that make no sense. The same seed makes the same edits.
 class RandomEdits {
 public:
     /// `modes`: ids of renderers.
-    RandomEdits(Session& session, std::vector<std::string> modes, unsigned seed);
+    RandomEdits(Session& session, Viewport& viewport, std::vector<std::string> modes, unsigned seed);
 
     /// One call of a setter; or the beginning or the end of a drag.
     void editOnce();
+    /// One of the edits of transfer functions.
+    void editTransfer();
     /// Ends a drag that is going on.
     void finish();
 
@@ -34,15 +26,20 @@ private:
     /// In the range of the values, mostly.
     double value();
     std::size_t below(std::size_t count) { return random_() % count; }
-    void editTransfer();
     void editQuery();
     void editLook();
     void editIsovalues();
+    void editAnnotations();
+    void editAnimation();
+    void editCamera();
+    void editBackground();
     void dragOrNot();
     FocusState anyFocus();
     WindowState anyWindow();
+    Animation anyAnimation();
 
     Session& session_;
+    Viewport& viewport_;
     std::vector<std::string> modes_;
     std::mt19937 random_;
 };

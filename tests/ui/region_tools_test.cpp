@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sample_window.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/value_pick.h"
 
@@ -49,13 +49,7 @@ void RegionToolsTest::initTestCase()
 
 void RegionToolsTest::init()
 {
-    QSettings().clear();
-    window_ = std::make_unique<WindowFixture>();
-    window_->window.resize(1280, 800); // room for drags
-    window_->window.show();
-    const auto path = buildSampleModel(*window_->host, sampleDataset(24), window_->folderPath());
-    window_->window.open(QString::fromStdString(path));
-    QTRY_VERIFY(session().model() && upToDate());
+    window_ = windowOnSample(24, {1280, 800}); // room for drags
 }
 
 void RegionToolsTest::cleanup()

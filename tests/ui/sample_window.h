@@ -10,14 +10,15 @@
 
 namespace tetra {
 
-/// A window that is shown, with no settings of before and a small sample open. The test ends at once if it does not
-/// open.
-inline std::unique_ptr<WindowFixture> windowOnSample()
+/// A window that is shown, with no settings of before and a sample of `side`^3 points open. The test ends at once if it
+/// does not open.
+inline std::unique_ptr<WindowFixture> windowOnSample(std::uint32_t side = 16, QSize size = {1000, 650})
 {
     QSettings().clear();
     auto fixture = std::make_unique<WindowFixture>();
+    fixture->window.resize(size);
     fixture->window.show();
-    const auto path = buildSampleModel(*fixture->host, sampleDataset(16), fixture->folderPath());
+    const auto path = buildSampleModel(*fixture->host, sampleDataset(side), fixture->folderPath());
     fixture->window.open(QString::fromStdString(path));
     if (!waitFor([&] { return fixture->workbench.session().model() && fixture->settled(); }))
         qFatal("the sample did not open");

@@ -61,7 +61,8 @@ void SceneBuilderTest::theNewestRequestIsTheLastToArrive()
     QCOMPARE(last.mesh.wholeTetrahedra, wanted.tetrahedra);
     QVERIFY(last.triangles > 0);
     QCOMPARE(last.scene->surfaces.size(), std::size_t{1});
-    QVERIFY(ready.count() <= 5);
+    // The first had begun when the others came, of which only the last is of interest still.
+    QVERIFY2(ready.count() <= 2, qPrintable(QString::number(ready.count())));
 }
 
 void SceneBuilderTest::theMeshIsExtractedOnlyWhenItChanges()

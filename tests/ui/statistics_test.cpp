@@ -10,6 +10,7 @@
 #include <tan/transfer.h>
 
 #include <QClipboard>
+#include <QFile>
 #include <QFileDialog>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -119,6 +120,20 @@ void StatisticsTest::theTableIsSaved()
     emit dialog.fileSelected(path);
     dialog.reject();
     QTRY_VERIFY(QFile::exists(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), qsizetype(accuracyPresets.size()) + 1);
+    const QList<QByteArray> names = lines.takeFirst().split(',');
+    const auto number = [&](qsizetype line, const char* name) {
+        return lines[line].split(',').value(names.indexOf(name)).toDouble();
+    };
+    for (std::size_t i = 0; i < accuracyPresets.size(); ++i) {
+        const MeshSize size = meshSizeAt(*session().model(), bothWithin(accuracyPresets[i]));
+        QCOMPARE(number(qsizetype(i), "error_percent"), accuracyPresets[i]);
+        QCOMPARE(number(qsizetype(i), "sites"), double(size.sites));
+        QCOMPARE(number(qsizetype(i), "tetrahedra"), double(size.tetrahedra));
+    }
 }
 
 namespace {

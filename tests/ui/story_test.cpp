@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
@@ -108,7 +108,7 @@ void StoryTest::openBuildLook()
     QTRY_COMPARE(window.viewport().picture().size(), wanted);
     QTRY_VERIFY_WITH_TIMEOUT(window.settled(), 20000);
     const QImage withTwo = window.viewport().picture();
-    const QString wrong = compareWithBaseline(withTwo, "c60-two-isovalues");
+    const QString wrong = compareWithBaseline(withTwo, "c60-two-isovalues", renderedTolerance);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
 
     QUndoStack& stack = window.workbench.session().undoStack();

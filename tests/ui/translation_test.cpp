@@ -98,13 +98,13 @@ std::set<std::string> textsOf(PluginHost& host)
         for (const std::string& filter : reader.plugin->nameFilters())
             texts.insert(filter);
     }
-    for (const auto& renderer : host.renderers())
-        collect(texts, renderer.plugin->parameters({{0, 1}, {}}));
     for (const auto& writer : host.writers()) {
         collect(texts, writer.plugin->parameters());
-        for (const std::string& filter : writer.plugin->nameFilters())
-            texts.insert(filter);
+        for (const FileFormat& format : writer.plugin->formats())
+            texts.insert(format.name);
     }
+    for (const auto& renderer : host.renderers())
+        collect(texts, renderer.plugin->parameters({{0, 1}, {}}));
     texts.erase("");
     for (int type = 0; type <= static_cast<int>(SampleType::Float64); ++type) // names in any language
         texts.erase(std::string(sampleTypeName(static_cast<SampleType>(type))));

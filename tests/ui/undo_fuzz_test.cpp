@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Undo over the whole program (R18, R27): whatever was edited, undoing all ends where it began, with every step in
-// between as it was, and redoing all ends where it was left, while workers prepare what is seen.
+// Undo over the whole view (R18, R27), query, look, isovalues, annotations, film, camera and background: whatever was
+// edited, undoing all ends where it began, with every step in between as it was, and redoing all ends where it was
+// left, while workers prepare what is seen. Saved and opened again it is the same, too.
 #include "tests/ui/random_edits.h"
 #include "tests/ui/sample_files.h"
+#include "ui/session/target_path.h"
+#include "ui/session/text_file.h"
 #include "ui/session/workbench.h"
+#include "ui/viewport/view_history.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -14,7 +18,7 @@ using namespace tetra;
 namespace {
 
 constexpr int edits = 5000;
-constexpr int between = 100; ///< edits from one look at the event loop to the next
+constexpr int editsBetweenEvents = 100; ///< edits from one look at the event loop to the next
 
 } // namespace
 
@@ -28,14 +32,17 @@ private slots:
 private:
     Session& session() { return workbench_->session(); }
     void edit(RandomEdits& some, std::mt19937& random);
-    bool isAsRemembered() { return seen(session()) == states_[std::size_t(session().undoStack().index())]; }
+    Moment now() { return momentOf(session(), *viewport_); }
+    bool isAsRemembered() { return now() == states_[std::size_t(session().undoStack().index())]; }
     void waitForTheScene();
+    void savedAndOpenedItIsTheSame();
 
     QTemporaryDir folder_;
     std::unique_ptr<PluginHost> host_;
     QString model_;
     std::unique_ptr<Workbench> workbench_;
-    std::vector<Seen> states_; ///< by the index of the undo stack
+    std::unique_ptr<Viewport> viewport_;
+    std::vector<Moment> states_; ///< by the index of the undo stack
 };
 
 void UndoFuzzTest::initTestCase()
@@ -67,21 +74,43 @@ void UndoFuzzTest::waitForTheScene()
     QTRY_VERIFY_WITH_TIMEOUT(!workbench_->sceneBuilder().busy(), 60'000);
 }
 
+void UndoFuzzTest::savedAndOpenedItIsTheSame()
+{
+    auto document = workbench_->sessionDocument();
+    QVERIFY(document.has_value());
+    document->camera = viewport_->camera();
+    document->background = viewport_->chosenBackground();
+    const std::filesystem::path file = filePath(folder_.filePath("kept.tansession"));
+    QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
+
+    Workbench other(*host_, filePath(folder_.filePath("views")));
+    Viewport viewport(BackendChoice::Cpu);
+    connect(&other, &Workbench::viewRestored, &viewport, [&viewport](const SessionDocument& restored) {
+        viewport.startFrom(restored.camera.value_or(Camera{}), restored.background);
+    });
+    other.open(pathText(file));
+    QTRY_VERIFY(other.session().model());
+    QVERIFY(momentOf(other.session(), viewport) == now());
+}
+
 void UndoFuzzTest::undoingAllEndsWhereItBegan()
 {
     QFETCH(unsigned, seed);
     workbench_ = std::make_unique<Workbench>(*host_);
+    viewport_ = std::make_unique<Viewport>(BackendChoice::Cpu);
+    const ViewHistory history(*viewport_, session().undoStack(), nullptr);
     workbench_->open(model_);
     QTRY_VERIFY(session().model());
+    viewport_->startFitted(Camera(), session().model()->description().bounds);
     std::vector<std::string> modes{"no such mode"};
     for (const auto& mode : workbench_->modes())
         modes.push_back(mode.id);
     QVERIFY(modes.size() > 2);
 
     std::mt19937 random(seed);
-    RandomEdits some(session(), modes, seed);
+    RandomEdits some(session(), *viewport_, modes, seed);
     QUndoStack& stack = session().undoStack();
-    states_ = {seen(session())};
+    states_ = {now()};
     for (int done = 0; done < edits; ++done) {
         const int before = stack.index();
         edit(some, random);
@@ -90,14 +119,14 @@ void UndoFuzzTest::undoingAllEndsWhereItBegan()
         if (stack.index() < before)
             QVERIFY2(isAsRemembered(), qPrintable(QString("edit %1").arg(done)));
         states_.resize(std::max(states_.size(), index + 1));
-        states_[index] = seen(session());
+        states_[index] = now();
         QVERIFY(states_[index] == states_[index]); // no numbers that are none
-        if (done % between == 0)
+        if (done % editsBetweenEvents == 0)
             QCoreApplication::processEvents();
     }
     some.finish();
     waitForTheScene();
-    const Seen last = seen(session());
+    const Moment last = now();
     const int steps = stack.count();
     QVERIFY(steps > edits / 4);
 
@@ -109,7 +138,7 @@ void UndoFuzzTest::undoingAllEndsWhereItBegan()
         stack.undo();
         QVERIFY2(isAsRemembered(), qPrintable(QString("undone to %1").arg(stack.index())));
     }
-    QVERIFY(seen(session()) == states_.front());
+    QVERIFY(now() == states_.front());
     while (stack.canRedo()) {
         stack.redo();
         QVERIFY2(isAsRemembered(), qPrintable(QString("redone to %1").arg(stack.index())));
@@ -117,6 +146,9 @@ void UndoFuzzTest::undoingAllEndsWhereItBegan()
     QCOMPARE(stack.count(), steps);
     QVERIFY(std::ranges::find(states_, last) != states_.end());
     waitForTheScene();
+    savedAndOpenedItIsTheSame();
+    session().undoStack().clear(); // its steps are about the viewport, which goes first
+    viewport_.reset();
     workbench_.reset();
 }
 

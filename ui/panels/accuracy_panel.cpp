@@ -173,7 +173,7 @@ void AccuracyPanel::showModel()
     const auto& model = session_.model();
     setEnabled(model != nullptr);
     curve_->setCurve(model ? sizeAgainstError(*model) : std::vector<CurvePoint>{});
-    const double end = model ? 100 * model->finalError() / session_.range().extent() : 0;
+    const double end = model ? 100 * model->finalKey() / session_.range().extent() : 0;
     limit_->setText(
         end > 0 ? tr("This model was built down to an error of %1; it contains nothing finer.").arg(percentText(end))
                 : QString());

@@ -7,8 +7,8 @@ namespace tetra {
 
 class ValuePick;
 
-/// The widget of the editor plugin `id` over the workbench's session and what is picked in the picture. Where the
-/// plugin cannot be used, a page named "transfer.missing" says why, and what repairs it.
-QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string& id);
+/// The widget of an editor plugin over the workbench's session and what is picked in the picture. Where the plugin
+/// cannot be used, a page named ID.missing says why, and what repairs it.
+QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string& id, const std::string& type);
 
 } // namespace tetra

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/parameter_form.h"
 
+#include "plugins/widgets/colour_button.h"
 #include "ui/session/message_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tetra {
@@ -134,18 +137,62 @@ Control controlFor(const Parameter& parameter, const std::string& value)
             }};
 }
 
-Control controlFor(const Parameter& parameter, const TransferFunction& value)
+QColor shownColour(const Colour& colour)
 {
-    Q_UNUSED(parameter);
-    Q_UNUSED(value);
+    return QColor::fromRgbF(colour.red, colour.green, colour.blue);
+}
+
+Control controlFor(const Parameter& /*parameter*/, const Colour& value)
+{
+    auto* button = new ColourButton;
+    button->setColour(shownColour(value));
+    return {button,
+            [button] {
+                const QColor& colour = button->colour();
+                return Colour{colour.redF(), colour.greenF(), colour.blueF()};
+            },
+            [button](const ParameterValue& shown) { button->setColour(shownColour(std::get<Colour>(shown))); }};
+}
+
+Control controlFor(const Parameter& parameter, const Eigen::Vector3d& value)
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins({});
+    std::array<QDoubleSpinBox*, 3> boxes{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        boxes[axis] = numberBox(parameter, 4, value[static_cast<Eigen::Index>(axis)]);
+        boxes[axis]->setMinimumWidth(48);
+        layout->addWidget(boxes[axis]);
+    }
+    return {row, [boxes] { return Eigen::Vector3d(boxes[0]->value(), boxes[1]->value(), boxes[2]->value()); },
+            [boxes](const ParameterValue& shown) {
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const QSignalBlocker blocker(boxes[axis]);
+                    boxes[axis]->setValue(std::get<Eigen::Vector3d>(shown)[static_cast<Eigen::Index>(axis)]);
+                }
+            }};
+}
+
+/// What has a panel or an editor of its own is not in forms.
+template <class Value> Control controlFor(const Parameter& /*parameter*/, const Value& /*value*/)
+{
     return {};
 }
 
-Control controlFor(const Parameter& parameter, const std::vector<Isovalue>& value)
+/// The boxes of a vector: PREFIX.ID.x, .y and .z.
+void nameAxes(QWidget& row, const QString& label)
 {
-    Q_UNUSED(parameter);
-    Q_UNUSED(value);
-    return {};
+    if (qobject_cast<QDoubleSpinBox*>(&row) != nullptr)
+        return;
+    const QStringList axes{"x", "y", "z"};
+    qsizetype axis = 0;
+    for (auto* box : row.findChildren<QDoubleSpinBox*>()) {
+        box->setObjectName(row.objectName() + "." + axes[axis]);
+        box->setToolTip(row.toolTip());
+        box->setAccessibleName(label + " " + axes[axis]);
+        ++axis;
+    }
 }
 
 /// What is shown that is none of the choices is the first one.
@@ -214,6 +261,7 @@ void ParameterForm::add(const Parameter& parameter, const std::vector<ParameterC
     widget->setObjectName(prefix_ + "." + QString::fromStdString(parameter.id));
     widget->setToolTip(translatedText(parameter.explanation));
     widget->setAccessibleName(label);
+    nameAxes(*widget, label);
     if (std::holds_alternative<bool>(parameter.defaultValue))
         layout_->addRow(widget);
     else
@@ -235,6 +283,11 @@ void ParameterForm::tellEdits(const Parameter& parameter, QWidget* widget)
         connect(number, &QDoubleSpinBox::valueChanged, this, tell);
     else if (auto* choice = qobject_cast<QComboBox*>(widget))
         connect(choice, &QComboBox::activated, this, tell);
+    else if (auto* colour = qobject_cast<ColourButton*>(widget))
+        connect(colour, &ColourButton::colourChosen, this, tell);
+    else if (std::holds_alternative<Eigen::Vector3d>(parameter.defaultValue))
+        for (auto* box : widget->findChildren<QDoubleSpinBox*>())
+            connect(box, &QDoubleSpinBox::valueChanged, this, tell);
     else if (auto* line = qobject_cast<QLineEdit*>(widget))
         connect(line, &QLineEdit::editingFinished, this, [line, tell, mistake = parameter.mistake] {
             if (!mistake || mistake(line->text().toStdString()).empty())
@@ -247,7 +300,7 @@ void ParameterForm::setValues(const ParameterValues& values)
     for (const Field& field : fields_) {
         const ParameterValue& byDefault = field.parameter.defaultValue;
         const auto found = values.find(field.parameter.id);
-        const bool fits = found != values.end() && found->second.index() == byDefault.index();
+        const bool fits = found != values.end() && haveOneType(found->second, byDefault);
         const QSignalBlocker blocker(qobject_cast<QLineEdit*>(field.widget) == nullptr ? field.widget : nullptr);
         field.show(fits ? found->second : byDefault);
     }

@@ -20,8 +20,8 @@ struct ParameterChoice {
 };
 using ParameterChoices = std::map<std::string, std::vector<ParameterChoice>>; ///< by the parameter's id
 
-/// A form made of parameter descriptions: a control fitting its type for each, named PREFIX.ID. Parameters that a form
-/// cannot hold (lists of isovalues) are left out.
+/// A form made of parameter descriptions: a control fitting its type for each, named PREFIX.ID. Parameters that have
+/// a panel or an editor of their own (isovalues, transfer functions, values of plugins' own types) are left out.
 class ParameterForm : public QWidget {
     Q_OBJECT
 public:

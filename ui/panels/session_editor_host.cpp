@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/session_editor_host.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/value_pick.h"
@@ -8,14 +9,59 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace tetra {
 
-SessionEditorHost::SessionEditorHost(Workbench& workbench, ValuePick& pick, QObject* parent)
-    : QObject(parent), workbench_(workbench), session_(workbench.session()), pick_(&pick)
+SessionEditorHost::SessionEditorHost(Workbench& workbench, ValuePick& pick, std::string type, QObject* parent)
+    : QObject(parent), workbench_(workbench), session_(workbench.session()), pick_(&pick), type_(std::move(type))
 {
 }
 
 SessionEditorHost::~SessionEditorHost() = default;
+
+std::vector<Parameter> SessionEditorHost::parameters() const
+{
+    auto parameters = workbench_.matteringParameters();
+    std::erase_if(parameters,
+                  [&](const Parameter& parameter) { return parameterTypeName(parameter.defaultValue) != type_; });
+    return parameters;
+}
+
+/// What the look holds: the one transfer function for all parameters of that type, others by their ids.
+const ParameterValue& SessionEditorHost::value(const std::string& id) const
+{
+    const Look& look = session_.view().look();
+    ParameterValue& given = given_[id];
+    const auto all = id == transferId ? std::vector<Parameter>() : workbench_.renderingParameters();
+    const auto parameter = std::ranges::find(all, id, &Parameter::id);
+    const bool isTransfer = id == transferId || (parameter != all.end() &&
+                                                 std::holds_alternative<TransferFunction>(parameter->defaultValue));
+    if (isTransfer) {
+        const auto* function = std::get_if<TransferFunction>(&given);
+        if (function == nullptr || *function != look.transfer)
+            given = look.transfer;
+        return given;
+    }
+    if (parameter == all.end())
+        return given;
+    const auto chosen = look.settings.find(id);
+    const bool isChosen = chosen != look.settings.end() && haveOneType(chosen->second, parameter->defaultValue);
+    return given = isChosen ? chosen->second : parameter->defaultValue;
+}
+
+void SessionEditorHost::setValue(const std::string& id, const ParameterValue& value)
+{
+    if (const auto* function = std::get_if<TransferFunction>(&value))
+        return session_.setTransfer(*function);
+    const auto all = workbench_.renderingParameters();
+    const auto parameter = std::ranges::find(all, id, &Parameter::id);
+    if (parameter == all.end() || !haveOneType(parameter->defaultValue, value))
+        return;
+    const auto* own = std::get_if<OwnValue>(&value);
+    if (own == nullptr || !parameter->mistake || parameter->mistake(own->text).empty())
+        session_.setSetting(id, value);
+}
 
 bool SessionEditorHost::hasModel() const
 {
@@ -42,11 +88,6 @@ std::shared_ptr<const ValueHistogram> SessionEditorHost::logarithmicHistogram() 
     return session_.shown() ? session_.shown()->logarithmicHistogram : nullptr;
 }
 
-const TransferFunction& SessionEditorHost::function() const
-{
-    return session_.view().look().transfer;
-}
-
 const std::vector<Isovalue>& SessionEditorHost::isovalues() const
 {
     return session_.view().isovalues();
@@ -58,7 +99,7 @@ void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(
     const ViewState& view = session_.view();
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
-    connect(&view, &ViewState::lookChanged, receiver, tells(EditorChange::Function));
+    connect(&view, &ViewState::lookChanged, receiver, tells(EditorChange::Value));
     connect(&view, &ViewState::isovalueInserted, receiver, tells(EditorChange::Isovalues));
     connect(&view, &ViewState::isovalueRemoved, receiver, tells(EditorChange::Isovalues));
     connect(&view, &ViewState::isovalueChanged, receiver, tells(EditorChange::Isovalues));
@@ -73,11 +114,6 @@ void SessionEditorHost::beginGesture()
 void SessionEditorHost::endGesture()
 {
     session_.endGesture();
-}
-
-void SessionEditorHost::setFunction(const TransferFunction& function)
-{
-    session_.setTransfer(function);
 }
 
 void SessionEditorHost::addIsovalue(double value)

@@ -10,25 +10,26 @@ namespace tetra {
 
 class ValuePick;
 
-/// The window as editor plugins see it: the workbench's session, whose undo stack takes the edits, and the window's
-/// file dialogs, and what is picked in the picture. Outlived by the workbench.
+/// The window as an editor of parameters of the type `type` sees it: the workbench's session, whose undo stack takes
+/// the edits, and the window's file dialogs, and what is picked in the picture. Outlived by the workbench.
 class SessionEditorHost : public QObject, public EditorHost {
     Q_OBJECT
 public:
-    SessionEditorHost(Workbench& workbench, ValuePick& pick, QObject* parent = nullptr);
+    SessionEditorHost(Workbench& workbench, ValuePick& pick, std::string type, QObject* parent = nullptr);
     ~SessionEditorHost() override;
 
+    std::vector<Parameter> parameters() const override;
+    const ParameterValue& value(const std::string& id) const override;
+    void setValue(const std::string& id, const ParameterValue& value) override;
     bool hasModel() const override;
     ValueRange range() const override;
     double diagonal() const override;
     std::shared_ptr<const ValueHistogram> histogram() const override;
     std::shared_ptr<const ValueHistogram> logarithmicHistogram() const override;
-    const TransferFunction& function() const override;
     const std::vector<Isovalue>& isovalues() const override;
     void whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call) override;
     void beginGesture() override;
     void endGesture() override;
-    void setFunction(const TransferFunction& function) override;
     void addIsovalue(double value) override;
     void setIsovalue(std::size_t index, const Isovalue& isovalue) override;
     void removeIsovalue(std::size_t index) override;
@@ -44,6 +45,8 @@ private:
     Workbench& workbench_;
     Session& session_;
     QPointer<ValuePick> pick_; ///< goes with the window
+    std::string type_;
+    mutable ParameterValues given_; ///< what value() gave last
 };
 
 } // namespace tetra

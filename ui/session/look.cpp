@@ -24,7 +24,7 @@ auto rank(const Provided<Renderer>& mode)
 
 bool fits(const Parameter& parameter, const ParameterValue& value)
 {
-    if (value.index() != parameter.defaultValue.index())
+    if (!haveOneType(value, parameter.defaultValue))
         return false;
     const auto* text = std::get_if<std::string>(&value);
     return text == nullptr || parameter.choices.empty() ||
@@ -116,7 +116,8 @@ std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameter
     std::vector<Parameter> settings;
     for (const Parameter& parameter : parameters)
         if (!std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue) &&
-            !std::holds_alternative<TransferFunction>(parameter.defaultValue))
+            !std::holds_alternative<TransferFunction>(parameter.defaultValue) &&
+            !std::holds_alternative<OwnValue>(parameter.defaultValue))
             settings.push_back(parameter);
     return settings;
 }

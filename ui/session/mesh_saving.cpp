@@ -2,8 +2,7 @@
 #include "ui/session/mesh_saving.h"
 
 #include "core/base/text.h"
-#include "plugins/writers/mesh_file.h"
-#include "plugins/writers/surface_file.h"
+#include "plugins/host/file_saving.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -47,13 +46,13 @@ SurfacePart partOf(const Surface& surface, double isovalue)
 
 } // namespace
 
-Status writeMesh(const MeshOrder& order, const Progress& progress)
+Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress)
 {
     if (!order.mesh) {
         auto made = MeshExtractor(order.model).extract(order.query, progress.part(0, 0.5));
         if (!made)
             return made.error();
-        return writeMesh({order.model, *made, order.query, order.target}, progress.part(0.5, 1));
+        return writeMesh(host, {order.model, *made, order.query, order.target}, progress.part(0.5, 1));
     }
     const ExtractedMesh& extracted = *order.mesh;
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
@@ -62,15 +61,15 @@ Status writeMesh(const MeshOrder& order, const Progress& progress)
     content.facts = factsOf(order);
     if (Status right = order.model->confirm(progress.withCallback({})); !right)
         return right;
-    return writeMeshFile(order.target, content, progress);
+    return saveMesh(host, content, order.target, {}, progress);
 }
 
-Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
+Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)
 {
     constexpr double extracted = 0.4;
     constexpr double found = 0.7;
-    if (const Status named = checkSurfaceFileName(order.mesh.target); !named)
-        return named;
+    if (Status writable = checkWritable(host, WrittenContent::Surface, order.mesh.target); !writable)
+        return writable;
     std::vector<Isovalue> visible;
     std::ranges::copy_if(order.isovalues, std::back_inserter(visible), &Isovalue::visible);
     if (visible.empty())
@@ -81,7 +80,7 @@ Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
             return made.error();
         SurfaceOrder whole = order;
         whole.mesh.mesh = *made;
-        return writeSurfaces(whole, progress.part(extracted, 1));
+        return writeSurfaces(host, whole, progress.part(extracted, 1));
     }
     const std::shared_ptr<const TetrahedralMesh> mesh(order.mesh.mesh, &order.mesh.mesh->mesh);
     const auto surfaces = IsosurfaceCache(mesh).update(visible, progress.part(0, found));
@@ -92,7 +91,7 @@ Status writeSurfaces(const SurfaceOrder& order, const Progress& progress)
         content.parts.push_back(partOf((*surfaces)[index], visible[index].value));
     if (Status right = order.mesh.model->confirm(progress.withCallback({})); !right)
         return right;
-    return writeSurfaceFile(order.mesh.target, content, progress.part(found, 1));
+    return saveSurface(host, content, order.mesh.target, {}, progress.part(found, 1));
 }
 
 } // namespace tetra

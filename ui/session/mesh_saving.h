@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/host/plugin_host.h"
+
 #include <tan/base.h>
 #include <tan/model.h>
 #include <tan/query.h>
@@ -21,8 +23,8 @@ struct MeshOrder {
 };
 
 /// Writes the mesh with its values and the sites of its vertices, and as facts where it is from and what errors it
-/// keeps. The format is that of the file's ending. Errors as of writeMeshFile().
-Status writeMesh(const MeshOrder& order, const Progress& progress);
+/// keeps. The format is that of the file's ending. Errors as of saveMesh().
+Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress);
 
 /// Isosurfaces to save, of the mesh that is seen or is extracted first.
 struct SurfaceOrder {
@@ -31,7 +33,7 @@ struct SurfaceOrder {
 };
 
 /// Writes the surfaces with their colours, as far as the format has any; it is that of the file's ending. Errors as of
-/// writeSurfaceFile(), and WrongUsage if no isovalue is visible.
-Status writeSurfaces(const SurfaceOrder& order, const Progress& progress);
+/// saveSurface(), and WrongUsage if no isovalue is visible.
+Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress);
 
 } // namespace tetra

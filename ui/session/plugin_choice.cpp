@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/plugin_choice.h"
 
+#include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_folders.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 
 #include <QCoreApplication>
 #include <QSettings>
 #include <QStringList>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
@@ -16,6 +20,18 @@ constexpr const char* disabledPluginsKey = "plugins/disabled";
 QString asQString(std::string_view utf8)
 {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+class PluginChoice {
+    Q_DECLARE_TR_FUNCTIONS(PluginChoice)
+};
+
+QString filterOf(const FileFormat& format)
+{
+    QStringList patterns;
+    for (const std::string& ending : format.endings)
+        patterns.append("*" + asQString(ending));
+    return translatedText(format.name) + " (" + patterns.join(' ') + ")";
 }
 
 } // namespace
@@ -62,6 +78,22 @@ QString pluginReport(const PluginHost& host)
     for (const auto& folder : host.folders())
         report += pathText(folder) + '\n';
     return report;
+}
+
+QStringList fileFilters(PluginHost& host, WrittenContent content)
+{
+    QStringList filters;
+    std::vector<std::string> endings;
+    for (const FileFormat& format : writableFormats(host, content)) {
+        filters.append(filterOf(format));
+        endings.insert(endings.end(), format.endings.begin(), format.endings.end());
+    }
+    if (content != WrittenContent::Mesh)
+        return filters;
+    for (const FileFormat& format : writableFormats(host, WrittenContent::Surface))
+        if (std::ranges::find(endings, format.endings.front()) == endings.end())
+            filters.append(PluginChoice::tr("Boundary: %1").arg(filterOf(format)));
+    return filters;
 }
 
 } // namespace tetra

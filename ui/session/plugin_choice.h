@@ -4,6 +4,7 @@
 #include "plugins/host/plugin_host.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <string>
 #include <vector>
@@ -20,5 +21,9 @@ std::unique_ptr<PluginHost> wantedPlugins();
 /// All that is known of the plugins, as text for a report of an error: a line each with tabs between name, id, kind,
 /// version, interface, state, path and reason; then the folders.
 QString pluginReport(const PluginHost& host);
+
+/// The kinds of files in which such content can be saved, for a dialog: "STL files (*.stl)" ...; of meshes with those
+/// in which their boundary is saved.
+QStringList fileFilters(PluginHost& host, WrittenContent content);
 
 } // namespace tetra

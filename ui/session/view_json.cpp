@@ -66,6 +66,12 @@ QJsonValue toJson(const ParameterValue& value)
         return QJsonObject{{"number", *number}};
     if (const std::string* text = std::get_if<std::string>(&value))
         return QString::fromStdString(*text);
+    if (const Colour* colour = std::get_if<Colour>(&value))
+        return QJsonObject{{"colour", QJsonArray{colour->red, colour->green, colour->blue}}};
+    if (const Eigen::Vector3d* vector = std::get_if<Eigen::Vector3d>(&value))
+        return QJsonObject{{"vector", three(*vector)}};
+    if (const OwnValue* own = std::get_if<OwnValue>(&value))
+        return QJsonObject{{"type", QString::fromStdString(own->type)}, {"text", QString::fromStdString(own->text)}};
     return {};
 }
 
@@ -80,6 +86,15 @@ std::optional<ParameterValue> settingOf(const QJsonValue& value)
         return ParameterValue(static_cast<std::int64_t>(tagged.value("integer").toInteger()));
     if (tagged.value("number").isDouble())
         return ParameterValue(tagged.value("number").toDouble());
+    const auto numberOf = [](const QJsonArray& list, int index) { return list.at(index).toDouble(); };
+    if (const QJsonArray colour = tagged.value("colour").toArray(); colour.size() == 3)
+        return ParameterValue(Colour{static_cast<float>(numberOf(colour, 0)), static_cast<float>(numberOf(colour, 1)),
+                                     static_cast<float>(numberOf(colour, 2))});
+    if (const QJsonArray vector = tagged.value("vector").toArray(); vector.size() == 3)
+        return ParameterValue(Eigen::Vector3d(numberOf(vector, 0), numberOf(vector, 1), numberOf(vector, 2)));
+    if (tagged.value("type").isString() && tagged.value("text").isString())
+        return ParameterValue(
+            OwnValue{tagged.value("type").toString().toStdString(), tagged.value("text").toString().toStdString()});
     return std::nullopt;
 }
 

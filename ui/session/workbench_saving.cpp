@@ -61,14 +61,14 @@ MeshOrder Workbench::meshOrder(const std::filesystem::path& target) const
 
 void Workbench::saveMesh(const std::filesystem::path& target)
 {
-    saveMesh(target, [order = meshOrder(target)](const Progress& progress) { return writeMesh(order, progress); });
+    saveMesh(target,
+             [this, order = meshOrder(target)](const Progress& progress) { return writeMesh(host_, order, progress); });
 }
 
 void Workbench::saveSurfaces(const std::filesystem::path& target)
 {
-    saveMesh(target, [order = SurfaceOrder{meshOrder(target), session_.view().isovalues()}](const Progress& progress) {
-        return writeSurfaces(order, progress);
-    });
+    saveMesh(target, [this, order = SurfaceOrder{meshOrder(target), session_.view().isovalues()}](
+                         const Progress& progress) { return writeSurfaces(host_, order, progress); });
 }
 
 void Workbench::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)
@@ -88,7 +88,7 @@ void Workbench::saveStatistics(const std::filesystem::path& target)
         levels.push_back(bothWithin(error));
     savingText_.enqueue(
         [this, target, levels, model = session_.model()](const Progress& progress) -> std::function<void()> {
-            const auto text = levelsFor(target, *model, levels);
+            const auto text = levelsAsText(target, *model, levels);
             Status saved = text ? model->confirm(progress.withCallback({})) : Status(text.error());
             if (saved)
                 saved = writeTextFile(target, *text);

@@ -7,6 +7,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -38,7 +40,7 @@ void askForTargetOf(QFileDialog& dialog, const QString& proposed, const QStringL
 {
     dialog.setNameFilters(filters);
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-        dialog.setDefaultSuffix(filter.section("*.", 1).remove(')'));
+        dialog.setDefaultSuffix(filter.section("*.", 1, 1).remove(')').trimmed());
     });
     askForTarget(dialog, proposed);
 }
@@ -62,24 +64,13 @@ void askForPictureFile(QWidget* parent, const QString& name, const QString& prop
     askForTarget(*dialog, proposed);
 }
 
-void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
+void askForTargetFile(QWidget* parent, const QString& name, const QString& title, const QStringList& filters,
+                      const QString& proposed, const FileChosen& chosen)
 {
-    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Mesh"), chosen);
-    askForTargetOf(*dialog, proposed,
-                   {FileDialogs::tr("VTK XML unstructured grids (*.vtu)"), FileDialogs::tr("VTK legacy files (*.vtk)"),
-                    FileDialogs::tr("PLY files (*.ply)"), FileDialogs::tr("Boundary as VTK XML polydata (*.vtp)"),
-                    FileDialogs::tr("Boundary as STL (*.stl)"), FileDialogs::tr("Boundary as Wavefront OBJ (*.obj)"),
-                    FileDialogs::tr("Boundary as binary glTF (*.glb)")});
-}
-
-void askForSurfaceFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)
-{
-    QFileDialog* dialog = makeDialog(parent, name, FileDialogs::tr("Save Surfaces"), chosen);
-    askForTargetOf(*dialog, proposed,
-                   {FileDialogs::tr("STL files (*.stl)"), FileDialogs::tr("Wavefront OBJ files (*.obj)"),
-                    FileDialogs::tr("Binary glTF files (*.glb)"), FileDialogs::tr("PLY files (*.ply)"),
-                    FileDialogs::tr("VTK XML polydata (*.vtp)"), FileDialogs::tr("VTK legacy files (*.vtk)"),
-                    FileDialogs::tr("VTK XML unstructured grids (*.vtu)")});
+    const QString pattern = "*." + QFileInfo(proposed).suffix();
+    QStringList usualFirst = filters;
+    std::ranges::stable_partition(usualFirst, [&](const QString& filter) { return filter.contains(pattern); });
+    askForTargetOf(*makeDialog(parent, name, title, chosen), proposed, usualFirst);
 }
 
 void askForStatisticsFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen)

@@ -14,8 +14,9 @@ using FileChosen = std::function<void(const QString& path)>;
 /// Dialogs that let the window work on; `chosen` is called if the user chooses. Their object name is `name`.
 void askForFile(QWidget* parent, const QString& name, const QStringList& filters, const FileChosen& chosen);
 void askForPictureFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
-void askForMeshFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
-void askForSurfaceFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
+/// A file of one of several kinds, "STL files (*.stl)" ...: at first the one that has the ending of the proposed name.
+void askForTargetFile(QWidget* parent, const QString& name, const QString& title, const QStringList& filters,
+                      const QString& proposed, const FileChosen& chosen);
 void askForStatisticsFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
 /// Small JSON files of whatever kind: `title` and `filter` say which.
 void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,

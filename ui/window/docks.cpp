@@ -11,6 +11,7 @@
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/session/message_text.h"
 #include "ui/widgets/mnemonics.h"
 
 #include <QCoreApplication>
@@ -19,12 +20,40 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
 class DockTexts {
     Q_DECLARE_TR_FUNCTIONS(Docks)
 };
+
+const std::string transferType = parameterTypeName(TransferFunction());
+
+/// An editor plugin's dock, whether the plugin can be used or not.
+struct EditorDock {
+    std::string id;
+    std::string type; ///< of the parameters that it edits
+    QString title;
+    QString help;
+};
+
+/// One for each editor that was found, that of transfer functions first. If there is none for these, its dock says so.
+std::vector<EditorDock> editorDocks(const PluginHost& host)
+{
+    std::vector<EditorDock> docks;
+    for (const PluginStatus& plugin : host.plugins())
+        if (const PluginMetadata& data = plugin.metadata;
+            plugin.hasMetadata && data.kind == PluginKind::Editor &&
+            std::ranges::find(docks, data.id, &EditorDock::id) == docks.end())
+            docks.push_back({data.id, data.edits, inUsersLanguage(data.title, data.titles),
+                             inUsersLanguage(data.description, data.descriptions)});
+    std::ranges::stable_partition(docks, [](const EditorDock& dock) { return dock.type == transferType; });
+    if (docks.empty() || docks.front().type != transferType)
+        docks.insert(docks.begin(), {"transfer", transferType, DockTexts::tr("Transfer"), {}});
+    return docks;
+}
 
 constexpr int dockWidth = 372;
 constexpr int upperHeight = 400;
@@ -76,10 +105,13 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.isovalues = add("isovalues", DockTexts::tr("Isovalues"),
                           DockTexts::tr("Surfaces on which the field has one value each, in the units of the data."),
                           new IsovaluePanel(session));
-    docks.transfer =
-        add("transfer", DockTexts::tr("Transfer"),
-            DockTexts::tr("The transfer function gives each value a colour and an opacity for the volume."),
-            makeEditorPage(workbench, pick, "transferfunction"));
+    for (const EditorDock& editor : editorDocks(workbench.host())) {
+        QDockWidget* dock =
+            add(editor.id.c_str(), editor.title, editor.help, makeEditorPage(workbench, pick, editor.id, editor.type));
+        docks.editors.push_back(dock);
+        if (docks.transfer == nullptr && editor.type == transferType)
+            docks.transfer = dock;
+    }
     docks.focus =
         add("focus", DockTexts::tr("Focus"),
             DockTexts::tr("A sphere or a box in which the mesh is more accurate than outside."), docks.focusPanel);
@@ -108,12 +140,18 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     window.tabifyDockWidget(docks.accuracy, docks.rendering);
     window.tabifyDockWidget(docks.rendering, docks.view);
     window.tabifyDockWidget(docks.view, docks.statistics);
-    window.tabifyDockWidget(docks.isovalues, docks.transfer);
-    window.tabifyDockWidget(docks.transfer, docks.focus);
+    QDockWidget* before = docks.isovalues;
+    for (QDockWidget* editor : docks.editors) {
+        window.tabifyDockWidget(before, editor);
+        before = editor;
+    }
+    window.tabifyDockWidget(before, docks.focus);
     window.tabifyDockWidget(docks.focus, docks.region);
     window.tabifyDockWidget(docks.region, docks.animation);
-    for (QDockWidget* dock : {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics,
-                              docks.isovalues, docks.transfer, docks.focus, docks.region, docks.animation}) {
+    std::vector<QDockWidget*> all = docks.editors;
+    all.insert(all.end(), {docks.build, docks.accuracy, docks.rendering, docks.view, docks.statistics, docks.isovalues,
+                           docks.focus, docks.region, docks.animation});
+    for (QDockWidget* dock : all) {
         dock->setFloating(false);
         dock->show();
     }

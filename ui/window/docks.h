@@ -3,6 +3,8 @@
 
 #include "ui/session/workbench.h"
 
+#include <vector>
+
 class QDockWidget;
 class QMainWindow;
 class QMenu;
@@ -25,10 +27,11 @@ struct Docks {
     QDockWidget* view = nullptr;
     QDockWidget* statistics = nullptr;
     QDockWidget* isovalues = nullptr;
-    QDockWidget* transfer = nullptr;
+    QDockWidget* transfer = nullptr; ///< one of the editors
     QDockWidget* focus = nullptr;
     QDockWidget* region = nullptr;
-    QDockWidget* animation = nullptr; ///< hidden at first
+    QDockWidget* animation = nullptr;    ///< hidden at first
+    std::vector<QDockWidget*> editors{}; ///< of the editor plugins
     AnimationPanel* animationPanel = nullptr;
     FocusPanel* focusPanel = nullptr;
     RenderingPanel* renderingPanel = nullptr;

@@ -6,6 +6,8 @@
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
+#include "ui/session/message_text.h"
+#include "ui/session/plugin_choice.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/picture_notice.h"
@@ -96,7 +98,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
 
 MainWindow::~MainWindow()
 {
-    workbench_.host().whenRefused({});
+    workbench_.host().whenFailing({});
     workbench_.setGate({});
     keptSession_->leave();
     // A drag that is still under way ends when its panel is destroyed, and then this is no longer a MainWindow.
@@ -322,9 +324,12 @@ void MainWindow::connectMessages()
     connect(&workbench_.session(), &Session::modelChanged, messages_, &MessageBar::clearOld);
     for (const QString& error : pluginErrors(workbench_.host()))
         messages_->add(error, MessageSubject::Program);
-    workbench_.host().whenRefused([messages = messages_](const PluginStatus& plugin) {
+    if (const Status complete = workbench_.host().complete(); !complete)
+        messages_->add(translatedMessage(complete.error().message), MessageSubject::Program);
+    workbench_.host().whenFailing([messages = messages_](const Error& error) {
         QMetaObject::invokeMethod(
-            messages, [messages, plugin] { messages->add(pluginError(plugin), MessageSubject::Program); },
+            messages,
+            [messages, text = error.message] { messages->add(translatedMessage(text), MessageSubject::Program); },
             Qt::QueuedConnection);
     });
 }
@@ -336,14 +341,16 @@ void MainWindow::showBackend()
 
 void MainWindow::saveMesh()
 {
-    askForMeshFile(this, "meshDialog", workbench_.proposedPath(".vtu"),
-                   [this](const QString& path) { workbench_.saveMesh(filePath(path)); });
+    askForTargetFile(this, "meshDialog", tr("Save Mesh"), fileFilters(workbench_.host(), WrittenContent::Mesh),
+                     workbench_.proposedPath(".vtu"),
+                     [this](const QString& path) { workbench_.saveMesh(filePath(path)); });
 }
 
 void MainWindow::saveSurfaces()
 {
-    askForSurfaceFile(this, "surfaceDialog", workbench_.proposedPath(".stl"),
-                      [this](const QString& path) { workbench_.saveSurfaces(filePath(path)); });
+    askForTargetFile(this, "surfaceDialog", tr("Save Surfaces"),
+                     fileFilters(workbench_.host(), WrittenContent::Surface), workbench_.proposedPath(".stl"),
+                     [this](const QString& path) { workbench_.saveSurfaces(filePath(path)); });
 }
 
 void MainWindow::saveStatistics()

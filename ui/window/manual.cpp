@@ -27,8 +27,10 @@ QString openManual(const QString& programFolder)
     const QString page = manualPage(programFolder);
     if (page.isEmpty())
         return ManualTexts::tr(
-            "The manual is not installed. Install the package tan again with its documentation, or build "
-            "TAn with the package python3-markdown; the same texts are in the folder docs of its sources.");
+            "The manual is not installed. Install the package tan again with its documentation, or build TAn where "
+            "Sphinx "
+            "is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its "
+            "sources.");
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
         return ManualTexts::tr("No program opens web pages here. Install a web browser, or read %1.").arg(page);
     return {};

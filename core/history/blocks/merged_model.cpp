@@ -434,7 +434,7 @@ void StarPipeline::write(const SectionPiece& piece)
     using format::SectionId;
     for (const Status& written :
          {writer_.addPoints(chunk.points), writer_.addStarSizes(stars.starSizes),
-          writer_.add<float>(SectionId::SiteRunningErrors, chunk.runningKeys),
+          writer_.add<float>(SectionId::SiteRunningKeys, chunk.runningKeys),
           writer_.add<std::uint8_t>(SectionId::SiteGroups, chunk.groupGoesOn),
           writer_.add<std::uint32_t>(SectionId::MeshSizes, chunk.meshSizes), writer_.addOtherSites(stars.otherSites),
           writer_.add<std::uint32_t>(SectionId::Destroyers, stars.destroyers),

@@ -191,7 +191,7 @@ Status CurvilinearFocus::Work::insertSites(const Progress& progress)
         }
         const std::uint32_t point =
             std::min<std::uint32_t>(model_.points()[site], static_cast<std::uint32_t>(keys_.size() - 1));
-        if (!(static_cast<double>(model_.runningErrors()[site]) > keys_[point]) ||
+        if (!(static_cast<double>(model_.runningKeys()[site]) > keys_[point]) ||
             mesh_.isVertex(grid_.lattice().pointAt(point)))
             continue;
         if (const Status added = add(grid_.lattice().pointAt(point), site); !added)
@@ -265,7 +265,7 @@ Result<ExtractedMesh> CurvilinearFocus::Work::extract(const MeshQuery& query, co
     for (const Status& right :
          {model_.check(model_.samples(), progress), model_.check(model_.floatSamplePositions(), progress),
           model_.check(model_.doubleSamplePositions(), progress), model_.check(model_.points(), progress),
-          model_.check(model_.runningErrors(), progress)})
+          model_.check(model_.runningKeys(), progress)})
         if (!right)
             return right.error();
     if (const Status found = findLimits(query, progress); !found)

@@ -87,7 +87,7 @@ Result<double> scaleWithin(std::uint64_t budget, double first, double largest, c
 Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& asked, std::uint64_t budget)
 {
     const MeshSize finest = meshSizeAt(model, asked);
-    const std::span<const float> errors = model.runningErrors();
+    const std::span<const float> errors = model.runningKeys();
     const std::span<const std::uint32_t> sizes = model.meshSizes();
     constexpr std::uint32_t checkedAtOnce = 1 << 12;
     std::uint32_t within = 0;

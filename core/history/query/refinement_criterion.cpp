@@ -114,11 +114,11 @@ RefinementCriterion::Own RefinementCriterion::ownOf(std::uint64_t tetrahedron, s
 {
     const double extent = model_.description().range.extent();
     const double weight = model_.description().warpingWeight;
-    double key = model_.finalError();
+    double key = model_.finalKey();
     if (destroyer < model_.siteCount()) {
         if (destroyer >= checkedSites_) // beyond what the query was expected to read
-            model_.check(model_.runningErrors()[destroyer]);
-        key = model_.runningErrors()[destroyer];
+            model_.check(model_.runningKeys()[destroyer]);
+        key = model_.runningKeys()[destroyer];
     }
     Own own{percentOf(model_.ownErrors()[tetrahedron]), 0};
     own.error = extent > 0 ? std::min(own.error, 100 * key / extent) : 0;

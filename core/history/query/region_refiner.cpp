@@ -255,7 +255,7 @@ std::optional<BlockDivision> focusDivision(const Model& model)
     if (model.description().domain != DomainClass::RegularLattice || !model.description().delaunay ||
         isWeighted(model) || lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
         return std::nullopt;
-    const std::span<const float> errors = model.runningErrors();
+    const std::span<const float> errors = model.runningKeys();
     const auto end = std::ranges::partition_point(
         errors, [&](const float& error) { return model.check(error) && std::isinf(error); });
     const auto points = model.points().first(static_cast<std::size_t>(end - errors.begin()));
@@ -535,7 +535,7 @@ RegionRefiner::Work::Work(const Model& model)
 
 RegionRefiner::Work::Range RegionRefiner::Work::rangeOf(const FocusLimits& limits) const
 {
-    const std::span<const float> errors = model_.runningErrors();
+    const std::span<const float> errors = model_.runningKeys();
     const auto first = [&](double limit) {
         const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
             return model_.check(error) && (std::isinf(error) || !(static_cast<double>(error) <= limit));
@@ -543,7 +543,7 @@ RegionRefiner::Work::Range RegionRefiner::Work::rangeOf(const FocusLimits& limit
         return static_cast<std::uint32_t>(reached - errors.begin());
     };
     const auto keeps = [&](std::uint32_t sites, double limit) {
-        return sites < model_.siteCount() || static_cast<double>(model_.finalError()) <= limit;
+        return sites < model_.siteCount() || static_cast<double>(model_.finalKey()) <= limit;
     };
     const std::uint32_t coarse = first(limits.most), fine = first(limits.least);
     return {coarse, fine, keeps(coarse, limits.most), keeps(fine, limits.least)};
@@ -553,7 +553,7 @@ Status RegionRefiner::Work::makeIndex()
 {
     if (sites_)
         return {};
-    if (!model_.check(model_.points()) || !model_.check(model_.runningErrors()))
+    if (!model_.check(model_.points()) || !model_.check(model_.runningKeys()))
         return model_.checkIntact();
     sites_ = SiteGrid::make(lattice_, model_.points());
     if (!sites_)
@@ -565,7 +565,7 @@ Status RegionRefiner::Work::makeIndex()
 template <class Visit>
 void RegionRefiner::Work::forEachSite(const FocusLimits& limits, const Range& range, Visit&& visit) const
 {
-    const std::span<const float> errors = model_.runningErrors();
+    const std::span<const float> errors = model_.runningKeys();
     sites_->forEachCell(limits.firstAsked, limits.lastAsked, [&](const auto& cell, std::span<const Site> sites) {
         if (sites.empty() || !limits.mayHoldIn(cell, SiteGrid::edge - 1))
             return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// tan/build.h: models out of datasets: by Delaunay refinement or by edge collapse, into a file; and the history that a
-/// builder of one's own hands over.
+/// tan/build.h: models out of datasets: by Delaunay refinement or by edge collapse, into a file; and the history that
+/// your own builder hands over.
 ///
 /// ~~~{.cpp}
 /// /// Builds a model that keeps every sample, and says how large it became.
@@ -42,7 +42,7 @@ namespace tetra {
 /// What a build made.
 struct BuildReport {
     std::uint64_t sites = 0;
-    std::uint64_t tetrahedra = 0; ///< all that ever lived; a model leaves out those that no query can give
+    std::uint64_t tetrahedra = 0; ///< in the model: all that lived in a mesh that a query can give
     std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
@@ -55,9 +55,8 @@ struct Refinement {
     /// given, it holds for both.
     double warping = 0;
     /// Cells along an edge of a block; 0: no blocks. Blocks of a regular lattice are refined independently, with only a
-    /// few in memory (R10), those of a curvilinear grid together. Unset: no blocks of grids; of a lattice its size
-    /// decides, and the memory that this process may use, so set it, to 0 or a number, where every machine is to make
-    /// the same model.
+    /// few in memory (R10), those of a curvilinear grid together. Unset: grids are built whole; for lattices the size
+    /// and the memory that this process may use decide, so the model may differ between machines.
     std::optional<std::uint32_t> block{};
     /// Of curvilinear grids: compare error and warping in the units of the data, as the paper did.
     bool paperSelection = false;
@@ -90,10 +89,10 @@ TAN_API BuildMethod suitableMethod(const Dataset& dataset);
 
 /// Builds a model of `dataset` into `output`, atomically: a model that was there is replaced at the end, any other file
 /// is not (WrongUsage). Temporary files lie beside it meanwhile, and go with a cancelled or failed build. Errors: what
-/// the method does not take and why, no room on the disk, not enough memory, cancelled. Blocks until it is done, so
-/// call it from a worker thread; builds of different outputs may run at once. Blocks of a lattice are refined on all
-/// threads, everything else on one. Takes some 600 bytes a point of memory at most, of lattices in blocks some 45;
-/// decimation about 1.5 kB a point.
+/// the method does not take and why, no room on the disk, not enough memory, cancelled. Returns when the model is
+/// complete, so call it from a worker thread; builds of different outputs may run at once. Blocks of a lattice are
+/// refined on all threads, everything else on one. Takes some 600 bytes a point of memory at most, of lattices in
+/// blocks some 45; decimation about 1.5 kB a point.
 TAN_API Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output,
                                        const BuildMethod& method, const Progress& progress = {});
 /// The same by the suitableMethod(), without progress.
@@ -129,7 +128,7 @@ private:
     std::array<double, 3> longest_ = {infinite, infinite, infinite};
 };
 
-// For builders of one's own, which a plugin brings: what they hand over, and to whom.
+// For your own builders, which a plugin brings: what they hand over, and to whom.
 
 /// A tetrahedron of the history, as its creator (the latest of its four sites) knows it: (creator, sites[0], sites[1],
 /// sites[2]) is positive in the space that the mesh was made in (computational space for curvilinear data). Sites are
@@ -140,7 +139,7 @@ struct HistoryTetrahedron {
     float warping = 0; ///< bound on its own warping (R4), in units of length, never rounded down
 };
 
-/// One site entering the mesh, with all that it changes (DESIGN: a mesh is a closed set of sites).
+/// One site entering the mesh, with all that it changes.
 struct HistoryStep {
     std::uint64_t point = 0; ///< the dataset's point that becomes the next site
     /// The key of the mesh before this step, in units of the values: its error, or with warping the
@@ -168,7 +167,7 @@ struct HistoryTraits {
 class TAN_API HistorySink {
 public:
     virtual ~HistorySink() = default;
-    /// Comes first, if anything but the defaults holds.
+    /// Comes first. Required for data that can warp and for irregular data; else where anything but the defaults holds.
     virtual Status begin(const HistoryTraits& /*traits*/) { return {}; }
     /// An error (a full disk) ends the build.
     virtual Status add(const HistoryStep& step) = 0;

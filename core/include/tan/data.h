@@ -6,7 +6,7 @@
 /// A dataset is a value: made once and not modified afterwards, cheap to copy, safe to read from any thread. The
 /// library reads no files: TAn's readers are plugins, and a program that has its arrays in memory makes datasets of
 /// them: latticeDataset(), curvilinearDataset(), scatteredDataset() and irregularDataset() check what they are given,
-/// so that whatever gets a Dataset can rely on it.
+/// so that what they return can be relied on. A Dataset that is filled by hand is not checked.
 ///
 /// ~~~{.cpp}
 /// /// A ball in a box of 33 x 33 x 33 points, a tenth of a unit apart: the distance from the middle.
@@ -48,7 +48,8 @@ namespace tetra {
 class MappedFile;
 
 /// A regular grid of points: point (i, j, k) lies at origin + (i, j, k) * spacing. The first index runs fastest.
-/// Every axis has at least two points and a positive finite spacing (readers refuse anything else).
+/// Every axis has at least two points and a positive finite spacing (readers and latticeDataset() refuse anything
+/// else).
 struct Lattice {
     std::array<std::uint32_t, 3> size{2, 2, 2};
     Eigen::Vector3d spacing{1, 1, 1};
@@ -252,7 +253,7 @@ TAN_API std::uint64_t contentHash(const ScalarField& values, const PointPosition
 struct TAN_API Dataset {
     DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice;
-    PointPositions positions = nullptr; ///< one a point in the order of the values; null for a regular lattice
+    PointPositions positions = nullptr; ///< one per point, in the order of the values; null for a regular lattice
     ScalarField values;                 ///< one sample per point, all finite
     Source source;
     std::vector<Message> remarks{}; ///< changes made while reading, in sentences for the user
@@ -275,12 +276,12 @@ struct TAN_API Dataset {
     Status checkIntact() const;
 };
 
-/// Datasets of arrays in memory. `name` is what the user calls the data; models keep it, and the hash of all values and
-/// places, by which verify() knows the data again. Errors (BadInput) say what is wrong with the arrays. May throw
-/// std::bad_alloc. Safe from any thread.
+// Datasets of arrays in memory. `name` is what the user calls the data; models keep it, and the hash of all values and
+// positions, by which verify() knows the data again. Errors (BadInput) say what is wrong with the arrays. May throw
+// std::bad_alloc. Safe from any thread.
 
-/// A regular lattice; the first index of `values` runs fastest. Refused: other than one finite value a point, fewer
-/// than two points along an axis, a spacing that is not positive. O(points).
+/// A regular lattice; the first index of `values` runs fastest. Refused unless there is exactly one finite value per
+/// point; fewer than two points along an axis, a spacing that is not positive. O(points).
 TAN_API Result<Dataset> latticeDataset(const Lattice& lattice, ScalarField values, std::string name);
 
 /// A curvilinear (or rectilinear) grid of `size` points, the first index running fastest, each in its place. Cells may
@@ -290,7 +291,7 @@ TAN_API Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& s
                                            std::string name);
 
 /// Points without cells. Coincident points are merged, with the mean of their values; Dataset::remarks says so.
-/// Refused: other than one finite value a point, places that are not finite, no points. O(n log n).
+/// Refused unless there is exactly one finite value per point; positions that are not finite; no points. O(n log n).
 TAN_API Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::vector<double> values,
                                          std::string name);
 
@@ -317,14 +318,14 @@ struct CellComplex {
     std::vector<CellShape> shapes;
     std::vector<std::uint64_t> offsets; ///< the corners of cell c are corners[offsets[c]] up to corners[offsets[c + 1]]
     std::vector<std::uint64_t> corners; ///< numbers of positions
-    std::vector<std::uint8_t> blanked;  ///< one a cell, not 0: no part of the domain; empty if none is
+    std::vector<std::uint8_t> blanked;  ///< one per cell, nonzero: the cell is a hole; empty if there are none
 };
 
 /// Values for the points of a complex, or for its cells.
 struct ComplexValues {
     std::vector<double> values;
     bool perCell = false;                  ///< averaged onto the points; Dataset::remarks says so
-    SampleType type = SampleType::Float32; ///< that the dataset keeps them in
+    SampleType type = SampleType::Float32; ///< the type in which the dataset stores the values
 };
 
 /// The irregular dataset that such cells make (R1, S6, S20), a mesh that covers its domain once: every cell is cut into

@@ -37,17 +37,17 @@ namespace tetra {
 /// A conforming tetrahedral mesh with a value at each vertex (2.2), as plain arrays. What extraction gives and what
 /// graphics draws. Tetrahedra (a, b, c, d) are positive: (b-a) . ((c-a) x (d-a)) > 0.
 struct TetrahedralMesh {
-    Buffer<Eigen::Vector3f> positions;
-    Buffer<float> values;
-    Buffer<std::array<std::uint32_t, 4>> tetrahedra;
+    Buffer<Eigen::Vector3f> positions;               ///< rounded to floats, whatever the dataset has
+    Buffer<float> values;                            ///< as many as positions; likewise rounded
+    Buffer<std::array<std::uint32_t, 4>> tetrahedra; ///< numbers of positions
 };
 
 /// The mesh reordered for spatial locality: vertices along a Hilbert curve (corners are renumbered, vertices without
 /// tetrahedra stay), tetrahedra by their smallest vertex. Drawing, sorting and contouring are several times quicker
-/// than in order of construction, and chunks of tetrahedra have narrow ranges of values. Once a mesh, before it is used
-/// many times. O(vertices + tetrahedra), on all threads of the current arena, the same result with any number of them;
-/// 16 bytes a tetrahedron besides the result while it runs. Errors: arrays that do not belong together, corners that do
-/// not exist, cancelled, not enough memory.
+/// than in order of construction, and chunks of tetrahedra have narrow ranges of values. Worth it for a mesh that
+/// is drawn or contoured often. O(vertices + tetrahedra), on all threads of the current TBB arena, the same result with
+/// any number of them; 16 bytes a tetrahedron besides the result while it runs. Errors: arrays that do not belong
+/// together, corners that do not exist, cancelled, not enough memory.
 TAN_API Result<TetrahedralMesh> inSpatialOrder(const TetrahedralMesh& mesh, const Progress& progress = {});
 
 /// A mesh with a copy in spatial order, which is made when it is first asked for. Share it between all that use the
@@ -83,10 +83,11 @@ struct TriangleMesh {
     Buffer<Colour> colours{}; ///< of each vertex; empty where the surface's colour holds
 };
 
-/// Regions of space, closed and convex; lengths are those of the dataset.
+// Regions of space, closed and convex; lengths are those of the dataset.
+
 struct Sphere {
     Eigen::Vector3d centre{0, 0, 0};
-    double radius = 0; ///< 0 is a point: distance to a camera
+    double radius = 0; ///< 0: a point, such as the position of a camera
     bool operator==(const Sphere&) const = default;
 };
 /// The points with normal . x <= offset; `normal`, a unit vector, points out of it. (Of a ClipPlane the other side is

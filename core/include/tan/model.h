@@ -11,21 +11,20 @@
 /// - A *site* is a point of the dataset that became a vertex; sites are numbered in order of importance.
 /// - The *history* is every tetrahedron that ever lived, with the site that created and the one that destroyed it.
 /// - The *error* of a mesh is the largest difference between a sample and the mesh's linear interpolation there.
-/// - Its *warping* is the largest distance between a point of the data and where the mesh has it, in units of length;
-/// of
-///   irregular data, between a vertex of the data's boundary and the mesh's boundary. Lattices and scattered points
-///   have none. Asked for and told in percent of the value range and of the diagonal of the bounding box.
+/// - Its *warping* is the largest distance between a point of the data and its position in the mesh, in units of
+///   length; for irregular data, between a vertex of the data's boundary and the mesh's boundary. Lattices and
+///   scattered points have none. Queries and reports give both in percent of the value range and of the bounding
+///   box's diagonal.
 /// - The *key* of a mesh is its error or, where there is warping, the larger of that and the weighted warping. The
 ///   *running* key is the smallest one so far.
-/// - A *batch* is the sites of one running key; only where a batch ends is there a mesh to be asked for. A *group* is
-/// the
-///   sites of a batch that depend on each other.
-/// - A set of sites is *closed* if with a site it holds its group and the creators of all that the site destroys. It
-/// has
-///   a *conforming* mesh: tetrahedra meet in common faces, edges and vertices only.
+/// - A *batch* is the sites of one running key; a query gives the mesh at the end of a batch. A *group* is the sites
+///   of a batch that depend on each other.
+/// - A set of sites is *closed* if with a site it holds its group and the creators of all that the group destroys. It
+///   has a *conforming* mesh: tetrahedra meet in common faces, edges and vertices only.
 /// - *Lattice* means a regular one, *grid* a curvilinear one, which is a lattice in its *computational space*.
 ///
-/// Marks such as R14, S5 and B3 number the project's requirements and decisions; 2.3 is a section of the paper.
+/// Marks such as R14, S5 and B3 are the numbers under which tests and commits name a requirement, and need not be
+/// looked up; 2.3 is a section of the paper (README.md names it).
 ///
 /// ~~~{.cpp}
 /// /// What a model says of itself, as "bucky.nrrd: 32768 sites, 594821 tetrahedra, built by refinement".
@@ -76,7 +75,7 @@ struct ModelDescription {
 
 /// A multiresolution model in a mapped `.tan` file (FORMAT.md), read-only and shared by everything that looks at it.
 /// Opening validates the header, the section table and the bounds of the sections; it reads none of the arrays. Sites
-/// are in order of importance, batches of equal running error one after the other, groups in them (FORMAT.md);
+/// are in order of importance, batches of equal running key one after the other, groups in them (FORMAT.md);
 /// tetrahedra are grouped by creator. Safe to read from any number of threads.
 ///
 /// The contents of the arrays are not validated by opening. The file has checksums: whoever reads elements calls
@@ -102,18 +101,19 @@ public:
     const std::filesystem::path& path() const noexcept { return path_; }
     const ModelDescription& description() const noexcept { return description_; }
     std::uint64_t fileSize() const noexcept { return fileSize_; }
-    /// Bounds the key of the mesh of all sites, in units of the values.
-    float finalError() const noexcept { return finalError_; }
+    /// A bound on the key of the mesh of all sites, in units of the values.
+    float finalKey() const noexcept { return finalKey_; }
 
     std::uint32_t siteCount() const noexcept { return static_cast<std::uint32_t>(points_.size()); }
     /// All that ever lived in a mesh that a query can give.
     std::uint64_t tetrahedronCount() const noexcept { return destroyers_.size(); }
 
     std::span<const std::uint32_t> points() const noexcept { return points_; } ///< the dataset's point of each site
-    std::span<const std::byte> values() const noexcept { return values_; }     ///< a sample of sampleType for each site
+    /// A sample of sampleType for each site; visitSampleType() gives its C++ type.
+    std::span<const std::byte> values() const noexcept { return values_; }
     /// Running minimum of the mesh's key before each site entered, in units of the values: its error, or with a warping
     /// weight the larger of that and the weighted warping. Not increasing; infinity for the initial sites (S1).
-    std::span<const float> runningErrors() const noexcept { return runningErrors_; }
+    std::span<const float> runningKeys() const noexcept { return runningKeys_; }
     /// Site s created the tetrahedra starOffsets()[s] up to starOffsets()[s + 1]; siteCount() + 1 entries.
     std::span<const std::uint64_t> starOffsets() const noexcept { return starOffsets_; }
     /// The number of tetrahedra in the mesh of all sites up to the end of s's group, for each s.
@@ -129,7 +129,8 @@ public:
     std::span<const std::uint16_t> ownErrors() const noexcept { return ownErrors_; }
     /// Likewise on its own warping, a fraction of the bounding box's diagonal; empty without a warping weight.
     std::span<const std::uint16_t> ownWarpings() const noexcept { return ownWarpings_; }
-    /// What these are for one tetrahedron, in units of the values and of length (0 without a warping weight).
+    /// The same for one tetrahedron below tetrahedronCount(), in units of the values and of length (0 without a warping
+    /// weight).
     double ownError(std::uint64_t tetrahedron) const noexcept;
     double ownWarping(std::uint64_t tetrahedron) const noexcept;
 
@@ -137,7 +138,7 @@ public:
     /// every coordinate of the dataset exactly.
     std::span<const Eigen::Vector3f> floatPositions() const noexcept { return floatPositions_; }
     std::span<const Eigen::Vector3d> doublePositions() const noexcept { return doublePositions_; }
-    /// Where site `site` lies in physical space, exactly. For a few.
+    /// Where a site below siteCount() lies in physical space, exactly. For a few.
     Eigen::Vector3d position(std::uint32_t site) const;
     /// The length that warpings are a percentage of (R7).
     double diagonal() const noexcept { return description_.bounds.diagonal().norm(); }
@@ -165,9 +166,9 @@ public:
         return checkBytes(std::as_bytes(elements), progress);
     }
 
-    /// What is read of a prefix of the sites.
+    /// Which arrays checkPrefix() checks.
     enum Reading : unsigned {
-        Batches = 1,   ///< runningErrors(), meshSizes() and groupGoesOn() of the sites
+        Batches = 1,   ///< runningKeys(), meshSizes() and groupGoesOn() of the sites
         Stars = 2,     ///< their starOffsets(), with otherSites() and destroyers() of the tetrahedra that they created
         OwnBounds = 4, ///< ownErrors() and ownWarpings() of these, with the offsets
     };
@@ -194,10 +195,10 @@ private:
     std::filesystem::path path_;
     ModelDescription description_;
     std::uint64_t fileSize_ = 0;
-    float finalError_ = 0;
+    float finalKey_ = 0;
     std::span<const std::uint32_t> points_;
     std::span<const std::byte> values_;
-    std::span<const float> runningErrors_;
+    std::span<const float> runningKeys_;
     std::span<const std::uint64_t> starOffsets_;
     std::span<const std::uint32_t> meshSizes_;
     std::span<const std::uint8_t> groupGoesOn_;

@@ -90,9 +90,9 @@ TAN_API std::string levelsAsCsv(const Model& model, std::span<const Accuracy> le
 /// "bytes", and "levels", a list of "error", "warping", "sites", "tetrahedra", "reached" and "reached_warping".
 TAN_API std::string levelsAsJson(const Model& model, std::span<const Accuracy> levels);
 
-/// CSV or JSON, as the ending of the name says. Errors: WrongUsage for any other ending.
-TAN_API Result<std::string> levelsFor(const std::filesystem::path& path, const Model& model,
-                                      std::span<const Accuracy> levels);
+/// CSV or JSON, as the ending of the file's name says; nothing is written. Errors: WrongUsage for any other ending.
+TAN_API Result<std::string> levelsAsText(const std::filesystem::path& path, const Model& model,
+                                         std::span<const Accuracy> levels);
 
 /// The distance of a place from a region; 0 within.
 TAN_API double distanceTo(const Region& region, const Eigen::Vector3d& place);
@@ -119,8 +119,8 @@ struct ValueRamp {
 /// bounded. An immutable value, cheap to copy; safe to read from any number of threads.
 class TAN_API ErrorField {
 public:
-    // What is given is put in order: corners of a box that are the wrong way round, a normal that is none of length 1
-    // (with its offset), knots out of order. Numbers that are none count as 0, knots without a value are left out.
+    // Arguments are normalised: swapped corners of a box, normals (and their offsets) that are not of unit length,
+    // knots that are not sorted. NaN counts as 0; knots whose value is NaN are dropped.
 
     /// The same everywhere.
     ErrorField(double percent = 0); // NOLINT(google-explicit-constructor): a number is a field

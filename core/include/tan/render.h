@@ -60,8 +60,10 @@ enum class UpAxis { X, MinusX, Y, MinusY, Z, MinusZ };
 struct Camera {
     Eigen::Vector3d target{0, 0, 0};
     double distance = 1;
-    /// Around the up axis, counterclockwise seen from above. 0 looks along +y if z is up or down, along -z if y is,
-    /// along +z if x is.
+    /// Around the up axis, counterclockwise seen from above. At 0 the camera looks
+    ///     along +y if z or -z is up,
+    ///     along -z if y or -y is up,
+    ///     along +z if x or -x is up.
     double azimuth = 30;
     double elevation = 20; ///< above the plane across the up axis, kept within [-90, 90]
     double roll = 0;       ///< about the line of sight: positive angles turn the picture clockwise
@@ -324,7 +326,8 @@ public:
     explicit VolumeCache(std::shared_ptr<OrderedMesh> mesh);
     explicit VolumeCache(std::shared_ptr<const TetrahedralMesh> mesh);
 
-    /// Errors: those of inSpatialOrder(), makeVolumeMesh() and makeVolumeTransfer(), cancelled.
+    /// Errors: those of inSpatialOrder() and checkTransferFunction(); a mesh with more than a thousand million
+    /// tetrahedra or a function with too many pieces (OutOfResource); cancelled.
     Result<Volume> update(const TransferFunction& function, bool shaded, const Progress& progress = {});
 
 private:
@@ -366,7 +369,7 @@ struct PictureOptions {
 
 /// What the last picture took.
 struct RenderStatistics {
-    std::size_t cells = 0;        ///< tetrahedra of the volume that were drawn, once for each tile of the CPU back end
+    std::size_t cells = 0;        ///< tetrahedra of the volume that were drawn, counted once a tile by the CPU back end
     std::size_t fragments = 0;    ///< samples of the picture times the cells drawn there, as far as they are counted
     std::size_t brokenCycles = 0; ///< of the visibility order (S14)
     bool orderReused = false;
@@ -382,6 +385,11 @@ class TAN_API RenderBackend {
 public:
     virtual ~RenderBackend() = default;
     virtual std::string_view id() const noexcept = 0; ///< "cpu" or "gl"
+    /// The scene as the camera sees it. What was prepared for a surface or a volume is used again as long as the scene
+    /// holds the same objects (the shared meshes and transfer functions, told apart by address), so share them between
+    /// scenes. O(triangles + cells + samples of the picture), a volume's cells in order of visibility besides. Errors
+    /// (WrongUsage): arrays of the scene that do not belong together, a picture without pixels or too large for the
+    /// back end, samples or threads out of their range; OutOfResource: memory, of the graphics card, too; cancelled.
     virtual Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
                                    const Progress& progress = {}) = 0;
     /// Of the last picture that was finished.

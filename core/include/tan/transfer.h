@@ -110,6 +110,7 @@ TAN_API Status checkMask(const TransferMask& mask);
 /// its range, or the mask is no range.
 TAN_API Status checkTransferFunction(const TransferFunction& function);
 
+/// Per unit of length, for an opacity that is reached in `unitDistance`: -log(1 - opacity) / unitDistance.
 TAN_API double extinctionOf(double opacity, double unitDistance) noexcept;
 
 /// O(log points). NaN is transparent.
@@ -182,9 +183,9 @@ TAN_API ValueHistogram logarithmicHistogram(std::span<const float> values, doubl
 /// The height of a bar, in [0, 1] of the highest: linear, or logarithmic so that rare values are seen, too.
 TAN_API double barHeight(std::uint64_t count, std::uint64_t highest, bool logarithmic) noexcept;
 
-/// Transfer functions to begin with, for values in [smallest, largest]; the colours can be told apart also by people
-/// who do not see red or green as others do. `unitDistance` is usually a fortieth of the domain's diagonal. If the
-/// range is empty or not finite, all values look the same.
+// Transfer functions to begin with, for values in [smallest, largest]; the colours can be told apart also by people
+// who do not see red or green as others do. `unitDistance` is usually a fortieth of the domain's diagonal. If the
+// range is empty or not finite, all values look the same.
 
 /// Dark blue over green to yellow, darkest where the value is small, opacity rising with the value: after the colour
 /// map viridis by N. Smith and S. van der Walt (CC0).
@@ -224,6 +225,7 @@ struct ColourMap {
 /// viridis, cividis, inferno, cool-warm, grey: in this order.
 TAN_API std::span<const ColourMap> colourMaps();
 
+/// The map's colour, linear between its nodes, at a share of the range that is brought into [0, 1].
 TAN_API std::array<float, 3> colourAt(const ColourMap& map, double share);
 
 /// The function with the map's colours from limits.least to limits.largest in place of its own. Limits that are not a
@@ -232,7 +234,7 @@ TAN_API TransferFunction withColourMap(const TransferFunction& function, const C
                                        const TransferLimits& limits);
 
 /// What completes a file of colours or opacities alone, and where presets without values of their own go.
-struct ImportSurroundings {
+struct ImportContext {
     TransferFunction present{};
     std::optional<TransferLimits> limits{}; ///< presets from 0 to 1 are spread over these; none: they stay
 };
@@ -245,9 +247,9 @@ struct ImportedTransfer {
 };
 
 /// The transfer functions of a file, one or more: one of ours (transferFunctionToText()), or ParaView's presets, JSON
-/// or XML.
+/// or XML. Errors (BadInput): none of these, or one that is incomplete; the text says what and in which line or entry.
 TAN_API Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text,
-                                                                      const ImportSurroundings& surroundings);
+                                                                      const ImportContext& context);
 
 /// A file for ParaView that looks as the function does.
 TAN_API std::string transferFunctionToParaview(const TransferFunction& function, const std::string& name);

@@ -37,10 +37,10 @@ struct LevelReport {
     Accuracy asked;
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
-    bool conforming = false; ///< every face in two cells, or in one and on the domain's boundary
-    bool covers = false;     ///< the cells fill the domain exactly, and every sample lies in one
-    /// Flat or negative cells; of curvilinear data those in computational space and the negative ones in physical
-    /// space.
+    bool conforming = false; ///< every face in two cells, or in one and on the domain's boundary; false if not checked
+    bool covers = false;     ///< the cells fill the domain exactly, and every sample lies in one; false if not checked
+    /// Cells that are flat or negative; for curvilinear data those that are in computational space, and those negative
+    /// in physical space.
     std::uint64_t inverted = 0;
     std::uint64_t invertedInData = 0; ///< of these, the ones that the grid itself makes, which are no failures (S5)
     std::uint64_t degenerate = 0;     ///< cells of curvilinear data without volume in physical space (S6)
@@ -55,21 +55,22 @@ struct LevelReport {
 };
 
 struct TAN_API VerificationReport {
-    std::vector<std::string>
-        failures; ///< of the file as a whole: checksums, structure, sites and values against the dataset
-    std::uint64_t foldedCells = 0; ///< of curvilinear data: cells of the grid that have an inverted corner (S5)
-    std::vector<LevelReport> levels;
+    /// Of the file as a whole: checksums, structure, sites and values against the dataset. If there are any, levels may
+    /// not have been checked; their failures say so.
+    std::vector<std::string> failures;
+    std::uint64_t foldedCells = 0;   ///< of curvilinear data: cells of the grid that have an inverted corner (S5)
+    std::vector<LevelReport> levels; ///< in the order in which they were asked for
     bool ok() const noexcept;
 };
 
-/// Proves, sharing no code with builders or extraction, that each level of `model` is a conforming, exact cover of the
-/// domain without flat or inverted cells and keeps the error and the warping that it claims against the original data,
-/// weighted if the model was built with weights. Curvilinear data: exact in computational space, then in physical
-/// space; cells without volume are counted apart, and so are inverted ones that the grid itself makes, which are no
-/// failure (S5). Irregular data: the boundary, wherever it lies, is a manifold that does not meet itself, with the
-/// components and the surfaces of the original (S12). A damaged model gives failures; an Error only if checking itself
-/// was impossible: cancelled, out of memory. On all threads; levels one after the other, each about as long as
-/// extracting its mesh and locating every sample in it.
+/// Proves, sharing no code with builders or extraction but the reading of the file, that each level of `model` is a
+/// conforming, exact cover of the domain without flat or inverted cells and keeps the error and the warping that it
+/// claims against the original data, weighted if the model was built with weights. Curvilinear data: exact in
+/// computational space, then in physical space; cells without volume are counted apart, and so are inverted ones that
+/// the grid itself makes, which are no failure (S5). Irregular data: the boundary, wherever it lies, is a manifold that
+/// does not meet itself, with the components and the surfaces of the original (S12). A damaged model gives failures; an
+/// Error only if checking itself was impossible: cancelled, out of memory. On all threads; levels one after the other,
+/// each about as long as extracting its mesh and locating every sample in it.
 TAN_API Result<VerificationReport> verify(const Model& model, const Dataset& original,
                                           const std::vector<Accuracy>& levels, const Progress& progress = {});
 

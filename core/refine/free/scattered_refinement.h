@@ -21,7 +21,7 @@ struct ScatteredPoints {
 struct ScatteredRefinementResult {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0; ///< all that ever lived
-    float finalError = 0;
+    float finalKey = 0;
 };
 
 /// Greedy refinement of scattered points (R1, 3.1, R8): starting from the corners of their convex hull, inserts the

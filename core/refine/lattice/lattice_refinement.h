@@ -26,7 +26,7 @@ struct LatticeRefinementOptions {
 struct LatticeRefinementResult {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0; ///< all that ever lived
-    float finalError = 0;
+    float finalKey = 0;
 };
 
 /// Greedy refinement of a regular lattice (3.1, R8): starting from the eight corners, inserts the point of the largest

@@ -40,7 +40,7 @@ struct CellSetup {
     AffineFunction functions[7];
     float constant;
     float smallest, largest; ///< values
-    float perGradient;       ///< 1 / length of the gradient if the cell is lit, else 0; see cosine in volume_tile.cpp
+    float perGradient; ///< 1 / length of the gradient if the cell is lit, else 0; see relight() in block_shading.h
     std::uint16_t firstSegment, lastSegment;
     std::uint8_t left, top, right, bottom; ///< blocks of the tile
     Thickness thickness;

@@ -36,8 +36,7 @@ void spreadPreset(CurvePreset& preset, const TransferLimits& limits)
 
 } // namespace
 
-Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text,
-                                                              const ImportSurroundings& surroundings)
+Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text, const ImportContext& context)
 {
     Result<std::vector<CurvePreset>> presets = std::vector<CurvePreset>();
     if (isXml(text)) {
@@ -59,9 +58,9 @@ Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view t
         return presets.error();
     std::vector<ImportedTransfer> imported;
     for (CurvePreset& preset : *presets) {
-        if (surroundings.limits && isForAnyData(preset))
-            spreadPreset(preset, *surroundings.limits);
-        imported.push_back({preset.name, transferFunctionOf(preset, surroundings.present), preset.opacities.empty()});
+        if (context.limits && isForAnyData(preset))
+            spreadPreset(preset, *context.limits);
+        imported.push_back({preset.name, transferFunctionOf(preset, context.present), preset.opacities.empty()});
     }
     return imported;
 }

@@ -59,7 +59,7 @@ void EditMenu::addEdit(QMenu& menu, const char* name, const QString& text, std::
 void EditMenu::addWhole()
 {
     const auto whole = [this](const char* name, const QString& text, auto change) {
-        add(*this, name, text, [this, change] { state_.host().setFunction(change(state_.function())); });
+        add(*this, name, text, [this, change] { state_.setFunction(change(state_.function())); });
     };
     whole("denser", tr("&More opaque"),
           [](const TransferFunction& old) { return withScaledOpacity(old, opacityFactor); });
@@ -222,7 +222,7 @@ void setMasked(EditorState& state, bool on)
     TransferMask mask{seen.least + inset, seen.largest - inset};
     if (selection.size() >= 2)
         mask = {points[selection.front()].value, points[selection.back()].value};
-    state.host().setFunction(on ? withMask(state.function(), mask) : withoutMask(state.function()));
+    state.setFunction(on ? withMask(state.function(), mask) : withoutMask(state.function()));
 }
 
 } // namespace tetra

@@ -32,10 +32,17 @@ TransferLimits within(const TransferLimits& part, const TransferLimits& whole)
 
 EditorState::EditorState(EditorHost& host, QObject* parent) : QObject(parent), host_(host) {}
 
+const TransferFunction& EditorState::function() const
+{
+    static const TransferFunction none;
+    const auto* function = std::get_if<TransferFunction>(&host_.value(transferId));
+    return function != nullptr ? *function : none;
+}
+
 const JoinedFunction& EditorState::joinedFunction() const
 {
-    if (lastSeen_ != host_.function()) {
-        lastSeen_ = host_.function();
+    if (lastSeen_ != function()) {
+        lastSeen_ = function();
         joined_ = joined(lastSeen_);
     }
     return joined_;
@@ -134,7 +141,7 @@ void EditorState::forgetWhatIsGone()
 void EditorState::apply(const EditedSelection& edited)
 {
     if (edited.function != joinedFunction())
-        host_.setFunction(separated(edited.function));
+        setFunction(separated(edited.function));
     select(edited.selection);
 }
 
@@ -154,9 +161,9 @@ void EditorState::setCurrentValue(double value)
         return host_.setIsovalue(current_.index, isovalue);
     }
     case EditorItem::Kind::MaskLeast:
-        return host_.setFunction(withMask(function(), {std::min(value, mask.largest), mask.largest}));
+        return setFunction(withMask(function(), {std::min(value, mask.largest), mask.largest}));
     case EditorItem::Kind::MaskLargest:
-        return host_.setFunction(withMask(function(), {mask.least, std::max(value, mask.least)}));
+        return setFunction(withMask(function(), {mask.least, std::max(value, mask.least)}));
     }
 }
 
@@ -167,7 +174,7 @@ void EditorState::removeCurrent()
     case EditorItem::Kind::Point: return apply(withoutSelected(joinedFunction(), selection_));
     case EditorItem::Kind::Isovalue: return host_.removeIsovalue(current_.index);
     case EditorItem::Kind::MaskLeast:
-    case EditorItem::Kind::MaskLargest: return host_.setFunction(withoutMask(function()));
+    case EditorItem::Kind::MaskLargest: return setFunction(withoutMask(function()));
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/editor.h"
+#include "plugins/api/scene_parameters.h"
 #include "plugins/widgets/curves/axes.h"
 #include "plugins/widgets/curves/joined_function.h"
 #include "plugins/widgets/curves/moving.h"
@@ -37,7 +38,8 @@ public:
     explicit EditorState(EditorHost& host, QObject* parent = nullptr);
 
     EditorHost& host() const noexcept { return host_; }
-    const TransferFunction& function() const { return host_.function(); }
+    const TransferFunction& function() const;
+    void setFunction(const TransferFunction& function) { host_.setValue(transferId, function); }
     /// The same with its curves as one, whose points are shown and edited.
     const JoinedFunction& joinedFunction() const;
     /// Of the data.

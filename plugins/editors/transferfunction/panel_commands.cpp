@@ -104,7 +104,7 @@ Status TransferPanel::load(const std::string& text)
     if (!imported)
         return imported.error();
     if (imported->size() == 1)
-        host_.setFunction(imported->front().function);
+        state_.setFunction(imported->front().function);
     else
         offerChoice(*std::move(imported));
     return {};
@@ -126,7 +126,7 @@ void TransferPanel::offerChoice(std::vector<ImportedTransfer> imported)
     connect(choice, &QInputDialog::textValueSelected, this,
             [this, names, presets = std::move(imported)](const QString& name) {
                 if (const qsizetype index = names.indexOf(name); index >= 0)
-                    host_.setFunction(presets[static_cast<std::size_t>(index)].function);
+                    state_.setFunction(presets[static_cast<std::size_t>(index)].function);
             });
     choice->open();
 }

@@ -91,7 +91,7 @@ void PointNumbers::connectControls()
     connect(opacity_, &QDoubleSpinBox::valueChanged, this, [this](double percent) { setOpacity(percent); });
     connect(colour_, &ColourButton::colourChosen, this, &PointNumbers::setColour);
     connect(unitDistance_, &QDoubleSpinBox::valueChanged, this,
-            [this](double distance) { state_.host().setFunction(withUnitDistance(state_.function(), distance)); });
+            [this](double distance) { state_.setFunction(withUnitDistance(state_.function(), distance)); });
 }
 
 void PointNumbers::setOpacity(double percent)

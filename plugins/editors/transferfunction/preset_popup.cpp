@@ -199,7 +199,7 @@ void PresetPopup::take(const QListWidgetItem* item)
 
 void PresetPopup::apply(const Preset& preset, PresetPart part)
 {
-    state_.host().setFunction(withPreset(state_.function(), preset, part, state_.range(), state_.host().diagonal()));
+    state_.setFunction(withPreset(state_.function(), preset, part, state_.range(), state_.host().diagonal()));
 }
 
 void PresetPopup::askForName()

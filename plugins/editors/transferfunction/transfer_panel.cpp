@@ -154,7 +154,7 @@ void TransferPanel::connectControls()
     host_.whenChanged(this, [this](EditorChange change) {
         switch (change) {
         case EditorChange::Model: return showModel();
-        case EditorChange::Function:
+        case EditorChange::Value:
         case EditorChange::Isovalues: return showFunction();
         case EditorChange::Mesh: return canvas_->update();
         case EditorChange::Picked: return showPicked();

@@ -5,9 +5,6 @@
 #include "core/base/text.h"
 #include "plugins/readers/cells/cells_file.h"
 
-#include <algorithm>
-#include <new>
-
 namespace tetra {
 
 namespace {
@@ -17,46 +14,26 @@ std::string_view asText(std::span<const std::byte> bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-bool nameEndsWith(const std::filesystem::path& path, std::string_view ending)
-{
-    std::string text = path.extension().string();
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text == ending;
-}
-
 bool isVtu(std::string_view firstBytes)
 {
     return firstBytes.find("<VTKFile") != std::string_view::npos &&
            firstBytes.find("UnstructuredGrid") != std::string_view::npos;
 }
 
-Error inFile(const std::filesystem::path& path, const Error& error)
-{
-    if (error.kind == ErrorKind::Cancelled)
-        return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
-}
-
 /// Opens the file and calls one of two for what it holds.
 template <class Value, class Vtu, class Ucd>
 Result<Value> withFile(const std::filesystem::path& path, Vtu&& vtu, Ucd&& ucd)
-try {
+{
     constexpr std::size_t headBytes = 4096;
     const auto file = MappedFile::open(path);
     if (!file)
         return file.error();
     const std::string_view bytes = asText((*file)->bytes());
-    const bool xml = isVtu(bytes.substr(0, headBytes)) || nameEndsWith(path, ".vtu");
+    const bool xml = isVtu(bytes.substr(0, headBytes)) || fileEnding(path) == ".vtu";
     Result<Value> result = xml ? vtu(bytes) : ucd(bytes);
     if ((*file)->damaged())
-        return inFile(path, {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
-    if (!result)
-        return inFile(path, result.error());
+        return Error{ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")};
     return result;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory to read '%1'. Close other programs.", path.string())};
 }
 
 } // namespace
@@ -70,9 +47,9 @@ double CellsReader::score(const std::filesystem::path& path, std::span<const std
 {
     // A reader by VTK itself, where there is one, knows more kinds of .vtu.
     constexpr double ofVtu = 0.8, ofUcd = 0.95;
-    if (isVtu(asText(firstBytes)) || nameEndsWith(path, ".vtu"))
+    if (isVtu(asText(firstBytes)) || fileEnding(path) == ".vtu")
         return ofVtu;
-    return nameEndsWith(path, ".inp") && looksLikeUcd(asText(firstBytes)) ? ofUcd : 0;
+    return fileEnding(path) == ".inp" && looksLikeUcd(asText(firstBytes)) ? ofUcd : 0;
 }
 
 std::vector<Parameter> CellsReader::parameters() const

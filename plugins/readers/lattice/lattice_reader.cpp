@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/lattice_reader.h"
 
-#include "core/base/checksum.h"
 #include "core/base/mapped_file.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <new>
 
 namespace tetra {
 
@@ -37,6 +35,7 @@ bool isNrrdName(const fs::path& path)
     return extension(path) == ".nrrd" || extension(path) == ".nhdr";
 }
 
+/// Of the header or its data file: which of the two is not known to the program.
 Error inFile(const fs::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled || error.kind == ErrorKind::OutOfResource)
@@ -102,21 +101,6 @@ Result<VolumeFile> openVolume(const fs::path& path, const File& file, const Para
     return isNrrd(path, file) ? openNrrd(path, file) : openRaw(path, file, values);
 }
 
-/// As contentHash(), for values that may take long to go through.
-Result<std::uint64_t> hashOf(const ScalarField& values, const Progress& progress)
-{
-    constexpr std::size_t pieceBytes = std::size_t(16) << 20;
-    const std::span<const std::byte> bytes = values.bytes();
-    Checksum sum;
-    for (std::size_t done = 0; done < bytes.size(); done += pieceBytes) {
-        if (progress.cancelled())
-            return cancelledError(Message::marked("Reading"));
-        sum.add(bytes.subspan(done, std::min(pieceBytes, bytes.size() - done)));
-        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), Message::marked("Reading"));
-    }
-    return sum.value();
-}
-
 bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole)
 {
     return std::less_equal{}(whole.data(), bytes.data()) &&
@@ -127,20 +111,18 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFile& volume, cons
 {
     const std::span<const std::byte> content = volume.file->bytes();
     const Result<ScalarField> values =
-        readSamples(content.subspan(volume.headerBytes), volume.layout, progress.part(0, 0.7), volume.file);
-    const Result<std::uint64_t> hash =
-        values ? hashOf(*values, progress.part(0.7, 1)) : Result<std::uint64_t>(values.error());
+        readSamples(content.subspan(volume.headerBytes), volume.layout, progress, volume.file);
     if (volume.file->damaged())
         return inFile(volume.file->path(),
                       {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
-    if (!hash) {
-        const Error error = inFile(volume.file->path(), hash.error());
+    if (!values) {
+        const Error error = inFile(volume.file->path(), values.error());
         return volume.file->path() == path ? error : withHeader(path, error);
     }
     Dataset dataset;
     dataset.lattice = volume.layout.lattice;
     dataset.values = *values;
-    dataset.source = {path.filename().string(), path, *hash};
+    dataset.source = {path.filename().string(), path, 0};
     if (isWithin(values->bytes(), content))
         dataset.mappedFile = volume.file;
     progress.report(1, Message::marked("Reading"));
@@ -195,7 +177,7 @@ std::vector<Parameter> LatticeReader::parameters() const
 }
 
 Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
-try {
+{
     const Result<File> file = openFile(path);
     if (!file)
         return file.error();
@@ -203,8 +185,6 @@ try {
     if (!volume)
         return volume.error();
     return readDataset(path, *volume, progress);
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterValues& values,

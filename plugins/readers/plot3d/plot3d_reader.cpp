@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
+#include "core/base/text.h"
 #include "core/data/dataset_checks.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
@@ -8,22 +9,12 @@
 #include <tan/data.h>
 
 #include <algorithm>
-#include <cctype>
-#include <new>
 
 namespace tetra {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerExtension(const fs::path& path)
-{
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return extension;
-}
 
 /// The two files of a dataset.
 struct Pair {
@@ -146,8 +137,7 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     dataset.lattice.size = pair.grid.layout.sizes[pair.number];
     dataset.positions = *positions;
     dataset.values = *values;
-    dataset.source = {pair.grid.file->path().filename().string() + ", " + array->name, path,
-                      contentHash(*values, *positions)};
+    dataset.source = {pair.grid.file->path().filename().string() + ", " + array->name, path, 0};
     if (const Status usable = checkGrid(dataset); !usable)
         return inPlot3dFile(pair.grid.file->path(), usable.error().message);
     progress.report(1, Message::marked("Reading"));
@@ -201,7 +191,7 @@ double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firs
         for (const Plot3dKind kind : {Plot3dKind::Grid, Plot3dKind::Solution})
             if (findPlot3dLayout(firstBytes, bytes, kind))
                 return 0.9;
-    return std::ranges::find(ownNames, lowerExtension(path)) != ownNames.end() ? 0.2 : 0; // to say what is wrong
+    return std::ranges::find(ownNames, fileEnding(path)) != ownNames.end() ? 0.2 : 0; // to say what is wrong
 }
 
 std::vector<Parameter> Plot3dReader::parameters() const
@@ -233,7 +223,7 @@ std::vector<Parameter> Plot3dReader::parameters() const
 }
 
 Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
-try {
+{
     const auto all = parameters();
     const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"));
     if (!pair)
@@ -242,8 +232,6 @@ try {
     if (!open)
         return open.error();
     return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress);
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterValues& values,

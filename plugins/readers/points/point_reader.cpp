@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <new>
 
 namespace tetra {
 
@@ -28,13 +27,6 @@ std::string extension(const std::filesystem::path& path)
     std::ranges::transform(text, text.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return text;
-}
-
-Error inFile(const std::filesystem::path& path, const Error& error)
-{
-    if (error.kind == ErrorKind::Cancelled)
-        return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
 }
 
 Result<Dataset> datasetOf(PointTable table, const std::filesystem::path& path)
@@ -104,24 +96,22 @@ std::vector<Parameter> PointReader::parameters() const
 
 Result<Dataset> PointReader::read(const std::filesystem::path& path, const ParameterValues& values,
                                   const Progress& progress) const
-try {
+{
     const auto file = MappedFile::open(path);
     if (!file)
         return file.error();
     Result<PointTable> table =
         readPointTable(asText((*file)->bytes()), requestOf(parameters(), values), progress.part(0, 0.9));
     if ((*file)->damaged())
-        return inFile(path, {ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")});
+        return Error{ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")};
     if (!table)
-        return inFile(path, table.error());
+        return table.error();
     if (table->values.size() > std::numeric_limits<std::uint32_t>::max())
-        return inFile(
-            path, {ErrorKind::OutOfResource, Message::say("it has more than 4294967295 points. Take a part of them.")});
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("it has more than 4294967295 points. Take a part of them.")};
     auto dataset = datasetOf(std::move(*table), path);
     progress.report(1, Message::marked("Reading"));
     return dataset;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> PointReader::probe(const std::filesystem::path& path, const ParameterValues& values,
@@ -132,7 +122,7 @@ Result<FileContents> PointReader::probe(const std::filesystem::path& path, const
         return file.error();
     const auto columns = readPointColumns(asText((*file)->bytes()), requestOf(parameters(), values));
     if (!columns)
-        return inFile(path, columns.error());
+        return columns.error();
     FileContents contents{.domain = DomainClass::Scattered, .type = SampleType::Float64};
     for (std::size_t column = 0; column < columns->names.size(); ++column)
         if (std::ranges::find(columns->position, column) == columns->position.end())

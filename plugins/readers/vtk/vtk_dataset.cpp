@@ -3,7 +3,6 @@
 
 #include "core/base/text.h"
 #include "core/data/dataset_checks.h"
-
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -133,7 +132,6 @@ Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Prog
     if (!dataset)
         return dataset.error();
     dataset->source = source;
-    dataset->source.hash = contentHash(dataset->values, dataset->positions, dataset->tetrahedra);
     dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());
     return dataset;
 }

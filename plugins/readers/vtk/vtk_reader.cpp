@@ -8,21 +8,12 @@
 #include "plugins/readers/vtk/vtk_parameters.h"
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
 #include <string_view>
 
 namespace tetra {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error inFile(const fs::path& path, const Error& error)
-{
-    if (error.kind == ErrorKind::Cancelled)
-        return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
-}
 
 Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& values)
 {
@@ -32,12 +23,12 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
         return file.error();
     const auto bytes = (*file)->bytes();
     if (bytes.empty())
-        return inFile(path, {ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")});
+        return Error{ErrorKind::BadInput, Message::say("it is empty. Get or make the file again.")};
     VtkRequest request = vtkRequest(values);
     request.format = guessVtkFormat(path, bytes.first(std::min(looked, bytes.size()))).format;
     request.path = fs::absolute(path).string();
     if (request.format == VtkFormat::None)
-        return inFile(path, {ErrorKind::BadInput, Message::say("it is of no format that VTK reads.")});
+        return Error{ErrorKind::BadInput, Message::say("it is of no format that VTK reads.")};
     return request;
 }
 
@@ -46,7 +37,7 @@ Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const Prog
     const Source source{path.filename().string() + ", " + findings.arrayName, path, 0};
     auto dataset = datasetOf(std::move(findings), source, progress);
     if (!dataset)
-        return inFile(path, dataset.error());
+        return dataset.error();
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }
@@ -87,7 +78,7 @@ std::vector<Parameter> VtkReader::parameters() const
 }
 
 Result<Dataset> VtkReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
-try {
+{
     constexpr double untilFound = 0.7; // of the time, roughly; the rest makes the dataset out of it
     const auto request = requestFor(path, values);
     if (!request)
@@ -96,15 +87,11 @@ try {
     if (!answer)
         return answer.error();
     return toDataset(std::get<VtkFindings>(std::move(*answer)), path, progress.part(untilFound, 1));
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
-} catch (const std::length_error&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to read the file. Close other programs.")};
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,
                                       const Progress& progress) const
-try {
+{
     auto request = requestFor(path, values);
     if (!request)
         return request.error();
@@ -113,9 +100,6 @@ try {
     if (!answer)
         return answer.error();
     return std::get<FileContents>(std::move(*answer));
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory to look into the file. Close other programs.")};
 }
 
 } // namespace tetra

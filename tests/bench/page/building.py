@@ -34,9 +34,10 @@ def cgal_per_point():
 
 REFINEMENT = Section(
     "Refinement",
-    "The synthetic C60 as uint16 to error 0 with its whole history, on one thread, over CGAL's bulk insertion of *all* its points (EPICK, "
-    "compact location) in the same run. Nine tenths of the points become sites.",
-    (AskedPlot("refinement", "Refinement over CGAL's bulk insertion", "Time of a build to error 0 over CGAL's of all points; smaller is better.",
+    "The synthetic C60 as uint16, refined to error 0 with its whole history on one thread, compared with CGAL's bulk insertion of *all* its "
+    "points (EPICK, compact location) in the same run. Nine tenths of the points become sites.",
+    (AskedPlot("refinement", "Refinement over CGAL's bulk insertion",
+               "Time of a build to error 0, over CGAL's time for all points; smaller is better.",
                "seconds / seconds of CGAL",
                (over_cgal("small", 0.33), over_cgal("middle", 0.40), over_cgal("large", 0.60), over_cgal("middle", 0.30, "block"),
                 over_cgal("middle", 0.30, "large_block"), over_cgal("large", 0.30, "block"), over_cgal("large", 0.30, "large_block"))),
@@ -97,8 +98,9 @@ def of_c60(size, key, asked=None, scale=1.0):
 
 DECIMATION = Section(
     "Decimation",
-    "Half-edge collapse, the smallest exact error first. Beside the paper: the sites of Bucky 32^3, cut in five tetrahedra a cell, at the "
-    "accuracies of Table 2. Beside VTK: meshes of as many tetrahedra, both judged by the same code at all original vertices.",
+    "Half-edge collapse, the smallest exact error first. Compared with the paper: the sites of Bucky 32^3, with five tetrahedra in each "
+    "cell, at the accuracies of Table 2. Compared with VTK: meshes of as many tetrahedra, both judged by the same code at all original "
+    "vertices.",
     (LinePlot("sites", "Sites of Bucky 32^3 at each accuracy", "How many points a mesh needs; lower is better.", "error in % of the value range",
               "sites",
               (("the paper", tuple((level, paper_bucky(level, "paper")) for level in LEVELS)),
@@ -110,11 +112,13 @@ DECIMATION = Section(
                 "% of the value range", ("TAn", "VTK's quadrics"), judged(("ours_largest_error_percent", "vtk_largest_error_percent"))),
      AskedPlot("decimation-over-vtk", "Errors over those of VTK's quadrics", f"{QUADRIC}; smaller is better, 1 is the same.", "error / error",
                over_vtk(False) + over_vtk(True), logarithmic=True),
-     BesidePlot("decimation-seconds", "Time of decimation", "To the mesh that was judged, the history included; smaller is better. Nothing was asked for.",
+     BesidePlot("decimation-seconds", "Time of decimation",
+                "Down to the mesh that was judged, with its history; smaller is better. Nothing was asked for.",
                 "seconds", ("TAn", "VTK's quadrics"), judged(("seconds", "yardstick_seconds"))),
      AskedPlot("collapses", "Collapses a second", "One thread, down to the coarsest mesh; larger is better.", "thousand a second",
                (Figure("Bucky 32^3", Source("decimation", BUCKY, "collapses_per_second", scale=1e-3, needs=("Bucky",)), 100, least=True),)
                + tuple(of_c60(size, "collapses_per_second", scale=1e-3) for size in ("small", "middle", "large"))),
-     AskedPlot("growth", "How the time of decimation grows", "Time over n log n, the smallest size is 1; asked is that it grows no faster.",
+     AskedPlot("growth", "How the time of decimation grows",
+               "Time over n log n, where the smallest size is 1; the goal is that it grows no faster.",
                "times n log n",
                (of_c60("middle", "time_over_n_log_n", 1), of_c60("large", "time_over_n_log_n", 1)))))

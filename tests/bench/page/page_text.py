@@ -3,18 +3,18 @@
 import re
 
 from figures import AskedPlot, BesidePlot
+from number_text import number_text, tick_text
 from results import NotMeasured
 from steps import STEPS
-from svg import number_text, tick_text
 
 QUIET = 0.05  # of the machine's time for others
 
 HEAD = """# Measured: what was asked for, and what is reached
 
-This page and its plots are written by `./dev bench all` from what the benchmarks found; nothing on it is typed by hand. Ratios count: every
-figure stands beside a yardstick of the same run (CGAL, VTK, memcpy, our own simpler way) or beside the paper. Bars that miss what was
-asked for have another colour and say *missed*. What was learnt on the way stands in the [notes on performance](performance.md); how to measure
-again, in the [developer's guide](developers.md#how-to-measure).
+`./dev bench all` writes this page and its plots from the results of the benchmarks; nothing on it is typed by hand. Machines are noisy, so what counts are
+ratios: every figure stands beside a yardstick of the same run (CGAL, VTK, memcpy, or a simpler way of our own) or beside the paper. A bar that misses its
+goal has another colour and is marked *missed*. What was learnt on the way is in the [notes on performance](performance.md); the
+[developer's guide](developers.md#how-to-measure) says how to measure again.
 """
 
 

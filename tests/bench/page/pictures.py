@@ -63,8 +63,8 @@ VOLUMES = Section(
 
 SURFACES = Section(
     "Isosurfaces and orders",
-    f"Merged points and normals both, the isovalue in the middle of the range. VTK's is {CONTOUR} without its scalar tree, on as many threads. "
-    "*As it comes* looks at every tetrahedron; *with an index* passes over groups of tetrahedra that the isovalue does not meet.",
+    f"Both make merged points and normals; the isovalue is the middle of the range. VTK's filter is {CONTOUR} without its scalar tree, on as many "
+    "threads. *As it comes* looks at every tetrahedron; *with an index* skips groups of tetrahedra that the isovalue does not meet.",
     (AskedPlot("contour", "Times faster than VTK's contours", f"{CONTOUR}; larger is better.", "times faster", contours()),
      AskedPlot("order", "Visibility order", "Exact, from front to back; larger is better.", "million tetrahedra a second", orders())))
 

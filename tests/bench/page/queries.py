@@ -28,21 +28,23 @@ def foci(what, key, asked):
 
 QUERIES = Section(
     "Meshes out of a model",
-    "From the model of C60 at {large}^3, one thread, the file's pages in memory. Extraction stands beside copying as many bytes; a focus "
-    "(0.5 % in a box, 4 % elsewhere; the box's share of the volume is given) beside extracting the uniform mesh of 0.5 % into fresh buffers.",
+    "From the model of C60 at {large}^3, on one thread, with the file's pages in memory. Extraction is compared with copying as many bytes; "
+    "a focus (0.5 % in a box, 4 % elsewhere; the percentage given is the box's share of the volume) with extracting the uniform mesh of "
+    "0.5 % into fresh buffers.",
     (AskedPlot("extraction", "Extraction beside memcpy", "Share of the bandwidth of copying as many bytes; larger is better.", "% of memcpy",
                tuple(Figure(f"{kind}, mesh of {error} %", of(kind, f"extraction at {error} %", "share_of_copy_bandwidth", 100), 60, least=True)
                      for kind in TYPES for error in ("1", "0"))),
-     AskedPlot("closed-sets", "Closed sets", "Meshes whose accuracy varies, out of the history alone; larger is better.",
+     AskedPlot("closed-sets", "Closed sets", "Meshes whose accuracy varies, found in the history alone; larger is better.",
                "million sites a second", closed_sets()),
      AskedPlot("focus", "A focus, afresh", "Time over that of the uniform fine mesh; smaller is better.", "seconds / seconds of the uniform mesh",
                foci("afresh", "ratio", 0.5), logarithmic=True),
      AskedPlot("focus-moved", "A focus that is dragged by 2 %", "Time of a step over that of the uniform fine mesh; smaller is better.",
                "seconds / seconds of the uniform mesh", foci("dragged by 2 %", "ratio", 0.25), logarithmic=True),
      AskedPlot("overhead", "What a focus costs in tetrahedra",
-               "Over the uniform fine ones that meet the box and the coarse ones that do not; smaller is better.",
+               "Over the number of uniform fine tetrahedra that meet the box plus coarse ones that do not; smaller is better.",
                "tetrahedra / fewest possible", foci("afresh", "overhead", 1.5)),
-     AskedPlot("first-mesh", "From a file to a first mesh", "Opening it and extracting the best mesh of so many tetrahedra; smaller is better.",
+     AskedPlot("first-mesh", "From a file to a first mesh",
+               "Opening the file and extracting the best mesh of so many tetrahedra; smaller is better.",
                "milliseconds",
                tuple(Figure(f"{kind}, {label} tetrahedra, {state}",
                             of(kind, f"opening and a first mesh of {number} tetrahedra, {state}", "seconds", 1e3))

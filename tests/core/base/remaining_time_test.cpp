@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/progress.h"
 
-#include "core/base/memory.h"
-
 #include <tan/base.h>
 
 #include <QTest>
-
-#include <vector>
 
 using namespace tetra;
 
@@ -63,18 +59,6 @@ private slots:
         QVERIFY(qAbs(*time.seconds() - 10) < 1e-9);
         time.update(1, 20);
         QCOMPARE(*time.seconds(), 0.0);
-    }
-
-    /// Not of the clock, but as small: what the process occupies.
-    void residentMemoryCountsWhatIsTouched()
-    {
-        const std::uint64_t before = residentBytes();
-        QVERIFY(before > pageSize());
-        const std::vector<char> memory(64 << 20, 1);
-        const std::uint64_t after = residentBytes();
-        QVERIFY(after >= before + (60 << 20));
-        QVERIFY(peakResidentBytes() >= after);
-        QVERIFY(memory.back() == 1);
     }
 };
 

@@ -141,7 +141,7 @@ private slots:
         QVERIFY(meshSizeAt(*model, {1, 1}).sites > meshSizeAt(*model, {5, 5}).sites);
         const MeshSize reached = meshSizeAt(*model, {2, 3});
         QVERIFY(reached.error <= 2 && reached.warping <= 2 + 1e-9);
-        QVERIFY(std::abs(reached.error - 100. * double(model->runningErrors()[reached.sites]) / extent) < 1e-9);
+        QVERIFY(std::abs(reached.error - 100. * double(model->runningKeys()[reached.sites]) / extent) < 1e-9);
         QVERIFY(std::abs(reached.warping - reached.error) < 1e-9);
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any prefix of the sites gives the mesh that was there (R14, R15, S1, S2), and a damaged file an error.
+// Any prefix of the sites gives the mesh that was there (R14, R15, S1, S2, B7), and a damaged file an error.
 #include "core/history/walk.h"
 
 #include "core/history/site_positions.h"
@@ -122,7 +122,7 @@ private slots:
             const MeshSize size = meshSizeAt(*model_, {error});
             QCOMPARE(size.sites, sites);
             QCOMPARE(size.tetrahedra, std::uint64_t(history().meshOf(sites).size()));
-            const float reached = sites < model_->siteCount() ? model_->runningErrors()[sites] : history().finalError;
+            const float reached = sites < model_->siteCount() ? model_->runningKeys()[sites] : history().finalKey;
             QCOMPARE(size.error, 100 * static_cast<double>(reached) / extent);
         }
         QCOMPARE(meshSizeAt(*model_, {-1}).sites, model_->siteCount());

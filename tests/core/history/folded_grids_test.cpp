@@ -272,7 +272,7 @@ private slots:
         QVERIFY(model.ok());
         std::vector<Accuracy> levels;
         for (std::uint32_t site = 8; site < (*model)->siteCount(); ++site) {
-            const double percent = 100 * double((*model)->runningErrors()[site]) / bent.valueExtent();
+            const double percent = 100 * double((*model)->runningKeys()[site]) / bent.valueExtent();
             if (percent < (levels.empty() ? 100 : levels.back().error))
                 levels.push_back({percent, 100});
         }

@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(description.parameters[0], std::pair(std::string("stop=error"), std::string("0")));
         QCOMPARE(description.parameters[1], std::pair(std::string("note"), std::string("two\nlines \\n")));
         QCOMPARE(model.fileSize(), std::filesystem::file_size(path()));
-        QCOMPARE(model.finalError(), history.finalError);
+        QCOMPARE(model.finalKey(), history.finalKey);
         QVERIFY(model.checkIntact().ok());
         compareSites(model, history, dataset);
         compareTetrahedra(model, history);
@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(valueAt<double>(bytes, 96), 10.0);
         QCOMPARE(valueAt<double>(bytes, 128 + 24), -3 + 3 * 0.5);
         QCOMPARE(valueAt<std::uint64_t>(bytes, 176), dataset.source.hash);
-        QCOMPARE(valueAt<float>(bytes, 184), history.finalError);
+        QCOMPARE(valueAt<float>(bytes, 184), history.finalKey);
         const auto sectionCount = valueAt<std::uint32_t>(bytes, 20);
         QCOMPARE(sectionCount, 14u);
         QCOMPARE(valueAt<std::uint16_t>(bytes, 10), std::uint16_t(3));
@@ -204,7 +204,7 @@ void ModelFileTest::compareSites(const Model& model, const RecordedHistory& hist
                              std::shared_ptr<const std::byte>(std::shared_ptr<void>(), model.values().data()));
     for (std::uint32_t site = 0; site < model.siteCount(); ++site) {
         running = std::min(running, history.steps[site].keyBefore);
-        QCOMPARE(model.runningErrors()[site], running);
+        QCOMPARE(model.runningKeys()[site], running);
         QCOMPARE(values.at(site), dataset.values.at(model.points()[site]));
         if (!endsBatch(model, site + 1))
             continue;
@@ -291,7 +291,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
         },
         "its value range");
     row(
-        "final error", [](FileParts& f) { f.header().finalError = NAN; }, "its final error");
+        "final error", [](FileParts& f) { f.header().finalKey = NAN; }, "its final error");
     row(
         "no sites", [](FileParts& f) { f.header().siteCount = 0; }, "cannot have 0 sites");
     row(
@@ -379,7 +379,7 @@ void ModelFileTest::aWrongHistoryIsNotWritten_data()
     row(
         "few", [](RecordedHistory& h) { h.steps.resize(7); }, "needs at least the sites of a first mesh");
     row(
-        "final", [](RecordedHistory& h) { h.finalError = INFINITY; }, "the final error is not a number");
+        "final", [](RecordedHistory& h) { h.finalKey = INFINITY; }, "the final error is not a number");
     row(
         "blocks",
         [](RecordedHistory& h) {

@@ -76,7 +76,7 @@ Status RecordedHistory::add(const HistoryStep& step)
 
 Status RecordedHistory::finish(float error)
 {
-    finalError = error;
+    finalKey = error;
     return {};
 }
 
@@ -118,7 +118,7 @@ TetrahedraByPoints byPoints(std::span<const std::array<std::uint32_t, 4>> tetrah
 
 bool endsBatch(const Model& model, std::uint32_t sites)
 {
-    return sites == 0 || sites == model.siteCount() || model.runningErrors()[sites] < model.runningErrors()[sites - 1];
+    return sites == 0 || sites == model.siteCount() || model.runningKeys()[sites] < model.runningKeys()[sites - 1];
 }
 
 const RecordedHistory& historyOf(const Dataset& dataset)
@@ -137,7 +137,7 @@ Status replay(const RecordedHistory& history, HistorySink& sink)
     for (const RecordedHistory::Step& step : history.steps)
         if (const Status added = sink.add({step.point, step.keyBefore, step.star, step.destroyed}); !added)
             return added;
-    return sink.finish(history.finalError);
+    return sink.finish(history.finalKey);
 }
 
 void writeModel(const std::filesystem::path& path, const Dataset& dataset)

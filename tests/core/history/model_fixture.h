@@ -31,7 +31,7 @@ struct RecordedHistory final : HistorySink {
     };
     HistoryTraits traits;
     std::vector<Step> steps;
-    float finalError = -1;
+    float finalKey = -1;
 
     Status begin(const HistoryTraits& given) override;
     Status add(const HistoryStep& step) override;

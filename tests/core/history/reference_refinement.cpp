@@ -201,8 +201,8 @@ Status SlowRefinement::run(double stopKey)
     for (; next->key > stopKey; next = worst())
         if (const Status inserted = insert(next->worst, next->key); !inserted)
             return inserted;
-    const auto finalError = static_cast<float>(next->key);
-    return sink_.finish(std::nextafter(finalError, finalError > 0 ? std::numeric_limits<float>::infinity() : 0));
+    const auto finalKey = static_cast<float>(next->key);
+    return sink_.finish(std::nextafter(finalKey, finalKey > 0 ? std::numeric_limits<float>::infinity() : 0));
 }
 
 } // namespace

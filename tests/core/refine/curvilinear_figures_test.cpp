@@ -78,7 +78,7 @@ std::size_t storedCount(const RecordedHistory& history)
 {
     return static_cast<std::size_t>(std::ranges::count_if(history.tetrahedra, [&](const auto& tetrahedron) {
         return tetrahedron.destroyer >= history.points.size() ||
-               history.runningErrors[tetrahedron.sites[0]] > history.runningErrors[tetrahedron.destroyer];
+               history.runningKeys[tetrahedron.sites[0]] > history.runningKeys[tetrahedron.destroyer];
     }));
 }
 

@@ -104,7 +104,7 @@ QString conformityFault(const std::vector<Block>& blocks, const Size& size)
     for (const Block& block : blocks)
         for (std::size_t site = 0; site < block.history.points.size(); ++site) {
             const std::uint64_t point = block.history.points[site];
-            const float key = block.history.runningErrors[site];
+            const float key = block.history.runningKeys[site];
             const auto [entry, isNew] = keys.try_emplace(point, key);
             if (entry->second != key)
                 return QString("point %1 has the keys %2 and %3").arg(point).arg(key).arg(entry->second);
@@ -229,7 +229,7 @@ private slots:
             QVERIFY(refiner.refine(options, LatticeSamples(std::span(samples)), again).ok());
             QVERIFY(LatticeRefiner().refine(options, LatticeSamples(std::span(samples)), fresh).ok());
             QCOMPARE(again.points, fresh.points);
-            QCOMPARE(again.runningErrors, fresh.runningErrors);
+            QCOMPARE(again.runningKeys, fresh.runningKeys);
             QCOMPARE(again.tetrahedra.size(), fresh.tetrahedra.size());
         }
     }
@@ -248,7 +248,7 @@ private slots:
         QVERIFY(LatticeRefiner().refine(options, LatticeSamples(std::span(samples), two), doubled).ok());
         QCOMPARE(doubled.points, plain.points);
         for (std::size_t site = 8; site < plain.points.size(); ++site)
-            QCOMPARE(doubled.runningErrors[site], 2 * plain.runningErrors[site]);
+            QCOMPARE(doubled.runningKeys[site], 2 * plain.runningKeys[site]);
 
         // Where the weight is 0 nothing is refined for its own sake.
         std::vector<float> half(samples.size(), 1);

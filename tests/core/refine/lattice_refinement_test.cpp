@@ -61,7 +61,7 @@ double bruteForceError(const RecordedHistory& history, const std::array<std::uin
             own = std::max(own, error);
         }
         // A point on a shared face is in another tetrahedron's bucket, with the same error.
-        if (sites == history.points.size() && own > std::max<double>(tetrahedron.error, history.finalError) + 1e-9)
+        if (sites == history.points.size() && own > std::max<double>(tetrahedron.error, history.finalKey) + 1e-9)
             return -3;
     }
     if (total != std::int64_t(6) * (size[0] - 1) * (size[1] - 1) * (size[2] - 1))
@@ -125,7 +125,7 @@ private slots:
         QVERIFY(result.ok());
         QCOMPARE(result->sites, std::uint32_t(history.points.size()));
         QCOMPARE(result->tetrahedra, std::uint64_t(history.tetrahedra.size()));
-        QCOMPARE(history.finalError, 0.0f);
+        QCOMPARE(history.finalKey, 0.0f);
         QCOMPARE(std::set<std::uint64_t>(history.points.begin(), history.points.end()).size(), history.points.size());
         for (const double level : {100.0, 50.0, 20.0, 5.0, 1.0, 0.0}) {
             const std::size_t sites = history.sitesAt(level);
@@ -144,7 +144,7 @@ private slots:
         RecordedHistory part;
         QVERIFY(refine(size, values, 0, all).ok());
         QVERIFY(refine(size, values, 6.0, part).ok());
-        QVERIFY(part.finalError <= 6.0f);
+        QVERIFY(part.finalKey <= 6.0f);
         QCOMPARE(part.points.size(), all.sitesAt(6.0));
         QVERIFY(std::equal(part.points.begin(), part.points.end(), all.points.begin()));
     }
@@ -159,7 +159,7 @@ private slots:
         const auto agrees = [&]<class T>() {
             RecordedHistory history;
             const bool done = refine(size, std::vector<T>(bytes.begin(), bytes.end()), 0, history).ok();
-            return done && history.points == expected.points && history.runningErrors == expected.runningErrors;
+            return done && history.points == expected.points && history.runningKeys == expected.runningKeys;
         };
         QVERIFY(agrees.operator()<std::int8_t>());
         QVERIFY(agrees.operator()<std::uint16_t>());

@@ -22,9 +22,9 @@ struct RecordedHistory : HistorySink {
     };
     HistoryTraits traits;
     std::vector<std::uint64_t> points;
-    std::vector<float> runningErrors;
+    std::vector<float> runningKeys;
     std::vector<Tetrahedron> tetrahedra;
-    float finalError = -1;
+    float finalKey = -1;
     std::size_t failAfter = std::numeric_limits<std::size_t>::max();
 
     Status begin(const HistoryTraits& given) override
@@ -38,8 +38,7 @@ struct RecordedHistory : HistorySink {
             return Error{ErrorKind::CannotWrite, "the disk is full"};
         const std::uint32_t site = static_cast<std::uint32_t>(points.size());
         points.push_back(step.point);
-        runningErrors.push_back(runningErrors.empty() ? step.keyBefore
-                                                      : std::min(runningErrors.back(), step.keyBefore));
+        runningKeys.push_back(runningKeys.empty() ? step.keyBefore : std::min(runningKeys.back(), step.keyBefore));
         for (const std::uint32_t destroyed : step.destroyed)
             tetrahedra[destroyed].destroyer = site;
         for (const HistoryTetrahedron& born : step.star)
@@ -49,7 +48,7 @@ struct RecordedHistory : HistorySink {
     }
     Status finish(float error) override
     {
-        finalError = error;
+        finalKey = error;
         return {};
     }
     bool alive(const Tetrahedron& tetrahedron, std::size_t sites) const
@@ -59,8 +58,8 @@ struct RecordedHistory : HistorySink {
     /// The sites of the first mesh whose error was at most `error`.
     std::size_t sitesAt(double error) const
     {
-        return static_cast<std::size_t>(std::ranges::find_if(runningErrors, [&](float e) { return e <= error; }) -
-                                        runningErrors.begin());
+        return static_cast<std::size_t>(std::ranges::find_if(runningKeys, [&](float e) { return e <= error; }) -
+                                        runningKeys.begin());
     }
 };
 

@@ -178,12 +178,12 @@ private slots:
             Replay replay;
             const auto result = refineScattered(cloud.points(), stop, replay);
             QVERIFY(result.ok());
-            QVERIFY(static_cast<double>(result->finalError) <= stop);
+            QVERIFY(static_cast<double>(result->finalKey) <= stop);
             double largest = 0;
             for (std::size_t point = 0; point < cloud.positions.size(); ++point)
                 largest = std::max(largest, errorAt(replay, cloud, point));
-            QVERIFY(largest <= static_cast<double>(result->finalError) * (1 + 1e-6) + 1e-12);
-            QVERIFY(largest >= static_cast<double>(result->finalError) * (1 - 1e-6) - 1e-12);
+            QVERIFY(largest <= static_cast<double>(result->finalKey) * (1 + 1e-6) + 1e-12);
+            QVERIFY(largest >= static_cast<double>(result->finalKey) * (1 - 1e-6) - 1e-12);
             QVERIFY(largest < before);
             before = largest;
         }

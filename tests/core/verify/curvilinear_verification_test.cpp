@@ -180,9 +180,9 @@ private slots:
         row(
             "running errors",
             [](FileParts& f) {
-                for (float& key : f.elements<float>(SectionId::SiteRunningErrors))
+                for (float& key : f.elements<float>(SectionId::SiteRunningKeys))
                     key /= 4;
-                f.header().finalError = 0;
+                f.header().finalKey = 0;
             },
             "more than the claimed");
         row(

@@ -85,7 +85,7 @@ private slots:
                 continue;
             QVERIFY(batch < derived.batchEnds.size());
             QCOMPARE(derived.batchEnds[batch], sites - 1);
-            keys.push_back(sites < model.siteCount() ? model.runningErrors()[sites] : model.finalError());
+            keys.push_back(sites < model.siteCount() ? model.runningKeys()[sites] : model.finalKey());
             if (weight > 0) {
                 double error = 0, warping = 0;
                 for (std::uint32_t site = 0; site < sites; ++site)

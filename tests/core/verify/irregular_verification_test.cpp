@@ -67,7 +67,7 @@ RecordedHistory oneMesh(const Dataset& dataset, const std::vector<std::array<std
 {
     RecordedHistory history;
     history.traits = {1, false};
-    history.finalError = 0;
+    history.finalKey = 0;
     history.steps.resize(dataset.pointCount());
     for (std::uint64_t point = 0; point < dataset.pointCount(); ++point) {
         history.steps[point].point = point;
@@ -233,7 +233,7 @@ private slots:
         row(
             "smaller running errors",
             [](FileParts& parts) {
-                for (float& error : parts.elements<float>(SectionId::SiteRunningErrors))
+                for (float& error : parts.elements<float>(SectionId::SiteRunningKeys))
                     error *= 0.6F;
             },
             "more than the claimed");

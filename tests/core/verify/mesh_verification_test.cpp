@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// B3: meshes of any kind are proved right, and what is wrong with a damaged one is found.
+/// R2, R3, B3: meshes of any kind are proved right, and what is wrong with a damaged one is found.
 #include "core/verify/verify_mesh.h"
 
 #include "tests/core/verify/mesh_cases.h"

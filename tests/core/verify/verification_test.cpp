@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checker (B3) proves right models right, and finds what is wrong with every kind of wrong one.
+// The checker (R2, R3, B3) proves right models right, and finds what is wrong with every kind of wrong one.
 
 #include "core/base/checksum.h"
 #include "tests/core/history/model_fixture.h"
@@ -280,18 +280,18 @@ void VerificationTest::findsWhatIsWrong_data()
     row(
         "small running error",
         [](FileParts& f) {
-            for (float& error : f.elements<float>(SectionId::SiteRunningErrors).subspan(12))
+            for (float& error : f.elements<float>(SectionId::SiteRunningKeys).subspan(12))
                 error = 0;
         },
         "more than the claimed 0 %");
     row(
-        "rising running error", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningErrors)[30] = 1000; },
+        "rising running error", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningKeys)[30] = 1000; },
         "must not increase");
     row(
-        "not a number", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningErrors)[30] = NAN; },
+        "not a number", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningKeys)[30] = NAN; },
         "The running error of site 30 is");
     row(
-        "finite start", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningErrors)[3] = 1000; },
+        "finite start", [](FileParts& f) { f.elements<float>(SectionId::SiteRunningKeys)[3] = 1000; },
         "of site 4 is inf, after 1000");
     row(
         "small final error",
@@ -325,7 +325,7 @@ void VerificationTest::findsWhatIsWrong_data()
     row(
         "groups joined",
         [](FileParts& f) {
-            const auto errors = f.elements<float>(SectionId::SiteRunningErrors);
+            const auto errors = f.elements<float>(SectionId::SiteRunningKeys);
             const auto goesOn = f.elements<std::uint8_t>(SectionId::SiteGroups);
             std::size_t site = 8;
             while (errors[site] != errors[site + 1] || goesOn[site] != 0)

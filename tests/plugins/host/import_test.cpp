@@ -2,7 +2,7 @@
 /// Opening parts of datasets, what models keep of it, and what a build is expected to take.
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 
@@ -218,7 +218,7 @@ private slots:
             const auto model = Model::open(file);
             QVERIFY(model);
             QCOMPARE(std::uint64_t((*model)->siteCount()), built->report.sites);
-            QVERIFY((*model)->finalError() <= percent / 100 * dataset.values.range().extent() * 1.000001);
+            QVERIFY((*model)->finalKey() <= percent / 100 * dataset.values.range().extent() * 1.000001);
             const auto verdict = verify(**model, dataset, {}, {});
             QVERIFY2(verdict, verdict ? "" : verdict.error().text().c_str());
             QVERIFY(verdict->ok());

@@ -25,7 +25,7 @@ Dataset sample(std::uint32_t size)
 /// The error that the model keeps in percent, and a little more: percentages round.
 double reachedBy(const Model& model)
 {
-    return 100 * (1 + 1e-12) * static_cast<double>(model.finalError()) / model.description().range.extent();
+    return 100 * (1 + 1e-12) * static_cast<double>(model.finalKey()) / model.description().range.extent();
 }
 
 } // namespace

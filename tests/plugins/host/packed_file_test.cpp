@@ -2,7 +2,7 @@
 /// Files that are packed as a whole open like what is in them, or the text says what to do; where a reader cannot work,
 /// another one does; and a lack of files is told as that.
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/packed_file.h"
 #include "plugins/samples/samples.h"

@@ -38,7 +38,10 @@ private slots:
             1e300,
             std::string("a text"),
             transferFunctionFromPoints({{0.1, {0, 0.5f, 1}, 0.25f}, {3, {}, 1}}, 2.5),
-            std::vector{isovalue, isovalue}};
+            std::vector{isovalue, isovalue},
+            Colour{1, 0, 0.2f},
+            Eigen::Vector3d(0.1, -2, 1e300),
+            OwnValue{"example.band", R"({"low": 1})"}};
         for (const ParameterValue& value : values) {
             const auto read = parseParameter(described(value), parameterText(value));
             QVERIFY2(read, parameterText(value).c_str());
@@ -61,6 +64,11 @@ private slots:
         for (const char* text : {"", "5:", "5:red:", "5:red:0", "5:red:1.1", "5:red:1:1", ":red", "5,,6", "11", "nan",
                                  "5:#12345", "5:#12345g", "5:red:nan"})
             QTest::addRow("isovalues %s", text) << "isovalues" << QByteArray(text);
+        for (const char* text : {"", "red,", "#12", "1,0,0"})
+            QTest::addRow("colour %s", text) << "colour" << QByteArray(text);
+        for (const char* text : {"", "1", "1,2", "1,2,3,4", "1,2,x", "1,2,nan", "1,2,11"})
+            QTest::addRow("vector %s", text) << "vector" << QByteArray(text);
+        QTest::newRow("a value that its plugin refuses") << "own" << QByteArray("refused");
     }
     void refusesWhatDoesNotFit()
     {
@@ -68,11 +76,16 @@ private slots:
         QFETCH(QByteArray, text);
         Parameter choice = described(std::string("one"));
         choice.choices = {"one", "two"};
+        Parameter own = described(OwnValue{"example.band", ""});
+        own.mistake = [](const std::string& text) { return text == "refused" ? "It is no band." : ""; };
         const QHash<QString, Parameter> parameters = {{"bool", described(true)},
                                                       {"whole", described(std::int64_t(5), 0, 10)},
                                                       {"number", described(5.0, 0, 10)},
                                                       {"choice", choice},
-                                                      {"isovalues", described(std::vector<Isovalue>{}, 0, 10)}};
+                                                      {"isovalues", described(std::vector<Isovalue>{}, 0, 10)},
+                                                      {"colour", described(Colour{})},
+                                                      {"vector", described(Eigen::Vector3d(1, 2, 3), 0, 10)},
+                                                      {"own", own}};
         const auto read = parseParameter(parameters[kind], text.toStdString());
         QVERIFY(!read);
         QCOMPARE(read.error().kind, ErrorKind::WrongUsage);
@@ -83,6 +96,22 @@ private slots:
     {
         QCOMPARE(parameterDomain(described(5.0, 0, 10)).text(), std::string("a number from 0 to 10, in %"));
         QCOMPARE(parameterDomain(described(true)).text(), std::string("true or false, in %"));
+    }
+
+    void typesHaveNames()
+    {
+        QCOMPARE(parameterTypeName(true), std::string("boolean"));
+        QCOMPARE(parameterTypeName(std::int64_t(1)), std::string("integer"));
+        QCOMPARE(parameterTypeName(1.0), std::string("number"));
+        QCOMPARE(parameterTypeName(std::string()), std::string("text"));
+        QCOMPARE(parameterTypeName(std::vector<Isovalue>()), std::string("isovalues"));
+        QCOMPARE(parameterTypeName(TransferFunction()), std::string("transfer-function"));
+        QCOMPARE(parameterTypeName(Colour()), std::string("colour"));
+        QCOMPARE(parameterTypeName(Eigen::Vector3d(0, 0, 0)), std::string("vector"));
+        QCOMPARE(parameterTypeName(OwnValue{"example.band", ""}), std::string("example.band"));
+        QVERIFY(haveOneType(1.0, 2.0) && !haveOneType(1.0, true));
+        QVERIFY(haveOneType(OwnValue{"a", "1"}, OwnValue{"a", "2"}));
+        QVERIFY(!haveOneType(OwnValue{"a", "1"}, OwnValue{"b", "1"}));
     }
 
     void isovaluesKeepDefaults()

@@ -80,7 +80,7 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<QStringList>("words");
         QTest::newRow("another interface version")
-            << QStringList{"wrong_api"} << "wrong-api" << QStringList{"2.0.0", "1.0.0"};
+            << QStringList{"wrong_api"} << "wrong-api" << QStringList{"2.0.0", "0.1.0"};
         QTest::newRow("circle") << QStringList{"circular_a", "circular_b"} << "circular-b" << QStringList{"circle"};
         QTest::newRow("half a circle") << QStringList{"circular_a"} << "circular-a" << QStringList{"circular-b"};
         QTest::newRow("missing dependency")
@@ -138,6 +138,22 @@ private slots:
         const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error.text());
         for (const QString& word : words)
             QVERIFY2(error.contains(word), qPrintable(error));
+    }
+
+    void tellsWhyOneOfAllIsMissing()
+    {
+        const Folder folder({"good", "missing_library", "throwing", "wrong_build"});
+        PluginHost host({.folders = {folder.path()}});
+        std::vector<std::string> told;
+        host.whenFailing([&](const Error& error) { told.push_back(error.text()); });
+        QCOMPARE(host.readers().size(), std::size_t(1));
+        QCOMPARE(told.size(), std::size_t(2));
+        QVERIFY2(told[0].find("libtan-fixture-missing.so") != std::string::npos, told[0].c_str());
+        QVERIFY2(told[1].find("no luck") != std::string::npos, told[1].c_str());
+        QCOMPARE(host.readers().size(), std::size_t(1));
+        QCOMPARE(told.size(), std::size_t(2)); // once each
+        QVERIFY(!host.reader("throwing"));
+        QCOMPARE(told.size(), std::size_t(2)); // the caller has been given the error
     }
 
     void theFirstOfTwoWithOneIdWins()
@@ -233,10 +249,26 @@ private slots:
         const auto folders = pluginFolders(TAN_BINARY_DIR "/bin");
         QCOMPARE(folders.at(0), fs::canonical(folder.path()));
         QCOMPARE(folders.at(1), fs::path("/nowhere"));
-        QCOMPARE(folders.at(2), fs::path(TAN_BINARY_DIR "/lib/tan/plugins"));
+        QCOMPARE(folders.at(2), fs::weakly_canonical(userPluginFolder()));
+        QCOMPARE(folders.at(3), fs::path(TAN_BINARY_DIR "/lib/tan/plugins"));
         QCOMPARE(disabledPlugins(), (std::vector<std::string>{"one", "two"}));
         qunsetenv("TAN_PLUGIN_PATH");
         qunsetenv("TAN_PLUGIN_DISABLE");
+    }
+
+    /// Where the user's data are, as the XDG base directory specification says.
+    void aUserHasPluginsOfTheirOwn()
+    {
+        const QByteArray before = qgetenv("XDG_DATA_HOME");
+        const QTemporaryDir data;
+        qputenv("XDG_DATA_HOME", data.path().toUtf8());
+        const fs::path folder = fs::path(data.path().toStdString()) / "tan/plugins";
+        QCOMPARE(userPluginFolder(), folder);
+        fs::create_directories(folder);
+        fs::copy_file(fs::path(TAN_FIXTURES) / "good.so", folder / "good.so");
+        PluginHost host({.folders = pluginFolders("/nowhere/bin")});
+        QCOMPARE(host.readers().size(), std::size_t(1));
+        qputenv("XDG_DATA_HOME", before);
     }
 };
 

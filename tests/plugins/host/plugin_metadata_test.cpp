@@ -8,6 +8,12 @@
 #include <QJsonArray>
 #include <QTest>
 
+#ifdef __clang__
+#define TAN_COMPILER_MAJOR __clang_major__
+#else
+#define TAN_COMPILER_MAJOR __GNUC__
+#endif
+
 namespace tetra {
 namespace {
 
@@ -104,7 +110,7 @@ private slots:
         QTest::newRow("Qt 5") << "1.0" << 0x050f02 << build << reader << "Qt 5.15.2";
         QTest::newRow("another compiler")
             << "1.0" << 0x060402 << "linux-x86_64-clang" << reader << "linux-x86_64-clang";
-        QTest::newRow("no build tag") << "1.0" << 0x060402 << "" << reader << "tan_plugin()";
+        QTest::newRow("no build tag") << "1.0" << 0x060402 << "" << reader << "tan_plugin_module()";
         QTest::newRow("another interface") << "1.0" << 0x060402 << build << "org.tan.Builder/1"
                                            << "org.tan.Builder/1";
         QTest::newRow("a later interface") << "1.0" << 0x060402 << build << "org.tan.Reader/2"
@@ -136,6 +142,7 @@ private slots:
     {
         QJsonObject metadata = own();
         metadata["kind"] = "editor";
+        metadata["edits"] = "transfer-function";
         QJsonObject json = whole(metadata);
         json["IID"] = TAN_EDITOR_INTERFACE;
         const auto parsed = parsePluginMetadata(json);
@@ -143,6 +150,69 @@ private slots:
         QVERIFY(checkCompatible(*parsed, host()));
         json["IID"] = TAN_RENDERER_INTERFACE;
         QVERIFY(!checkCompatible(*parsePluginMetadata(json), host()));
+    }
+
+    void anEditorSaysWhatItEdits()
+    {
+        QJsonObject metadata = own();
+        metadata["kind"] = "editor";
+        QJsonObject json = whole(metadata);
+        json["IID"] = TAN_EDITOR_INTERFACE;
+        QVERIFY(parsePluginMetadata(json).error().text().find("\"edits\"") != std::string::npos);
+        metadata["edits"] = "example.curve";
+        json["MetaData"] = metadata;
+        const auto parsed = parsePluginMetadata(json);
+        QCOMPARE(parsed->edits, std::string("example.curve"));
+        QCOMPARE(parsed->title, std::string("Good"));
+        metadata["title"] = "Curve";
+        json["MetaData"] = metadata;
+        QCOMPARE(parsePluginMetadata(json)->title, std::string("Curve"));
+    }
+
+    /// Every part of the tag counts, and the refusal names both builds and what to do.
+    void anotherBuildIsRefused()
+    {
+        const std::vector<std::vector<std::string>> parts = {
+            {"linux-x86_64-64", "linux-x86_64-32", "linux-aarch64-64"},
+            {"gnu-12", "gnu-13", "clang-12", "gnu-1"},
+            {"libstdc++", "libc++"},
+            {"tan-0.1.0", "tan-0.1.1", "tan-0.2.0", "tan-0.1.0/thread"}};
+        std::vector<std::string> tags = {""};
+        for (const auto& choices : parts) {
+            std::vector<std::string> longer;
+            for (const std::string& tag : tags)
+                for (const std::string& choice : choices)
+                    longer.push_back((tag.empty() ? "" : tag + "/") + choice);
+            tags = longer;
+        }
+        auto plugin = *parsePluginMetadata(whole(own()));
+        for (const std::string& offered : tags)
+            for (const std::string& built : tags) {
+                plugin.buildTag = built;
+                const Status status = checkCompatible(plugin, {{1, 0, 0}, {6, 4, 2}, offered});
+                QCOMPARE(status.ok(), offered == built);
+                if (!status)
+                    QVERIFY2(status.error().text().find(built) != std::string::npos &&
+                                 status.error().text().find(offered) != std::string::npos &&
+                                 status.error().text().find("Rebuild") != std::string::npos,
+                             status.error().text().c_str());
+            }
+    }
+
+    /// What this program is built with: all that objects which pass between it and plugins depend on.
+    void theTagOfThisBuildIsWhole()
+    {
+        const HostBuild build = thisBuild();
+        const QStringList parts = QString::fromStdString(build.buildTag).split('/');
+        QVERIFY2(parts.size() >= 4, build.buildTag.c_str());
+        QVERIFY(parts[0].endsWith("-" + QString::number(8 * sizeof(void*))));
+        QVERIFY(parts[1].endsWith("-" + QString::number(TAN_COMPILER_MAJOR)));
+#ifdef _LIBCPP_VERSION
+        QCOMPARE(parts[2], QString("libc++"));
+#else
+        QCOMPARE(parts[2], QString("libstdc++"));
+#endif
+        QCOMPARE(parts[3], "tan-" + QString::fromStdString(toText(build.api)));
     }
 
     void loadErrorsNameWhatIsMissing()

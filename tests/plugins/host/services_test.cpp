@@ -2,7 +2,7 @@
 /// Opening, saving and building through the plugins of this program.
 #include "core/build/model_build.h"
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/input_file.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes in files: what VTK reads back is what was written, to the bit; and files that cannot be written.
 #include "core/mesh/topology.h"
-#include "plugins/writers/mesh_file.h"
+#include "plugins/host/file_saving.h"
 #include "tests/core/base/small_disk.h"
+#include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
 #include <QDir>
@@ -80,6 +81,11 @@ template <class T> T taken(QByteArray& bytes)
     return number;
 }
 
+Status writeMesh(const std::filesystem::path& path, const MeshContent& content, const Progress& progress = {})
+{
+    return saveMesh(pluginsOfThisBuild(), content, path, {}, progress);
+}
+
 } // namespace
 
 class MeshFileTest : public QObject {
@@ -102,7 +108,7 @@ private slots:
         QFETCH(int, cells);
         const RandomMesh mesh(static_cast<std::size_t>(vertices), static_cast<std::size_t>(cells));
         const QString path = folder_.filePath(name);
-        const Status written = writeMeshFile(path.toStdString(), mesh.content());
+        const Status written = writeMesh(path.toStdString(), mesh.content());
         QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
@@ -136,7 +142,7 @@ private slots:
         MeshContent content = mesh.content();
         content.facts.emplace_back("two\nlines", "a\nb");
         const QString path = folder_.filePath("mesh.ply");
-        QVERIFY(writeMeshFile(path.toStdString(), content));
+        QVERIFY(writeMesh(path.toStdString(), content));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QByteArray bytes = file.readAll();
@@ -191,12 +197,12 @@ private slots:
     {
         QFETCH(QString, name);
         const RandomMesh mesh(4, 1);
-        const Status written = writeMeshFile(folder_.filePath(name).toStdString(), mesh.content());
+        const Status written = writeMesh(folder_.filePath(name).toStdString(), mesh.content());
         QVERIFY(!written);
         QCOMPARE(written.error().kind, ErrorKind::WrongUsage);
         const QString text = QString::fromStdString(written.error().text());
-        QVERIFY2(text.contains(".vtu, .vtk and .ply") && text.contains(name), qPrintable(text));
-        QVERIFY(!checkMeshFileName(name.toStdString()));
+        QVERIFY2(text.contains(".ply, .vtk, .vtu; or") && text.contains(name), qPrintable(text));
+        QVERIFY(!checkWritable(pluginsOfThisBuild(), WrittenContent::Mesh, name.toStdString()));
         QVERIFY(!QFile::exists(folder_.filePath(name)));
     }
 
@@ -211,7 +217,7 @@ private slots:
                 content.cellArrays[1].values = std::span(mesh.sites);
             else
                 content.cellArrays[0].name.clear();
-            const Status written = writeMeshFile(folder_.filePath("unfit.vtu").toStdString(), content);
+            const Status written = writeMesh(folder_.filePath("unfit.vtu").toStdString(), content);
             QVERIFY(!written);
             QCOMPARE(written.error().kind, ErrorKind::WrongUsage);
         }
@@ -222,7 +228,7 @@ private slots:
     {
         const RandomMesh mesh(4, 1);
         for (const char* name : {"none/mesh.vtu", "none/mesh.vtk", "none/mesh.ply"}) {
-            const Status written = writeMeshFile(folder_.filePath(name).toStdString(), mesh.content());
+            const Status written = writeMesh(folder_.filePath(name).toStdString(), mesh.content());
             QVERIFY(!written);
             QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
             QVERIFY(QString::fromStdString(written.error().text()).contains(name));
@@ -238,9 +244,9 @@ private slots:
         const RandomMesh large(5000, 20000);
         for (const char* name : {"mesh.vtu", "mesh.vtk", "mesh.ply"}) {
             const std::filesystem::path path = disk.folder() / name;
-            QVERIFY(writeMeshFile(path, small.content()));
+            QVERIFY(writeMesh(path, small.content()));
             const auto size = std::filesystem::file_size(path);
-            const Status written = writeMeshFile(path, large.content());
+            const Status written = writeMesh(path, large.content());
             QVERIFY(!written);
             QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
             QVERIFY2(QString::fromStdString(written.error().text()).contains("Free some space"),
@@ -266,7 +272,7 @@ private slots:
         const std::filesystem::path path = folder.filePath(name).toStdString();
         std::vector<double> fractions;
         const auto note = [&](double fraction, const Message&) { fractions.push_back(fraction); };
-        QVERIFY(writeMeshFile(path, mesh.content(), Progress({}, note)));
+        QVERIFY(writeMesh(path, mesh.content(), Progress({}, note)));
         QVERIFY(fractions.size() > 10);
         QVERIFY(std::ranges::is_sorted(fractions));
         QVERIFY2(fractions.back() > 0.99 && fractions.back() <= 1, qPrintable(QString::number(fractions.back())));
@@ -281,7 +287,7 @@ private slots:
                 calls = 0;
             }
         };
-        const Status written = writeMeshFile(path, mesh.content(), Progress(source.get_token(), stop));
+        const Status written = writeMesh(path, mesh.content(), Progress(source.get_token(), stop));
         QVERIFY(!written);
         QCOMPARE(written.error().kind, ErrorKind::Cancelled);
         QCOMPARE(calls, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "plugins/writers/surface_file.h"
+#include "plugins/api/written_content.h"
 
 #include <random>
 

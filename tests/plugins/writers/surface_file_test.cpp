@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Surfaces in files: what VTK reads back is what was written, to the bit; and files that cannot be written.
 #include "core/mesh/boundary.h"
-#include "plugins/writers/surface_file.h"
+#include "plugins/host/file_saving.h"
 #include "tests/core/base/small_disk.h"
+#include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/writers/random_surfaces.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
@@ -20,6 +21,11 @@
 using namespace tetra;
 
 namespace {
+
+Status writeSurface(const std::filesystem::path& path, const SurfaceContent& content, const Progress& progress = {})
+{
+    return saveSurface(pluginsOfThisBuild(), content, path, {}, progress);
+}
 
 const QStringList endings = {"vtp", "vtk", "vtu", "ply", "stl", "obj", "glb"};
 
@@ -100,7 +106,7 @@ private slots:
         const RandomSurface one(count, 2 * count, 1), other(count + 7, count / 3, 2);
         SurfaceContent content = contentOf(one.part("isovalue 1.5", valued), other.part("isovalue 2", valued));
         const QString path = folder_.filePath("surface." + ending);
-        const Status written = writeSurfaceFile(path.toStdString(), content);
+        const Status written = writeSurface(path.toStdString(), content);
         QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
@@ -124,7 +130,7 @@ private slots:
         for (const bool only : {true, false}) {
             const SurfaceContent content = contentOf(empty, only ? empty : some.part("some"));
             const QString path = folder_.filePath("empty." + ending);
-            QVERIFY(writeSurfaceFile(path.toStdString(), content));
+            QVERIFY(writeSurface(path.toStdString(), content));
             const VtkReader read(path);
             if (read.isMissing())
                 QSKIP("skipped: no python3-vtk9");
@@ -138,7 +144,7 @@ private slots:
         SurfaceContent content = contentOf(one.part("isovalue \"1\""), other.part("isovalue 2"));
         content.parts[1].colour = {0.5F, 0, 1, 0.25F};
         const QString path = folder_.filePath("surface.glb");
-        QVERIFY(writeSurfaceFile(path.toStdString(), content));
+        QVERIFY(writeSurface(path.toStdString(), content));
         const QByteArray bytes = ::contentOf(path);
         QCOMPARE(bytes.first(4), QByteArray("glTF"));
         QCOMPARE(numberAt<std::uint32_t>(bytes, 4), 2U);
@@ -195,7 +201,7 @@ private slots:
         const RandomSurface one(5, 2, 1), other(5, 2, 2);
         SurfaceContent content = contentOf(one.part("isovalue 1.5\nf 1 2 3"), other.part("isovalue 2"));
         const QString path = folder_.filePath("surface.obj");
-        QVERIFY(writeSurfaceFile(path.toStdString(), content));
+        QVERIFY(writeSurface(path.toStdString(), content));
         const QList<QByteArray> lines = ::contentOf(path).split('\n');
         QCOMPARE(lines[0], QByteArray("# isosurfaces by TAn"));
         QCOMPARE(lines[1], QByteArray("# error: 0.5"));
@@ -211,7 +217,7 @@ private slots:
         SurfaceContent content = contentOf(one.part("a"), one.part("b"));
         content.title = "solid";
         const QString path = folder_.filePath("surface.stl");
-        QVERIFY(writeSurfaceFile(path.toStdString(), content));
+        QVERIFY(writeSurface(path.toStdString(), content));
         const QByteArray bytes = ::contentOf(path);
         QVERIFY(!bytes.startsWith("solid"));
         QCOMPARE(numberAt<std::uint32_t>(bytes, 80), 4U);
@@ -228,13 +234,13 @@ private slots:
         const RandomSurface one(5, 2, 1);
         const auto refused = [&](const QString& name, const SurfacePart& part, const char* text) {
             const Status written =
-                writeSurfaceFile(folder_.filePath(name).toStdString(), contentOf(one.part("whole"), part));
+                writeSurface(folder_.filePath(name).toStdString(), contentOf(one.part("whole"), part));
             return !written && written.error().kind == ErrorKind::WrongUsage &&
                    QString::fromStdString(written.error().text()).contains(text) &&
                    !QFile::exists(folder_.filePath(name));
         };
         for (const char* name : {"wrong.gltf", "wrong", "stl", "wrong.stl.gz"})
-            QVERIFY2(refused(name, one.part("x"), ".vtp, .vtk, .vtu, .ply, .stl, .obj and .glb"), name);
+            QVERIFY2(refused(name, one.part("x"), ".glb, .obj, .ply, .stl, .vtk, .vtp, .vtu"), name);
         SurfacePart part = one.part("odd one");
         part.normals = part.normals.first(4);
         QVERIFY(refused("wrong.stl", part, "odd one"));
@@ -268,7 +274,7 @@ private slots:
         const std::vector<std::array<std::uint32_t, 3>> triangle(1);
         const SurfacePart large{.name = "large", .positions = positions, .normals = {}, .triangles = triangle};
         SurfaceContent content{"isosurfaces", "isovalue", std::vector<SurfacePart>(80, large), {}};
-        const Status written = writeSurfaceFile(folder_.filePath("large." + ending).toStdString(), content);
+        const Status written = writeSurface(folder_.filePath("large." + ending).toStdString(), content);
         QVERIFY(!written);
         QCOMPARE(written.error().kind, ErrorKind::OutOfResource);
         QVERIFY2(QString::fromStdString(written.error().text()).contains(part), written.error().text().c_str());
@@ -283,9 +289,9 @@ private slots:
         const RandomSurface small(4, 1, 1), large(5000, 20000, 2);
         for (const QString& ending : endings) {
             const std::filesystem::path path = disk.folder() / ("surface." + ending.toStdString());
-            QVERIFY(writeSurfaceFile(path, contentOf(small.part("a"), small.part("b"))));
+            QVERIFY(writeSurface(path, contentOf(small.part("a"), small.part("b"))));
             const auto size = std::filesystem::file_size(path);
-            const Status written = writeSurfaceFile(path, contentOf(large.part("a"), large.part("b")));
+            const Status written = writeSurface(path, contentOf(large.part("a"), large.part("b")));
             QVERIFY(!written);
             QCOMPARE(written.error().kind, ErrorKind::CannotWrite);
             QCOMPARE(std::filesystem::file_size(path), size);
@@ -303,7 +309,7 @@ private slots:
             const std::filesystem::path path = folder.filePath("surface." + ending).toStdString();
             std::vector<double> fractions;
             const auto note = [&](double fraction, const Message&) { fractions.push_back(fraction); };
-            QVERIFY(writeSurfaceFile(path, content, Progress({}, note)));
+            QVERIFY(writeSurface(path, content, Progress({}, note)));
             QVERIFY(fractions.size() > 10 && std::ranges::is_sorted(fractions));
             QVERIFY2(fractions.back() > 0.8 && fractions.back() <= 1, qPrintable(ending));
             QVERIFY(std::filesystem::remove(path));
@@ -312,7 +318,7 @@ private slots:
                 if (fraction > 0.5)
                     source.request_stop();
             };
-            const Status written = writeSurfaceFile(path, content, Progress(source.get_token(), stop));
+            const Status written = writeSurface(path, content, Progress(source.get_token(), stop));
             QVERIFY(!written && written.error().kind == ErrorKind::Cancelled);
             QVERIFY(QDir(folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
         }

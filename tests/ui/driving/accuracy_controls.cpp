@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the controls of the docks Accuracy and Statistics are driven.
+// How the controls of the docks Accuracy and Statistics are driven, and what each changes (R26).
+#include "plugins/widgets/number_text.h"
 #include "tests/ui/driving/driver.h"
 #include "ui/session/accuracy_scale.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
+
+#include <algorithm>
 
 namespace tetra {
 namespace {
@@ -29,47 +32,59 @@ void beginInStatistics(DrivenWindow& window)
     window.raise("dock.statistics");
 }
 
-bool isByBudget(const DrivenWindow& window)
+Driver::Change toError(double percent)
 {
-    return window.session().view().query().byBudget;
+    return [percent](Moment& moment, const DrivenWindow&) { moment.query.error = percent; };
 }
 
-bool hasOtherError(const DrivenWindow& window)
+Driver::Change toBudget(bool on)
 {
-    return window.session().view().error() != window.before().query.error && window.settled();
+    return [on](Moment& moment, const DrivenWindow&) { moment.query.byBudget = on; };
 }
 
 Drivers presets()
 {
     Drivers drivers;
     for (const double percent : accuracyPresets)
-        drivers.push_back({"accuracy.preset." + QString::number(percent),
-                           [percent](const DrivenWindow& window) { return window.session().view().error() == percent; },
-                           &beginBetweenPresets});
+        drivers.push_back(edit("accuracy.preset." + QString::number(percent), toError(percent), &beginBetweenPresets));
     return drivers;
+}
+
+/// With the percentages: tabs between the columns, a line for each preset.
+bool copiedTheTable(const DrivenWindow&)
+{
+    const QString text = QGuiApplication::clipboard()->text();
+    return std::ranges::all_of(accuracyPresets,
+                               [&text](double percent) { return text.contains('\n' + percentText(percent) + '\t'); });
 }
 
 } // namespace
 
+/// Up and right are one round number away from 1.5: up coarser, right finer.
 Drivers accuracyControls()
 {
     const Drivers accuracy{
-        {"accuracy.curve", &hasOtherError, &beginBetweenPresets},
-        {"accuracy.slider", &hasOtherError, &beginBetweenPresets},
-        {"accuracy.box", &hasOtherError, &beginBetweenPresets},
-        {"accuracy.budget", &isByBudget, inDock("dock.accuracy")},
-        {"accuracy.byBudget", &isByBudget, inDock("dock.accuracy")},
-        {"accuracy.byError", [](const DrivenWindow& window) { return !isByBudget(window); }, &beginByBudget},
+        edit("accuracy.curve", toError(2), &beginBetweenPresets), // by the arrow down
+        edit("accuracy.slider", toError(1.2), &beginBetweenPresets),
+        edit("accuracy.box", toError(2), &beginBetweenPresets),
+        edit(
+            "accuracy.budget",
+            [](Moment& moment, const DrivenWindow&) {
+                moment.query.byBudget = true;
+                moment.query.budget = 500'000; // the next round number
+            },
+            inDock("dock.accuracy")),
+        edit("accuracy.byBudget", toBudget(true), inDock("dock.accuracy")),
+        edit("accuracy.byError", toBudget(false), &beginByBudget),
     };
     const Drivers statistics{
-        {"statistics.table", &hasOtherError, &beginInStatistics},
-        {"statistics.curve", &hasOtherError, &beginInStatistics},
-        showing(
-            "statistics.copy", [](const DrivenWindow&) { return QGuiApplication::clipboard()->text().contains('\t'); },
-            [](DrivenWindow& window) {
-                QGuiApplication::clipboard()->clear();
-                window.raise("dock.statistics");
-            }),
+        edit("statistics.table", toError(accuracyPresets.front()), &beginInStatistics), // to its first line
+        edit("statistics.curve", toError(2), &beginInStatistics),
+        showing("statistics.copy", &copiedTheTable,
+                [](DrivenWindow& window) {
+                    QGuiApplication::clipboard()->clear();
+                    window.raise("dock.statistics");
+                }),
         opening("statistics.save", "statisticsDialog", &beginInStatistics),
     };
     return allOf({accuracy, presets(), statistics});

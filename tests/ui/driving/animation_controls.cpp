@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the controls of the dock Animation are driven.
+// How the controls of the dock Animation are driven, and what each changes.
 #include "tests/ui/driving/driver.h"
 
 #include <QTableWidget>
+
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -22,9 +24,33 @@ void beginWithKeyFrames(DrivenWindow& window)
     window.find<QTableWidget>("animation.keys").setCurrentCell(1, 1);
 }
 
-Driver ofKeyFrames(const QString& name)
+using AnimationEdit = std::function<void(Animation& animation, const DrivenWindow& window)>;
+
+Driver ofFilm(const QString& name, const AnimationEdit& change, Driver::Step prepare = inDock("dock.animation"),
+              Driver::Step use = {})
 {
-    return {"animation.keys." + name, changes(&Moment::animation), &beginWithKeyFrames};
+    return edit(
+        "animation." + name, [change](Moment& moment, const DrivenWindow& window) { change(moment.animation, window); },
+        std::move(prepare), std::move(use));
+}
+
+/// Of the chosen one, at place 1.
+Driver ofKeyFrames(const QString& name, const AnimationEdit& change, Driver::Step use = {})
+{
+    return ofFilm("keys" + name, change, &beginWithKeyFrames, std::move(use));
+}
+
+void removeChosen(Animation& animation, const DrivenWindow&)
+{
+    animation.keys.erase(animation.keys.begin() + 1);
+}
+
+/// The views change places, the times stay.
+AnimationEdit exchanges(std::size_t one, std::size_t other)
+{
+    return [=](Animation& animation, const DrivenWindow&) {
+        std::swap(animation.keys[one].frame, animation.keys[other].frame);
+    };
 }
 
 bool showsAFrame(const DrivenWindow& window)
@@ -36,21 +62,36 @@ bool showsAFrame(const DrivenWindow& window)
 
 Drivers animationControls()
 {
-    Drivers drivers;
-    for (const char* name : {"kind", "rate", "axis", "degrees", "frames"})
-        drivers.push_back({QString("animation.") + name, changes(&Moment::animation), inDock("dock.animation")});
-    for (const char* name : {"add", "update", "remove", "up", "down"})
-        drivers.push_back(ofKeyFrames(name));
+    constexpr double usualPause = 2; // seconds from one view to the next
+    const Drivers edits{
+        ofFilm("kind", [](Animation& film, const DrivenWindow&) { film.kind = Animation::Kind::KeyFrames; }),
+        ofFilm("rate", [](Animation& film, const DrivenWindow&) { film.framesPerSecond += 1; }),
+        ofFilm("axis", [](Animation& film, const DrivenWindow&) { film.turntable.axis = Turntable::Axis::Horizontal; }),
+        ofFilm("degrees", [](Animation& film, const DrivenWindow&) { film.turntable.degrees += 90; }),
+        ofFilm("frames", [](Animation& film, const DrivenWindow&) { film.turntable.frames += 1; }),
+        ofKeyFrames(".add",
+                    [](Animation& film, const DrivenWindow& window) {
+                        film.keys.push_back({film.keys.back().time + usualPause,
+                                             window.workbench.presentFrame(window.viewport().camera())});
+                    }),
+        ofKeyFrames(".update",
+                    [](Animation& film, const DrivenWindow& window) {
+                        film.keys[1].frame = window.workbench.presentFrame(window.viewport().camera());
+                    }),
+        ofKeyFrames(".remove", &removeChosen),
+        ofKeyFrames(".up", exchanges(1, 0)),
+        ofKeyFrames(".down", exchanges(1, 2)),
+        ofKeyFrames("", &removeChosen, [](DrivenWindow& window) { window.press("animation.keys", Qt::Key_Delete); }),
+    };
     const Drivers others{
-        {"animation.keys.show", [](const DrivenWindow& window) { return window.viewport().camera().azimuth == 70; },
-         &beginWithKeyFrames},
-        {"animation.keys", changes(&Moment::animation), &beginWithKeyFrames,
-         [](DrivenWindow& window) { window.press("animation.keys", Qt::Key_Delete); }},
+        edit(
+            "animation.keys.show", [](Moment& moment, const DrivenWindow&) { moment.camera.azimuth = 70; },
+            &beginWithKeyFrames),
         showing("animation.play", &showsAFrame, inDock("dock.animation")),
         showing("animation.position", &showsAFrame, inDock("dock.animation")),
         opening("animation.save", "filmOptions", inDock("dock.animation")),
     };
-    return allOf({drivers, others});
+    return allOf({edits, others});
 }
 
 } // namespace tetra

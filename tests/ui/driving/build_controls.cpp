@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the dock Build are driven.
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
@@ -59,6 +59,14 @@ Driver::Step withGrid(const QString& builder)
     };
 }
 
+/// Another model comes of it, or none.
+Driver building(const QString& name, Driver::Condition shows, Driver::Step prepare, Driver::Step use = {})
+{
+    Driver driver = showing(name, std::move(shows), std::move(prepare), std::move(use));
+    driver.opensAnother = true;
+    return driver;
+}
+
 bool isBuilt(const DrivenWindow& window)
 {
     return !window.workbench.building().running() && window.session().model() &&
@@ -77,7 +85,7 @@ Driver option(const QString& id, const Driver::Step& prepare, const std::string&
               const std::function<void(QWidget&)>& use)
 {
     const QString name = "build.option." + id;
-    return showing(
+    return building(
         name,
         [id, expected](const DrivenWindow& window) {
             return isBuilt(window) && parameterOf(window, id.toStdString()) == expected;
@@ -102,7 +110,7 @@ Driver typedOption(const QString& id, const Driver::Step& prepare, const QString
 /// The model was built down to that error.
 Driver detail(const QString& name, const std::string& error)
 {
-    return showing(
+    return building(
         "build.detail." + name,
         [error](const DrivenWindow& window) { return isBuilt(window) && parameterOf(window, "error") == error; },
         [](DrivenWindow& window) {
@@ -154,14 +162,14 @@ Drivers buildControls()
                          QString::fromStdString(window.session().model()->path().string()));
             }),
         opening("build.browse", "build.targetDialog", inDock("dock.build")),
-        showing("build.start", &isBuilt, withBuilder(refinement)),
-        showing(
+        building("build.start", &isBuilt, withBuilder(refinement)),
+        building(
             "build.cancel",
             [](const DrivenWindow& window) {
                 return !window.workbench.building().running() && !window.session().model();
             },
             &beginBuilding),
-        showing("build.keep", &isBuilt, &beginBuilding),
+        building("build.keep", &isBuilt, &beginBuilding),
         detail("quick", "1"),
         detail("good", "0.1"),
         detail("everything", "0"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the menus of the colour buttons are driven.
+// How the menus of the colour buttons are driven, and what each colour changes.
+#include "plugins/widgets/curves/selection.h"
 #include "tests/ui/driving/driver.h"
 
 #include <QMenu>
@@ -16,7 +17,9 @@ void openMenu(DrivenWindow& window, const QString& button)
     emit window.find<QToolButton>(button).menu()->aboutToShow();
 }
 
-Drivers coloursOf(const QString& button, const Driver::Condition& done, const Driver::Step& prepare)
+using ColourChange = std::function<Driver::Change(const Colour& colour)>;
+
+Drivers coloursOf(const QString& button, const ColourChange& changed, const Driver::Step& prepare)
 {
     const Driver::Step open = [=](DrivenWindow& window) {
         prepare(window);
@@ -24,8 +27,30 @@ Drivers coloursOf(const QString& button, const Driver::Condition& done, const Dr
     };
     Drivers drivers{opening(button + ".other", "colourDialog", open)};
     for (int index = 0; index < paletteSize; ++index)
-        drivers.push_back({QString("%1.%2").arg(button).arg(index), done, open});
+        drivers.push_back(edit(QString("%1.%2").arg(button).arg(index), changed(paletteColour(index)), open));
     return drivers;
+}
+
+Driver::Change colourOfIsovalue(const Colour& colour)
+{
+    return [colour](Moment& moment, const DrivenWindow&) {
+        moment.isovalues.front().red = colour.red;
+        moment.isovalues.front().green = colour.green;
+        moment.isovalues.front().blue = colour.blue;
+    };
+}
+
+Driver::Change colourOfBackground(const Colour& colour)
+{
+    return [colour](Moment& moment, const DrivenWindow&) { moment.background = colour; };
+}
+
+Driver::Change colourOfPoint(const Colour& colour)
+{
+    return transfer([colour](const TransferFunction& function, const DrivenWindow& window) {
+        const JoinedFunction points = joined(function);
+        return separated(withColour(points, {window.addedPoint()}, {colour.red, colour.green, colour.blue}).function);
+    });
 }
 
 /// In a colour that is not in the palette.
@@ -46,9 +71,9 @@ void selectPoint(DrivenWindow& window)
 
 Drivers colourCommands()
 {
-    return allOf({coloursOf("isovalue.0.colour", changes(&Moment::isovalues), &makeIsovalueGrey),
-                  coloursOf("view.background", changes(&Moment::background), inDock("dock.view")),
-                  coloursOf("transfer.colour", changes(&Moment::look), &selectPoint)});
+    return allOf({coloursOf("isovalue.0.colour", &colourOfIsovalue, &makeIsovalueGrey),
+                  coloursOf("view.background", &colourOfBackground, inDock("dock.view")),
+                  coloursOf("transfer.colour", &colourOfPoint, &selectPoint)});
 }
 
 } // namespace tetra

@@ -12,6 +12,9 @@
 #include <QToolButton>
 #include <QWhatsThis>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tetra {
 namespace {
 
@@ -42,12 +45,10 @@ void DrivenWindow::closeDialogs() const
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-void DrivenWindow::startAnew()
+void DrivenWindow::openAnew()
 {
-    closeDialogs();
     workbench.stopBuild(false);
     waitUntil([this] { return !workbench.building().running(); }, "no build runs");
-    find<MessageBar>("messages").clear();
     workbench.closeModel();
     workbench.views().forget(filePath(model_)); // as at first
     window.open(model_);
@@ -57,52 +58,46 @@ void DrivenWindow::startAnew()
         waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
                   "the dataset is open");
     }
-    while (session().view().isovalueCount() > 1)
-        session().removeIsovalue(1);
     session().undoStack().clear();
+    resetLayout();
+    opened_ = session().model();
+    atFirst_ = now();
+}
+
+/// The picture has its size then, and a camera that nobody has moved fits it.
+void DrivenWindow::resetLayout()
+{
     window.setWindowState(Qt::WindowNoState);
     trigger("action.resetLayout");
-    waitForPicture();
-    remember();
-}
-
-Moment DrivenWindow::now() const
-{
-    const ViewState& view = session().view();
-    return {view.query(),
-            view.look(),
-            view.isovalues(),
-            view.annotations(),
-            view.animation(),
-            viewport().camera(),
-            viewport().chosenBackground()};
-}
-
-void DrivenWindow::remember()
-{
-    before_ = now();
-    stepsBefore_ = undoSteps();
-}
-
-void DrivenWindow::press(const QString& control, Qt::Key key, Qt::KeyboardModifiers modifiers) const
-{
-    auto& widget = find<QWidget>(control);
-    widget.setFocus();
-    QTest::keyClick(&widget, key, modifiers);
-}
-
-void DrivenWindow::raise(const QString& dock) const
-{
-    auto& found = find<QDockWidget>(dock);
-    found.show();
-    found.raise();
     QCoreApplication::processEvents();
 }
 
-void DrivenWindow::addTransferPoint() const
+void DrivenWindow::startAnew()
 {
-    raise("dock.transfer");
-    press("transfer.canvas", Qt::Key_Insert);
+    closeDialogs();
+    find<MessageBar>("messages").clear();
+    viewport().setPreview(std::nullopt);
+    session().endGesture();
+    session().undoStack().setIndex(0);
+    resetLayout();
+    const bool isThere = opened_ && session().model() == opened_ && workbench.dataset() &&
+                         workbench.dataset()->source.path == volume_.toStdString() && now() == atFirst_;
+    if (!isThere)
+        openAnew();
+    session().undoStack().clear();
+    for (int item = 0; item < 2; ++item)
+        press("transfer.canvas", Qt::Key_Escape); // what was selected, then what was picked
+    for (const char* look : {"transfer.zoom.all", "transfer.axis.squareRoot", "transfer.valueAxis.linear"})
+        trigger(look);
+    remember();
+}
+
+std::size_t DrivenWindow::addedPoint() const
+{
+    const std::vector<TransferPoint> points = transferPoints(before_.look.transfer);
+    const double middle = session().range().minimum + session().range().extent() / 2;
+    const auto distance = [middle](const TransferPoint& point) { return std::abs(point.value - middle); };
+    return static_cast<std::size_t>(std::ranges::min_element(points, {}, distance) - points.begin());
 }
 
 void DrivenWindow::waitForPicture() const

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/moment.h"
 #include "tests/ui/window_fixture.h"
-
-#include <optional>
 
 class QDockWidget;
 class QToolButton;
 
 namespace tetra {
-
-/// What of a window the user can change and undo, at a moment.
-struct Moment {
-    QueryState query;
-    Look look;
-    std::vector<Isovalue> isovalues;
-    AnnotationState annotations;
-    Animation animation;
-    Camera camera;
-    std::optional<Colour> background;
-    bool operator==(const Moment&) const = default;
-};
 
 /// A window with a small model and a dataset open, for tests that do one thing after the other in it and go back to the
 /// beginning in between.
@@ -29,13 +16,15 @@ public:
     /// `volume`: the file of a dataset.
     DrivenWindow(QString model, QString volume);
 
-    /// Closes what is open beside the window and opens the model anew: one isovalue, no edits, all docks in their
-    /// places.
+    /// Closes what is open beside the window and brings back what was there at first: the model and the dataset, one
+    /// isovalue, no edits, nothing selected, all docks in their places.
     void startAnew();
     /// Keeps what is there now as what was there before.
     void remember();
     const Moment& before() const noexcept { return before_; }
-    Moment now() const;
+    /// When the model had just been opened.
+    const Moment& atFirst() const noexcept { return atFirst_; }
+    Moment now() const { return momentOf(session(), viewport()); }
     int undoSteps() const { return session().undoStack().index(); }
     int stepsBefore() const noexcept { return stepsBefore_; }
 
@@ -47,15 +36,22 @@ public:
     void choose(const QString& mode) const { trigger("action.mode." + mode); }
     /// Another point of the transfer function, in the middle of what is seen or after the last one: it is selected.
     void addTransferPoint() const;
+    /// Where that is among the function's points.
+    std::size_t addedPoint() const;
     void waitForPicture() const;
     bool isOpen(const QString& widget) const;
     /// Ends all dialogs and popups.
     void closeDialogs() const;
 
 private:
+    void openAnew();
+    void resetLayout();
+
     QString model_;
     QString volume_;
     Moment before_;
+    Moment atFirst_;
+    std::shared_ptr<const Model> opened_;
     int stepsBefore_ = 0;
 };
 

@@ -3,35 +3,75 @@
 
 #include "tests/ui/driving/driven_window.h"
 
+#include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace tetra {
 
-/// How a test uses one command or one control, and how it sees that this did something.
+/// How a test uses one command or one control, and what that changes: exactly.
 struct Driver {
     using Step = std::function<void(DrivenWindow&)>;
     using Condition = std::function<bool(const DrivenWindow&)>;
+    /// Makes of the moment before the moment after: what it leaves alone must not change.
+    using Change = std::function<void(Moment& moment, const DrivenWindow& window)>;
 
-    QString name;       ///< object name; with a * at its end of all that begin so
-    Condition done;     ///< not before, and soon after
-    Step prepare{};     ///< what it needs
-    Step use{};         ///< of controls; none: as their kind is used by keys
-    bool isEdit = true; ///< one step more of the undo stack, and undo brings back what was there
+    QString name;              ///< object name; with a * at its end of all that begin so
+    Change changes{};          ///< none: the moment stays as it is
+    Condition shows{};         ///< what is seen besides: not before, and soon after
+    Step prepare{};            ///< what it needs
+    Step use{};                ///< none: a command is triggered, a control used by keys as its kind is
+    int steps = 0;             ///< by so many goes the undo stack on
+    bool opensAnother = false; ///< another file or none: then nothing is said of the moment
 
     bool drives(const QString& other) const;
 };
 using Drivers = std::vector<Driver>;
 
-/// One that is no edit.
-Driver showing(const QString& name, Driver::Condition done, Driver::Step prepare = {}, Driver::Step use = {});
+/// One step of the undo stack that changes nothing but this.
+Driver edit(const QString& name, Driver::Change changes, Driver::Step prepare = {}, Driver::Step use = {});
+/// The same, and the picture's scene is another one then.
+Driver redraw(const QString& name, Driver::Change changes, Driver::Condition shows, Driver::Step prepare = {},
+              Driver::Step use = {});
+/// One that changes nothing of what can be undone.
+Driver showing(const QString& name, Driver::Condition shows, Driver::Step prepare = {}, Driver::Step use = {});
 /// It opens a dialog or another widget of this name.
 Driver opening(const QString& name, const QString& widget, Driver::Step prepare = {});
 
-/// Whether a part of the moment is another one than before.
-template <class Part> Driver::Condition changes(Part Moment::*part)
+/// A number that a control brings somewhere, which it rounds as it shows numbers.
+struct Aim {
+    double value = 0;
+    double tolerance = 0;
+};
+/// Of the number before.
+using AimFrom = std::function<Aim(const DrivenWindow& window, double before)>;
+
+/// The arrow key on a number box of this name: one of its steps away from the end that it is at.
+AimFrom stepOfBox(const QString& box);
+/// The arrow key on a slider over the range that `ends` tells: a hundredth of that.
+using Ends = std::function<TransferLimits(const DrivenWindow& window)>;
+AimFrom stepOfSlider(const Ends& ends);
+
+/// The number of a moment that `reach` finds goes where `aim` says, and nothing else does.
+template <class Reach> Driver::Change moves(Reach reach, AimFrom aim)
 {
-    return [part](const DrivenWindow& window) { return window.now().*part != window.before().*part; };
+    return [reach, aim](Moment& moment, const DrivenWindow& window) {
+        using Number = std::remove_reference_t<decltype(reach(moment))>;
+        Moment now = window.now();
+        const auto [value, tolerance] = aim(window, static_cast<double>(reach(moment)));
+        const bool isThere = std::abs(static_cast<double>(reach(now)) - value) <= tolerance;
+        reach(moment) = isThere ? reach(now) : static_cast<Number>(value);
+    };
 }
+
+/// The transfer function becomes `edited` of it, but for rounding far below what can be seen.
+using TransferEdit = std::function<TransferFunction(const TransferFunction& function, const DrivenWindow& window)>;
+Driver::Change transfer(const TransferEdit& edited);
+
+/// The values of the model.
+TransferLimits rangeOf(const DrivenWindow& window);
+/// A change: all of the domain is seen, from the same side.
+void fitView(Moment& moment, const DrivenWindow& window);
 
 Drivers allOf(std::initializer_list<Drivers> parts);
 
@@ -54,10 +94,14 @@ Drivers buildControls();
 /// Prepares a panel: brings its dock to the front.
 Driver::Step inDock(const QString& dock);
 
+/// Of the menus of colours, by its place there.
+Colour paletteColour(int index);
+
 /// Does what somebody does by keys with a control of this kind: steps a number, checks a box, takes another entry.
 void useByKeys(QWidget& control);
 
-/// Uses it in a window as it is at first, and says what is wrong; empty if all is well. `use`: does it.
+/// Uses it in a window as it is at first, and says what is wrong; empty if all is well. `use`: does it, if the driver
+/// does not say how.
 QString drive(DrivenWindow& window, const Driver& driver, const std::function<void()>& use);
 
 } // namespace tetra

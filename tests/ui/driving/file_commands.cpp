@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the actions of the menus File and Edit are driven.
+// How the actions of the menus File and Edit are driven, and what each changes.
 #include "tests/ui/driving/driver.h"
+#include "ui/session/isovalue_defaults.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/sample_models.h"
 
@@ -16,11 +17,19 @@ void fillRecentMenu(DrivenWindow& window)
     emit window.find<QMenu>("menu.recent").aboutToShow();
 }
 
+/// What another file or none comes of.
+Driver leaving(const QString& name, Driver::Condition shows, Driver::Step prepare = {})
+{
+    Driver driver = showing(name, std::move(shows), std::move(prepare));
+    driver.opensAnother = true;
+    return driver;
+}
+
 /// A model or a dataset, whichever it was, is opened anew.
 Driver openingRecent()
 {
     const auto before = std::make_shared<std::pair<std::shared_ptr<const Model>, std::shared_ptr<const Dataset>>>();
-    return showing(
+    return leaving(
         "action.recent.*",
         [before](const DrivenWindow& window) {
             return window.session().model() != before->first || window.workbench.dataset() != before->second;
@@ -41,25 +50,40 @@ Drivers savingCommands()
     };
 }
 
+void addIsovalue(Moment& moment, const DrivenWindow& window)
+{
+    moment.isovalues.push_back(nextIsovalue(moment.isovalues, window.session().range()));
+}
+
+void removeIsovalue(Moment& moment, const DrivenWindow&)
+{
+    moment.isovalues.pop_back();
+}
+
+Driver goingThroughEdits(const QString& name, int steps, Driver::Change changes, Driver::Step prepare)
+{
+    Driver driver = edit(name, std::move(changes), std::move(prepare));
+    driver.steps = steps;
+    return driver;
+}
+
 Drivers editCommands()
 {
     return {
-        showing(
-            "action.undo", [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 1; },
-            [](DrivenWindow& window) { window.session().addIsovalue(); }),
-        showing(
-            "action.redo", [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 2; },
-            [](DrivenWindow& window) {
-                window.session().addIsovalue();
-                window.session().undoStack().undo();
-            }),
+        goingThroughEdits("action.undo", -1, &removeIsovalue,
+                          [](DrivenWindow& window) { window.session().addIsovalue(); }),
+        goingThroughEdits("action.redo", 1, &addIsovalue,
+                          [](DrivenWindow& window) {
+                              window.session().addIsovalue();
+                              window.session().undoStack().undo();
+                          }),
         showing(
             "action.copyPicture",
             [](const DrivenWindow& window) {
                 return QGuiApplication::clipboard()->image().size() == window.viewport().size();
             },
             [](DrivenWindow&) { QGuiApplication::clipboard()->clear(); }),
-        {"action.addIsovalue", [](const DrivenWindow& window) { return window.session().view().isovalueCount() == 2; }},
+        edit("action.addIsovalue", &addIsovalue),
         opening("action.palette", "palette"),
     };
 }
@@ -72,14 +96,14 @@ Drivers fileCommands()
         opening("action.open", "openDialog"),
         opening("action.openWithOptions", "importFileDialog"),
         openingRecent(),
-        showing("action.sample.*",
+        leaving("action.sample.*",
                 [](const DrivenWindow& window) {
                     return window.session().model() && window.session().model()->path().parent_path() == sampleFolder();
                 }),
         showing(
             "action.clearRecent", [](const DrivenWindow&) { return recentFiles().isEmpty(); }, &fillRecentMenu),
-        showing("action.close", [](const DrivenWindow& window) { return window.isOpen("empty"); }),
-        showing("action.quit", [](const DrivenWindow& window) { return !window.window.isVisible(); }),
+        leaving("action.close", [](const DrivenWindow& window) { return window.isOpen("empty"); }),
+        leaving("action.quit", [](const DrivenWindow& window) { return !window.window.isVisible(); }),
     };
     return allOf({files, savingCommands(), editCommands()});
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions are driven that are about the value picked in the picture.
+#include "plugins/widgets/curves/joined_function.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
+#include "ui/session/isovalue_defaults.h"
 #include "ui/viewport/value_pick.h"
 
 namespace tetra {
@@ -27,21 +29,35 @@ void pickInTheMiddle(DrivenWindow& window)
         qFatal("nothing is seen in the middle of the picture");
 }
 
+double pickedValue(const DrivenWindow& window)
+{
+    return window.find<ValuePick>("viewport.pick").picked()->value;
+}
+
+void addIsovalueThere(Moment& moment, const DrivenWindow& window)
+{
+    Isovalue isovalue = nextIsovalue(moment.isovalues, window.session().range());
+    isovalue.value = pickedValue(window);
+    moment.isovalues.push_back(isovalue);
+}
+
+TransferFunction withPointThere(const TransferFunction& function, const DrivenWindow& window)
+{
+    return separated(withPoint(joined(function), pickedValue(window))->function);
+}
+
 } // namespace
 
 Drivers pickCommands()
 {
-    const Driver::Condition hasTwoIsovalues = [](const DrivenWindow& window) {
-        return window.session().view().isovalueCount() == 2;
-    };
     const Driver::Condition isForgotten = [](const DrivenWindow& window) { return !isPicked(window); };
     return {
         showing("action.pickValue", &isPicked, &showVolume),
-        {"action.isovalueHere", hasTwoIsovalues, &pickInTheMiddle},
-        {"action.pointHere", changes(&Moment::look), &pickInTheMiddle},
+        edit("action.isovalueHere", &addIsovalueThere, &pickInTheMiddle),
+        edit("action.pointHere", transfer(&withPointThere), &pickInTheMiddle),
         showing("action.forgetPicked", isForgotten, &pickInTheMiddle),
-        {"transfer.change.picked.isovalue", hasTwoIsovalues, &pickInTheMiddle},
-        {"transfer.change.picked.point", changes(&Moment::look), &pickInTheMiddle},
+        edit("transfer.change.picked.isovalue", &addIsovalueThere, &pickInTheMiddle),
+        edit("transfer.change.picked.point", transfer(&withPointThere), &pickInTheMiddle),
         showing("transfer.change.picked.forget", isForgotten, &pickInTheMiddle),
     };
 }

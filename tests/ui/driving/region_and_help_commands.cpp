@@ -9,9 +9,9 @@
 namespace tetra {
 namespace {
 
-Driver::Condition hasFocusOf(FocusState::Shape shape)
+Driver::Change toShape(FocusState::Shape shape)
 {
-    return [shape](const DrivenWindow& window) { return window.session().view().query().focus.shape == shape; };
+    return [shape](Moment& moment, const DrivenWindow&) { moment.query.focus.shape = shape; };
 }
 
 /// The focus is somewhere else than the camera looks at.
@@ -26,14 +26,13 @@ void switchFocusOn(DrivenWindow& window)
 Drivers regionCommands()
 {
     return {
-        {"action.focusSphere", hasFocusOf(FocusState::Shape::Sphere)},
-        {"action.focusBox", hasFocusOf(FocusState::Shape::Box)},
-        {"action.focusToView",
-         [](const DrivenWindow& window) {
-             return window.session().view().query().focus.centre == window.viewport().camera().target;
-         },
-         &switchFocusOn},
-        {"action.window", [](const DrivenWindow& window) { return window.session().view().query().window.enabled; }},
+        edit("action.focusSphere", toShape(FocusState::Shape::Sphere)),
+        edit("action.focusBox", toShape(FocusState::Shape::Box)),
+        edit(
+            "action.focusToView",
+            [](Moment& moment, const DrivenWindow&) { moment.query.focus.centre = moment.camera.target; },
+            &switchFocusOn),
+        edit("action.window", [](Moment& moment, const DrivenWindow&) { moment.query.window.enabled = true; }),
     };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the controls of the docks Focus and Region are driven.
+// How the controls of the docks Focus and Region are driven, and what each changes (R14, R24, R25, S17).
 #include "tests/ui/driving/driver.h"
 
 namespace tetra {
@@ -19,26 +19,79 @@ Driver::Step withFocus(Shape shape)
     };
 }
 
-Driver ofFocus(const QString& name, Shape shape)
+/// A part of the focus, with a focus of this shape.
+Driver ofFocus(const QString& name, Shape shape, const std::function<void(FocusState&)>& change)
 {
-    return {"focus." + name,
-            [](const DrivenWindow& window) {
-                return window.session().view().query().focus != window.before().query.focus && window.settled();
-            },
-            withFocus(shape)};
+    return edit(
+        "focus." + name, [change](Moment& moment, const DrivenWindow&) { change(moment.query.focus); },
+        withFocus(shape));
+}
+
+Driver toShape(const QString& name, Shape before, Shape after)
+{
+    return ofFocus(name, before, [after](FocusState& focus) { focus.shape = after; });
+}
+
+template <class Reach> Driver steps(const QString& name, const Driver::Step& prepare, Reach reach)
+{
+    return edit(name, moves(reach, stepOfBox(name)), prepare);
+}
+
+template <class Reach> Driver slides(const QString& name, const Driver::Step& prepare, Reach reach, const Ends& ends)
+{
+    return edit(name, moves(reach, stepOfSlider(ends)), prepare);
+}
+
+/// The three number boxes of a place or a size.
+template <class Reach> Drivers vectorControls(const QString& name, const Driver::Step& prepare, Reach reach)
+{
+    Drivers drivers;
+    for (int axis = 0; axis < 3; ++axis)
+        drivers.push_back(steps(name + '.' + QChar('x' + axis), prepare,
+                                [reach, axis](Moment& moment) -> double& { return reach(moment)[axis]; }));
+    return drivers;
+}
+
+TransferLimits halfDiagonal(const DrivenWindow& window)
+{
+    return {0, window.session().model()->diagonal() / 2};
+}
+
+/// Place, size, error and fall-off of a model that was just opened.
+void resetFocus(Moment& moment, const DrivenWindow& window)
+{
+    const Shape shape = moment.query.focus.shape;
+    moment.query.focus = window.atFirst().query.focus;
+    moment.query.focus.shape = shape;
+}
+
+void moveFocusToView(Moment& moment, const DrivenWindow&)
+{
+    moment.query.focus.centre = moment.camera.target;
 }
 
 Drivers focusControls()
 {
-    Drivers drivers;
-    for (const char* name : {"box", "sphere"})
-        drivers.push_back(ofFocus(name, Shape::None));
-    for (const char* name : {"none", "centre.x", "centre.y", "centre.z", "size.x", "size.y", "size.z", "error.slider",
-                             "error.box", "falloff.slider", "falloff.box", "toView", "reset"})
-        drivers.push_back(ofFocus(name, Shape::Box));
-    for (const char* name : {"radius.slider", "radius.box"})
-        drivers.push_back(ofFocus(name, Shape::Sphere));
-    return drivers;
+    const Driver::Step box = withFocus(Shape::Box);
+    const Driver::Step sphere = withFocus(Shape::Sphere);
+    const auto centre = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.focus.centre; };
+    const auto size = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.focus.size; };
+    const auto radius = [](Moment& moment) -> double& { return moment.query.focus.radius; };
+    const auto falloff = [](Moment& moment) -> double& { return moment.query.focus.falloff; };
+    const Drivers others{
+        toShape("box", Shape::None, Shape::Box),
+        toShape("sphere", Shape::None, Shape::Sphere),
+        toShape("none", Shape::Box, Shape::None),
+        ofFocus("error.slider", Shape::Box, [](FocusState& focus) { focus.error = 0.15; }), // the next finer one
+        ofFocus("error.box", Shape::Box, [](FocusState& focus) { focus.error = 0.25; }),
+        slides("focus.falloff.slider", box, falloff, &halfDiagonal),
+        steps("focus.falloff.box", box, falloff),
+        slides("focus.radius.slider", sphere, radius, &halfDiagonal),
+        steps("focus.radius.box", sphere, radius),
+        edit("focus.toView", &moveFocusToView, box),
+        edit("focus.reset", &resetFocus, box),
+    };
+    return allOf({others, vectorControls("focus.centre", box, centre), vectorControls("focus.size", box, size)});
 }
 
 /// A window and a range of values, smaller than all there is.
@@ -53,24 +106,49 @@ void beginInRegion(DrivenWindow& window)
     window.raise("dock.region");
 }
 
-Driver ofRegion(const QString& name, const Driver::Step& prepare = &beginInRegion)
+/// Changes what of the query is about regions.
+Driver ofQuery(const QString& name, const std::function<void(QueryState&, const DrivenWindow&)>& change,
+               const Driver::Step& prepare)
 {
-    return {"region." + name,
-            [](const DrivenWindow& window) {
-                return window.session().view().query() != window.before().query && window.settled();
-            },
-            prepare};
+    return edit(
+        "region." + name, [change](Moment& moment, const DrivenWindow& window) { change(moment.query, window); },
+        prepare);
 }
 
 } // namespace
 
 Drivers regionControls()
 {
-    Drivers drivers{ofRegion("window", inDock("dock.region")), ofRegion("values", inDock("dock.region"))};
-    for (const char* name : {"from.x", "from.y", "from.z", "to.x", "to.y", "to.z", "border", "reset", "least.slider",
-                             "least.box", "largest.slider", "largest.box"})
-        drivers.push_back(ofRegion(name));
-    return allOf({focusControls(), drivers});
+    const Driver::Step begin = &beginInRegion;
+    const auto from = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.window.window.box.least; };
+    const auto to = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.window.window.box.largest; };
+    const auto least = [](Moment& moment) -> double& { return moment.query.values.least; };
+    const auto largest = [](Moment& moment) -> double& { return moment.query.values.largest; };
+    const Drivers others{
+        ofQuery(
+            "window", [](QueryState& query, const DrivenWindow&) { query.window.enabled = true; },
+            inDock("dock.region")),
+        ofQuery(
+            "values", [](QueryState& query, const DrivenWindow&) { query.values.enabled = true; },
+            inDock("dock.region")),
+        ofQuery(
+            "border",
+            [](QueryState& query, const DrivenWindow&) { query.window.window.border = WindowBorder::Intersecting; },
+            begin),
+        ofQuery(
+            "reset",
+            [](QueryState& query, const DrivenWindow& window) {
+                const Eigen::AlignedBox3d& bounds = window.session().model()->description().bounds;
+                query.window.window.box = {bounds.min(), bounds.max()};
+            },
+            begin),
+        slides("region.least.slider", begin, least, &rangeOf),
+        steps("region.least.box", begin, least),
+        slides("region.largest.slider", begin, largest, &rangeOf),
+        steps("region.largest.box", begin, largest),
+    };
+    return allOf(
+        {focusControls(), others, vectorControls("region.from", begin, from), vectorControls("region.to", begin, to)});
 }
 
 } // namespace tetra

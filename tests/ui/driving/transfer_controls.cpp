@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the controls of the dock Transfer are driven.
+// How the controls of the dock Transfer are driven, and what each changes (R18).
+#include "plugins/widgets/curves/moving.h"
+#include "plugins/widgets/curves/whole_function.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
 
@@ -8,13 +10,12 @@
 #include <QListWidget>
 #include <QToolButton>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 namespace tetra {
 namespace {
-
-bool hasOtherFunction(const DrivenWindow& window)
-{
-    return window.session().view().look().transfer != window.before().look.transfer;
-}
 
 void begin(DrivenWindow& window)
 {
@@ -28,7 +29,7 @@ void beginAtPoint(DrivenWindow& window)
     window.addTransferPoint();
 }
 
-void showTable(DrivenWindow& window)
+void beginInTable(DrivenWindow& window)
 {
     begin(window);
     auto& button = window.find<QToolButton>("transfer.table.show");
@@ -53,11 +54,19 @@ int presetsSeen(const DrivenWindow& window)
     return seen;
 }
 
-Driver::Condition fewerPresets()
+/// Those that are seen are those with the text in their names, and are not all.
+bool presetsAreFiltered(const DrivenWindow& window)
 {
-    return [](const DrivenWindow& window) {
-        return presetsSeen(window) < window.find<QListWidget>("transfer.presetPopup.list").count();
-    };
+    const auto& list = window.find<QListWidget>("transfer.presetPopup.list");
+    const auto wanted = list.findItems("vi", Qt::MatchContains);
+    return presetsSeen(window) == wanted.size() && wanted.size() < list.count() &&
+           std::ranges::none_of(wanted, &QListWidgetItem::isHidden);
+}
+
+/// Presets that are colours alone have no opacities to be taken.
+bool hasPresetsWithOpacities(const DrivenWindow& window)
+{
+    return presetsSeen(window) == 2;
 }
 
 bool hasNoOwnPreset(const DrivenWindow& window)
@@ -80,37 +89,120 @@ void keepPreset(DrivenWindow& window)
     window.find<QListWidget>("transfer.presetPopup.list").setCurrentRow(0);
 }
 
+/// The last one is the last of the colour maps.
+TransferFunction withLastPreset(const TransferFunction& function, const DrivenWindow& window)
+{
+    return withColourMap(function, colourMaps().back(), rangeOf(window));
+}
+
 Drivers popupControls()
 {
     return {
         showing(
-            "transfer.presetPopup.search", fewerPresets(), &openPresets,
+            "transfer.presetPopup.search", &presetsAreFiltered, &openPresets,
             [](DrivenWindow& window) { QTest::keyClicks(&window.find<QWidget>("transfer.presetPopup.search"), "vi"); }),
-        showing("transfer.presetPopup.part", fewerPresets(), &openPresets,
+        showing("transfer.presetPopup.part", &hasPresetsWithOpacities, &openPresets,
                 [](DrivenWindow& window) { window.press("transfer.presetPopup.part", Qt::Key_End); }),
-        {"transfer.presetPopup.list", &hasOtherFunction, &openPresets,
-         [](DrivenWindow& window) {
-             window.press("transfer.presetPopup.list", Qt::Key_End);
-             window.press("transfer.presetPopup.list", Qt::Key_Return);
-         }},
+        edit("transfer.presetPopup.list", transfer(&withLastPreset), &openPresets,
+             [](DrivenWindow& window) {
+                 window.press("transfer.presetPopup.list", Qt::Key_End);
+                 window.press("transfer.presetPopup.list", Qt::Key_Return);
+             }),
         opening("transfer.presetPopup.save", "transfer.presetName", &openPresets),
         showing("transfer.presetPopup.delete", &hasNoOwnPreset, &keepPreset),
     };
 }
 
+/// An edit of the point that was added last.
+using AddedPointEdit =
+    std::function<JoinedFunction(const JoinedFunction& function, std::size_t point, const DrivenWindow&)>;
+
+Driver ofPoint(const QString& name, const AddedPointEdit& edited, Driver::Step use = {})
+{
+    return edit("transfer." + name, transfer([edited](const TransferFunction& function, const DrivenWindow& window) {
+                    return separated(edited(joined(function), window.addedPoint(), window));
+                }),
+                &beginAtPoint, std::move(use));
+}
+
+/// A number box of the editor steps by a hundredth of what it goes over.
+JoinedFunction withSteppedValue(const JoinedFunction& function, std::size_t point, const DrivenWindow& window)
+{
+    const TransferLimits range = rangeOf(window);
+    const double value = function.points[point].value + (range.largest - range.least) / 100;
+    return withValue(function, {point}, value, NeighbourRule::Stop, range).function;
+}
+
+JoinedFunction withSteppedOpacity(const JoinedFunction& function, std::size_t point, const DrivenWindow&)
+{
+    const double percent = std::round(1e4 * function.points[point].opacity) / 100; // as it is shown
+    return withOpacity(function, {point}, (percent + 1) / 100).function;
+}
+
+JoinedFunction withPointAfter(const JoinedFunction& function, std::size_t point, const DrivenWindow&)
+{
+    const double middle = std::midpoint(function.points[point].value, function.points[point + 1].value);
+    return withPoint(function, middle)->function;
+}
+
+JoinedFunction coloured(const JoinedFunction& function, std::size_t point, const DrivenWindow&)
+{
+    const auto [red, green, blue] = paletteColour(3);
+    return withColour(function, {point}, {red, green, blue}).function;
+}
+
 Drivers pointControls()
 {
-    Drivers drivers;
-    for (const char* name : {"value", "opacity", "step", "add", "remove"})
-        drivers.push_back({QString("transfer.") + name, &hasOtherFunction, &beginAtPoint});
-    for (const char* name : {"unitDistance", "mask"})
-        drivers.push_back({QString("transfer.") + name, &hasOtherFunction, &begin});
-    drivers.push_back({"transfer.canvas", &hasOtherFunction, &begin,
-                       [](DrivenWindow& window) { window.press("transfer.canvas", Qt::Key_Insert); }});
-    drivers.push_back({"transfer.colour", &hasOtherFunction, &beginAtPoint, [](DrivenWindow& window) {
-                           chooseInMenu(window.find<QToolButton>("transfer.colour"), "transfer.colour.3");
-                       }});
-    return drivers;
+    return {
+        ofPoint("value", &withSteppedValue),
+        ofPoint("opacity", &withSteppedOpacity),
+        ofPoint("step", [](const JoinedFunction& function, std::size_t point,
+                           const DrivenWindow&) { return withStep(function, point).function; }),
+        ofPoint("add", &withPointAfter),
+        ofPoint("remove", [](const JoinedFunction& function, std::size_t point,
+                             const DrivenWindow&) { return withoutSelected(function, {point}).function; }),
+        ofPoint("colour", &coloured,
+                [](DrivenWindow& window) {
+                    chooseInMenu(window.find<QToolButton>("transfer.colour"), "transfer.colour.3");
+                }),
+    };
+}
+
+/// The box steps the second digit.
+TransferFunction withSteppedUnit(const TransferFunction& function, const DrivenWindow&)
+{
+    const double step = std::pow(10, std::floor(std::log10(function.unitDistance)) - 1);
+    return withUnitDistance(function, function.unitDistance + step);
+}
+
+TransferFunction masked(const TransferFunction& function, const DrivenWindow& window)
+{
+    const TransferLimits range = rangeOf(window);
+    const double inset = 0.1 * (range.largest - range.least);
+    return withMask(function, {range.least + inset, range.largest - inset});
+}
+
+TransferFunction withPointInTheMiddle(const TransferFunction& function, const DrivenWindow& window)
+{
+    const TransferLimits range = rangeOf(window);
+    return separated(withPoint(joined(function), std::midpoint(range.least, range.largest))->function);
+}
+
+Drivers wholeControls()
+{
+    return {
+        edit("transfer.unitDistance", transfer(&withSteppedUnit), &begin),
+        edit("transfer.mask", transfer(&masked), &begin),
+        edit("transfer.canvas", transfer(&withPointInTheMiddle), &begin,
+             [](DrivenWindow& window) { window.press("transfer.canvas", Qt::Key_Insert); }),
+        edit("transfer.edits", transfer([](const TransferFunction& function, const DrivenWindow&) {
+                 return withScaledOpacity(function, 1.25);
+             }),
+             &begin,
+             [](DrivenWindow& window) {
+                 chooseInMenu(window.find<QToolButton>("transfer.edits"), "transfer.change.denser");
+             }),
+    };
 }
 
 } // namespace
@@ -130,10 +222,6 @@ Drivers transferControls()
                 *plot = window.find<QWidget>("transfer.canvas").grab().toImage();
             }),
         opening("transfer.presets", "transfer.presetPopup", &begin),
-        {"transfer.edits", &hasOtherFunction, &begin,
-         [](DrivenWindow& window) {
-             chooseInMenu(window.find<QToolButton>("transfer.edits"), "transfer.change.denser");
-         }},
         showing(
             "transfer.view",
             [](const DrivenWindow& window) { return window.find<QAction>("transfer.axis.linear").isChecked(); },
@@ -153,11 +241,11 @@ Drivers transferControls()
         showing(
             "transfer.table",
             [](const DrivenWindow& window) { return window.find<QAction>("transfer.change.delete").isEnabled(); },
-            &showTable),
+            &beginInTable),
         opening("transfer.load", "transferDialog", &begin),
         opening("transfer.save", "transferSaveDialog", &begin),
     };
-    return allOf({pointControls(), others, popupControls()});
+    return allOf({pointControls(), wholeControls(), others, popupControls()});
 }
 
 } // namespace tetra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the actions of the menu View are driven.
+// How the actions of the menu View are driven, and what each changes (R27).
 #include "tests/ui/driving/driver.h"
+#include "tests/ui/driving/scene_facts.h"
 #include "ui/session/language.h"
 #include "ui/widgets/motion.h"
 
@@ -10,82 +11,120 @@
 namespace tetra {
 namespace {
 
-Driver::Condition isSeenFrom(double azimuth, double elevation)
+using CameraEdit = std::function<void(Camera& camera)>;
+
+Driver cameraCommand(const QString& name, const CameraEdit& change, Driver::Step prepare = {})
 {
-    return [=](const DrivenWindow& window) {
-        const Camera& camera = window.viewport().camera();
-        return camera.azimuth == azimuth && camera.elevation == elevation;
-    };
+    return edit(
+        "action." + name, [change](Moment& moment, const DrivenWindow&) { change(moment.camera); }, std::move(prepare));
+}
+
+Driver sideCommand(const QString& side, double azimuth, double elevation, Driver::Step prepare = {})
+{
+    return cameraCommand(
+        "view." + side,
+        [=](Camera& camera) {
+            camera.azimuth = azimuth;
+            camera.elevation = elevation;
+        },
+        std::move(prepare));
 }
 
 Driver upAxisCommand(const QString& name, UpAxis up)
 {
-    return {"action.up." + name, [up](const DrivenWindow& window) { return window.viewport().camera().up == up; },
-            [](DrivenWindow& window) { window.viewport().setCamera(upright(window.viewport().camera(), UpAxis::X)); }};
+    return cameraCommand(
+        "up." + name, [up](Camera& camera) { camera.up = up; },
+        [up](DrivenWindow& window) {
+            const UpAxis other = up == UpAxis::X ? UpAxis::Y : UpAxis::X;
+            window.viewport().setCamera(upright(window.viewport().camera(), other));
+        });
 }
 
 Drivers orientationCommands()
 {
-    Drivers drivers{upAxisCommand("minusX", UpAxis::MinusX), upAxisCommand("y", UpAxis::Y),
-                    upAxisCommand("minusY", UpAxis::MinusY), upAxisCommand("z", UpAxis::Z),
-                    upAxisCommand("minusZ", UpAxis::MinusZ)};
-    drivers.push_back(
-        {"action.up.x", [](const DrivenWindow& window) { return window.viewport().camera().up == UpAxis::X; }});
-    drivers.push_back(
-        {"action.flip", [](const DrivenWindow& window) { return window.viewport().camera().up == UpAxis::MinusZ; }});
-    for (const auto& [name, roll] : {std::pair("rollRight", 90.0), std::pair("rollLeft", -90.0)})
-        drivers.push_back({QString("action.") + name,
-                           [roll](const DrivenWindow& window) { return window.viewport().camera().roll == roll; }});
-    drivers.push_back({"action.level", [](const DrivenWindow& window) { return window.viewport().camera().roll == 0; },
-                       [](DrivenWindow& window) { window.trigger("action.rollLeft"); }});
-    drivers.push_back(
-        {"action.trackball", [](const DrivenWindow& window) { return window.viewport().camera().trackball; }});
-    return drivers;
-}
-
-Drivers cameraCommands()
-{
     return {
-        {"action.fit", changes(&Moment::camera), [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }},
-        {"action.view.front", isSeenFrom(0, 0)},
-        {"action.view.back", isSeenFrom(180, 0)},
-        {"action.view.left", isSeenFrom(270, 0)},
-        {"action.view.right", isSeenFrom(90, 0)},
-        {"action.view.top", isSeenFrom(0, 90)},
-        {"action.view.bottom", isSeenFrom(0, -90)},
-        {"action.view.corner", isSeenFrom(30, 20), [](DrivenWindow& window) { window.trigger("action.view.top"); }},
-        {"action.resetView",
-         [](const DrivenWindow& window) {
-             return window.session().view().isovalueCount() == 1 && !window.viewport().chosenBackground();
-         },
-         [](DrivenWindow& window) {
-             window.session().addIsovalue();
-             window.viewport().setBackground(Colour{1, 0, 0});
-         }},
-        {"action.perspective", [](const DrivenWindow& window) { return !window.viewport().camera().perspective; }},
+        upAxisCommand("x", UpAxis::X),
+        upAxisCommand("minusX", UpAxis::MinusX),
+        upAxisCommand("y", UpAxis::Y),
+        upAxisCommand("minusY", UpAxis::MinusY),
+        upAxisCommand("z", UpAxis::Z),
+        upAxisCommand("minusZ", UpAxis::MinusZ),
+        cameraCommand("flip", [](Camera& camera) { camera.up = UpAxis::MinusZ; }),
+        cameraCommand("rollRight", [](Camera& camera) { camera.roll = 90; }),
+        cameraCommand("rollLeft", [](Camera& camera) { camera.roll = -90; }),
+        cameraCommand(
+            "level", [](Camera& camera) { camera.roll = 0; },
+            [](DrivenWindow& window) { window.trigger("action.rollLeft"); }),
+        cameraCommand("trackball", [](Camera& camera) { camera.trackball = true; }),
+        cameraCommand("perspective", [](Camera& camera) { camera.perspective = false; }),
+        sideCommand("front", 0, 0),
+        sideCommand("back", 180, 0),
+        sideCommand("left", 270, 0),
+        sideCommand("right", 90, 0),
+        sideCommand("top", 0, 90),
+        sideCommand("bottom", 0, -90),
+        sideCommand("corner", 30, 20, [](DrivenWindow& window) { window.trigger("action.view.top"); }),
     };
 }
 
-Driver mode(const QString& id, const QString& before)
+void resets(Moment& moment, const DrivenWindow& window)
 {
-    return {"action.mode." + id,
-            [id](const DrivenWindow& window) {
-                return window.session().view().look().mode == id.toStdString() && window.settled();
-            },
-            [before](DrivenWindow& window) { window.choose(before); }};
+    moment = window.atFirst();
+    fitView(moment, window);
+}
+
+/// All of the view becomes another one.
+void changeEverything(DrivenWindow& window)
+{
+    Session& session = window.session();
+    session.setError(1.5);
+    session.addIsovalue();
+    session.setSetting("outline", false);
+    AnnotationState annotations = session.view().annotations();
+    annotations[AnnotationKind::Title].shown = true;
+    session.setAnnotations(annotations);
+    Animation animation = session.view().animation();
+    animation.framesPerSecond = 12;
+    session.setAnimation(animation);
+    window.viewport().seeFrom(NamedView::Top);
+    window.viewport().setBackground(Colour{1, 0, 0});
+}
+
+Drivers wholeViewCommands()
+{
+    return {
+        edit("action.fit", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
+        edit("action.resetView", &resets, &changeEverything),
+    };
+}
+
+/// What each mode draws: surfaces, a volume or both.
+Driver mode(const QString& id, const QString& before, bool hasVolume, std::size_t surfaces)
+{
+    return redraw(
+        "action.mode." + id, [id](Moment& moment, const DrivenWindow&) { moment.look.mode = id.toStdString(); },
+        [=](const DrivenWindow& window) {
+            const bool isChosen = window.session().view().look().mode == id.toStdString();
+            const SceneFacts scene = isChosen && window.settled() ? factsOf(*window.viewport().scene()) : SceneFacts{};
+            return scene.lines > 0 && scene.hasVolume == hasVolume && scene.surfaces == surfaces;
+        },
+        [before](DrivenWindow& window) { window.choose(before); });
 }
 
 Drivers modeCommands()
 {
-    return {mode("isosurface", "volume"), mode("volume", "hybrid"), mode("hybrid", "focus"),
-            mode("focus", "isosurface")};
+    return {mode("isosurface", "volume", false, 1), mode("volume", "hybrid", true, 0), mode("hybrid", "focus", true, 1),
+            mode("focus", "isosurface", true, 0)};
 }
 
 Drivers annotationCommands()
 {
     Drivers drivers;
-    for (const char* name : annotationNames)
-        drivers.push_back({QString("action.annotation.") + name, changes(&Moment::annotations)});
+    for (std::size_t i = 0; i < annotationCount; ++i)
+        drivers.push_back(
+            edit(QString("action.annotation.") + annotationNames[i], [i](Moment& moment, const DrivenWindow&) {
+                moment.annotations.places[i].shown = !moment.annotations.places[i].shown;
+            }));
     return drivers;
 }
 
@@ -126,7 +165,7 @@ Drivers viewCommands()
         showing("action.fullScreen", [](const DrivenWindow& window) { return window.window.isFullScreen(); }),
         showing("action.reducedMotion", [](const DrivenWindow&) { return motionReduced(); }),
     };
-    return allOf({cameraCommands(), orientationCommands(), modeCommands(), annotationCommands(), dockCommands(),
+    return allOf({orientationCommands(), wholeViewCommands(), modeCommands(), annotationCommands(), dockCommands(),
                   languageCommands(), others});
 }
 

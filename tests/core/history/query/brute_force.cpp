@@ -53,7 +53,7 @@ std::vector<double> BruteForce::scalesOf(const MeshQuery& query) const
     std::vector<double> scales;
     for (std::uint64_t t = 0; t < model_.tetrahedronCount(); ++t) {
         const std::uint32_t destroyer = model_.destroyers()[t];
-        const double key = destroyer == Model::never ? model_.finalError() : model_.runningErrors()[destroyer];
+        const double key = destroyer == Model::never ? model_.finalKey() : model_.runningKeys()[destroyer];
         double error = 100 * static_cast<double>(halfToFloat(model_.ownErrors()[t]));
         error = extent > 0 ? std::min(error, 100 * key / extent) : 0;
         double warping = 0;

@@ -205,7 +205,7 @@ private slots:
             "point", [](FileParts& f) { f.elements<std::uint32_t>(SectionId::SitePoints)[12] = 7 * 6 * 5; },
             "no point of its lattice");
         row(
-            "no mesh", [](FileParts& f) { std::ranges::fill(f.elements<float>(SectionId::SiteRunningErrors), 0.0f); },
+            "no mesh", [](FileParts& f) { std::ranges::fill(f.elements<float>(SectionId::SiteRunningKeys), 0.0f); },
             "first sites");
     }
     void aDamagedFileIsAnError()

@@ -233,7 +233,7 @@ private slots:
         const auto model = modelOf(dataset, seed % 2 == 0 ? 0 : 4, folder());
         FileParts parts(readBytes(model->path()));
         using format::SectionId;
-        const auto sections = {SectionId::SitePoints, SectionId::StarOffsets, SectionId::SiteRunningErrors,
+        const auto sections = {SectionId::SitePoints, SectionId::StarOffsets, SectionId::SiteRunningKeys,
                                SectionId::MeshSizes,  SectionId::OtherSites,  SectionId::Destroyers,
                                SectionId::OwnErrors,  SectionId::SiteGroups};
         const SectionId id = *(sections.begin() + seed % sections.size());

@@ -171,7 +171,7 @@ bool SlowFocus::asksFor(const SpaceRamp& ramp, std::uint32_t site) const
             return false;
         const auto point = lattice.index(std::uint32_t(x), std::uint32_t(y), std::uint32_t(z));
         const double limit = limitAt(field, static_cast<std::uint32_t>(point));
-        return limit<most&& static_cast<double>(model_.runningErrors()[site])> limit;
+        return limit<most&& static_cast<double>(model_.runningKeys()[site])> limit;
     };
     for (std::int64_t z = -reach; z <= reach; ++z)
         for (std::int64_t y = -reach; y <= reach; ++y)

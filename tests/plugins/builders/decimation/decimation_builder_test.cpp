@@ -131,12 +131,12 @@ private slots:
         QCOMPARE(report->inverted, 0u);
         QCOMPARE(report->degenerate, 0u);
         QVERIFY(!history.traits.delaunay);
-        QCOMPARE(history.finalError, 0.0f);
+        QCOMPARE(history.finalKey, 0.0f);
         const auto alive = std::ranges::count_if(
             history.tetrahedra, [&](const auto& t) { return history.alive(t, history.points.size()); });
         QCOMPARE(std::uint64_t(alive), decimationSize(dataset).tetrahedra);
         if (kind != "irregular")
-            QVERIFY(std::ranges::count(history.runningErrors, std::numeric_limits<float>::infinity()) < 20);
+            QVERIFY(std::ranges::count(history.runningKeys, std::numeric_limits<float>::infinity()) < 20);
     }
 
     void thresholdsSayWhereToStopAndWhatCounts_data()
@@ -169,11 +169,11 @@ private slots:
         const double expected = ratio * percent / (dataset.bounds().diagonal().norm() / 100);
         QVERIFY(std::abs(history.traits.warpingWeight - expected) <= 1e-9 * expected);
         const auto initial = [](const RecordedHistory& h) {
-            return std::size_t(std::ranges::count(h.runningErrors, std::numeric_limits<float>::infinity()));
+            return std::size_t(std::ranges::count(h.runningKeys, std::numeric_limits<float>::infinity()));
         };
         QVERIFY(initial(history) > initial(whole));
         QVERIFY(initial(history) < history.points.size());
-        QVERIFY(history.runningErrors[initial(history)] <= stop * percent * 1.000001);
+        QVERIFY(history.runningKeys[initial(history)] <= stop * percent * 1.000001);
     }
 
     /// Meshes finer than that are left out, and no others.
@@ -195,9 +195,9 @@ private slots:
         QVERIFY(history.points.size() < whole.points.size());
         QVERIFY(std::equal(history.points.begin(), history.points.end(), whole.points.begin()));
         const double key = dataset.values.range().extent() * 0.04;
-        QVERIFY(history.runningErrors.back() > key); // one mesh before
-        QCOMPARE(history.finalError, whole.runningErrors[history.points.size()]);
-        QVERIFY(history.finalError <= key);
+        QVERIFY(history.runningKeys.back() > key); // one mesh before
+        QCOMPARE(history.finalKey, whole.runningKeys[history.points.size()]);
+        QVERIFY(history.finalKey <= key);
 
         RecordedHistory none;
         const auto refused = build(dataset, {{"finest", 4.0}, {"error", 3.0}}, none);
@@ -257,7 +257,7 @@ private slots:
         QVERIFY(build(dataset, {{"error", 5.0}}, plain).ok());
         QVERIFY(build(dataset, {{"error", 5.0}, {"weights", std::string("point:0,0,0,2")}}, weighted).ok());
         const auto initial = [](const RecordedHistory& h) {
-            return std::ranges::count(h.runningErrors, std::numeric_limits<float>::infinity());
+            return std::ranges::count(h.runningKeys, std::numeric_limits<float>::infinity());
         };
         QVERIFY(initial(weighted) < initial(plain));
         RecordedHistory none;

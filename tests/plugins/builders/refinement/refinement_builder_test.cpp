@@ -95,7 +95,7 @@ private slots:
         QVERIFY(model.ok());
         QCOMPARE(std::uint64_t((*model)->siteCount()), report->sites);
         QVERIFY((*model)->tetrahedronCount() <= report->tetrahedra);
-        QVERIFY((*model)->finalError() <= stop / 100 * dataset.values.range().extent());
+        QVERIFY((*model)->finalKey() <= stop / 100 * dataset.values.range().extent());
         std::vector<Accuracy> levels;
         for (const double percent : {50.0, 20.0, 10.0, 5.0})
             levels.push_back({percent});

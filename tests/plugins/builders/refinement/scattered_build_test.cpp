@@ -169,7 +169,7 @@ private slots:
         if (damage == "lost")
             destroyers[last] = static_cast<std::uint32_t>(parts.header().siteCount) - 1;
         if (damage == "claim")
-            for (float& error : parts.elements<float>(SectionId::SiteRunningErrors))
+            for (float& error : parts.elements<float>(SectionId::SiteRunningKeys))
                 if (std::isfinite(error))
                     error *= 0.9f;
         if (damage == "own")

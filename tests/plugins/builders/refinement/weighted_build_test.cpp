@@ -115,7 +115,7 @@ private slots:
         const Dataset dataset = makeSample({"marschner-lobb", 12, {}, 1}).value();
         const auto plain = build(dataset, "", 5, "");
         const auto weighted = build(dataset, "point:3,3,3,4", 5, "point:3,3,3,4");
-        QVERIFY(weighted->finalError() <= 0.05 * dataset.values.range().extent());
+        QVERIFY(weighted->finalKey() <= 0.05 * dataset.values.range().extent());
         QVERIFY(weighted->siteCount() < plain->siteCount());
     }
 

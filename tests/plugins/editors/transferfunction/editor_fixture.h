@@ -2,9 +2,14 @@
 #pragma once
 
 #include "plugins/editors/transferfunction/transfer_canvas.h"
+#include "tests/ui/moment.h"
 #include "tests/ui/window_fixture.h"
 
 #include <tan/transfer.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDialog>
 
 namespace tetra {
 
@@ -25,6 +30,38 @@ public:
         session().setIsovalue(0, isovalue);
         find<QAction>("action.mode.volume").trigger();
         [&] { QTRY_VERIFY(settled() && viewport().scene()->volume); }();
+        opened_ = session().model();
+        session().undoStack().clear();
+        start_ = momentOf(session(), viewport());
+    }
+
+    /// Brings back what was there at first, and says whether that is so; then another test can begin.
+    bool goBack() const
+    {
+        while (QWidget* popup = QApplication::activePopupWidget())
+            popup->close();
+        for (QDialog* dialog : window.findChildren<QDialog*>())
+            dialog->close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        find<MessageBar>("messages").clear();
+        if (session().model() != opened_)
+            return false;
+        session().endGesture();
+        session().undoStack().setIndex(0);
+        session().undoStack().clear();
+        state().setCurrent({});
+        state().setRule(NeighbourRule::Stop);
+        state().setView({});
+        state().host().forgetPicked();
+        find<QAbstractButton>("transfer.logarithmic").setChecked(true);
+        find<QAbstractButton>("transfer.table.show").setChecked(false);
+        for (const char* action :
+             {"transfer.axis.squareRoot", "transfer.valueAxis.linear", "transfer.change.rule.stop"})
+            find<QAction>(action).trigger();
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&canvas(), &leave);
+        [&] { QTRY_VERIFY(settled()); }();
+        return momentOf(session(), viewport()) == start_;
     }
 
     Session& session() const { return workbench.session(); }
@@ -51,7 +88,18 @@ public:
         dragTo(to, modifiers);
         QTest::mouseRelease(&canvas(), Qt::LeftButton, modifiers, to);
     }
+
+private:
+    std::shared_ptr<const Model> opened_;
+    Moment start_;
 };
+
+/// An editor as it is at first: the one that a test before has used, if that can go back.
+inline void startAnew(std::unique_ptr<EditorFixture>& editor, const QString& model)
+{
+    if (!editor || !editor->goBack())
+        editor = std::make_unique<EditorFixture>(model);
+}
 
 /// The model that the fixture opens, in `folder`.
 inline QString editorModel(const QTemporaryDir& folder, const char* application)

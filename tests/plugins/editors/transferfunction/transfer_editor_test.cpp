@@ -14,8 +14,7 @@ class TransferEditorTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() { model_ = editorModel(folder_, "transfer-editor"); }
-    void init() { editor_ = std::make_unique<EditorFixture>(model_); }
-    void cleanup() { editor_.reset(); }
+    void init() { startAnew(editor_, model_); }
     void aDragIsOneStepAndThePictureFollows();
     void pointsAreEditedByKeys();
     void doubleClickAddsAPoint();

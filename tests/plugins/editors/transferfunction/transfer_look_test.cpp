@@ -18,7 +18,7 @@ private slots:
     void initTestCase() { model_ = editorModel(folder_, "transfer-look"); }
     void init()
     {
-        editor_ = std::make_unique<EditorFixture>(model_);
+        startAnew(editor_, model_);
         before_ = editor_->function();
         steps_ = editor_->undoSteps();
     }
@@ -26,7 +26,6 @@ private slots:
     {
         QCOMPARE(editor_->function(), before_);
         QCOMPARE(editor_->undoSteps(), steps_);
-        editor_.reset();
     }
     void theWheelZoomsAtThePointer();
     void theWheelWithControlZoomsOpacities();

@@ -15,13 +15,12 @@ private slots:
     void initTestCase() { model_ = editorModel(folder_, "transfer-markers"); }
     void init()
     {
-        editor_ = std::make_unique<EditorFixture>(model_);
+        startAnew(editor_, model_);
         while (!isovalues().empty())
             editor_->session().removeIsovalue(0);
         editor_->session().addIsovalue(atShare(0.33));
         editor_->session().addIsovalue(atShare(0.71));
     }
-    void cleanup() { editor_.reset(); }
     void anIsovalueIsDragged();
     void anIsovalueIsMovedByKeysAndRemoved();
     void anIsovalueIsEditedInNumbers();

@@ -16,8 +16,7 @@ class TransferMenuTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() { model_ = editorModel(folder_, "transfer-menu"); }
-    void init() { editor_ = std::make_unique<EditorFixture>(model_); }
-    void cleanup() { editor_.reset(); }
+    void init() { startAnew(editor_, model_); }
     void everyActionIsOneStep_data();
     void everyActionIsOneStep();
     void actionsNeedASelection();

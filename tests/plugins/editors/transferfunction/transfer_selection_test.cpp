@@ -12,8 +12,7 @@ class TransferSelectionTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() { model_ = editorModel(folder_, "transfer-selection"); }
-    void init() { editor_ = std::make_unique<EditorFixture>(model_); }
-    void cleanup() { editor_.reset(); }
+    void init() { startAnew(editor_, model_); }
     void aFrameSelects();
     void clicksSelect();
     void keysSelect();

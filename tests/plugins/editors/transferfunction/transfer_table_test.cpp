@@ -15,14 +15,10 @@ private slots:
     void initTestCase() { model_ = editorModel(folder_, "transfer-table"); }
     void init()
     {
-        editor_ = std::make_unique<EditorFixture>(model_);
+        startAnew(editor_, model_);
         editor_->find<QToolButton>("transfer.table.show").click();
     }
-    void cleanup()
-    {
-        QLocale::setDefault(QLocale::c());
-        editor_.reset();
-    }
+    void cleanup() { QLocale::setDefault(QLocale::c()); }
     void theTableIsShownAndHidden();
     void theTableIsSeenInASmallPanel();
     void cellsAreEdited();

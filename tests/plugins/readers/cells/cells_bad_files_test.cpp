@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad files are refused with a text, in little memory and time (S20).
 #include "plugins/readers/cells/cells_reader.h"
+#include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/cells/vtu_text.h"
 
 #include <QTemporaryDir>
@@ -30,8 +31,8 @@ class CellsBadFilesTest : public QObject {
 
     Result<Dataset> read(const char* name, const std::string& text)
     {
-        return CellsReader().read(writtenFile(std::filesystem::path(folder_.path().toStdString()) / name, text), {},
-                                  {});
+        return asLoaded<CellsReader>().read(
+            writtenFile(std::filesystem::path(folder_.path().toStdString()) / name, text), {}, {});
     }
 
 private slots:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/file_saving.h"
 #include "plugins/readers/cells/cells_reader.h"
-#include "plugins/readers/cells/vtu_writer.h"
+#include "tests/plugins/as_loaded.h"
+#include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/readers/cells/vtu_text.h"
 
 #include <QByteArray>
@@ -88,7 +90,7 @@ class CellsReaderTest : public QObject {
     Q_OBJECT
 
     QTemporaryDir folder_;
-    CellsReader reader_;
+    const Reader& reader_ = asLoaded<CellsReader>();
 
     std::filesystem::path file(const char* name, const std::string& text) const
     {
@@ -182,7 +184,7 @@ private slots:
                 positions[5][1] += 0x1p-40;
             dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(positions);
             const auto path = std::filesystem::path(folder_.path().toStdString()) / "again.vtu";
-            QVERIFY(VtuWriter().write(dataset, path, {}, {}).ok());
+            QVERIFY(saveDataset(pluginsOfThisBuild(), dataset, path).ok());
             const auto again = reader_.read(path, {}, {});
             QVERIFY2(again.ok(), again ? "" : again.error().text().c_str());
             QVERIFY(*again->positions == positions);
@@ -192,7 +194,7 @@ private slots:
         }
         Dataset points = *first;
         points.tetrahedra = nullptr;
-        QCOMPARE(VtuWriter().write(points, "x.vtu", {}, {}).error().kind, ErrorKind::WrongUsage);
+        QCOMPARE(saveDataset(pluginsOfThisBuild(), points, "x.vtu").error().kind, ErrorKind::WrongUsage);
     }
 
     void ucd()

@@ -2,6 +2,7 @@
 // The real irregular datasets are read as their description says (R1, S6). Skipped without them.
 #include "core/mesh/topology.h"
 #include "plugins/readers/cells/cells_reader.h"
+#include "tests/plugins/as_loaded.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -85,7 +86,7 @@ private slots:
             QSKIP("skipped: no data");
         QElapsedTimer timer;
         timer.start();
-        const auto dataset = CellsReader().read(path, {}, {});
+        const auto dataset = asLoaded<CellsReader>().read(path, {}, {});
         qInfo("read in %lld ms", timer.elapsed());
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(dataset->pointCount(), points);
@@ -105,7 +106,7 @@ private slots:
         const std::filesystem::path path = data / "irregular/spx.inp";
         if (!std::filesystem::exists(path))
             QSKIP("skipped: no data");
-        const auto dataset = CellsReader().read(path, {}, {});
+        const auto dataset = asLoaded<CellsReader>().read(path, {}, {});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->remarks.size(), 2);
         QVERIFY(dataset->remarks[0].text().starts_with("1 cell names a corner twice"));

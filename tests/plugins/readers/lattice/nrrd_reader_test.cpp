@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every way of writing a volume down as NRRD that is read.
 #include "plugins/readers/lattice/lattice_reader.h"
+#include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 
 #include <QtTest>
@@ -17,7 +18,7 @@ using Three = QList<double>;
 
 Result<Dataset> readFile(const std::filesystem::path& path, const Progress& progress = {})
 {
-    return LatticeReader().read(path, {}, progress);
+    return asLoaded<LatticeReader>().read(path, {}, progress);
 }
 
 QString textOf(const Result<Dataset>& result)

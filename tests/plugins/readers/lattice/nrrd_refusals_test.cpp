@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every NRRD file that is refused, with the words that tell the user why (S20).
 #include "plugins/readers/lattice/lattice_reader.h"
+#include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 
 #include <QtTest>
@@ -34,7 +35,7 @@ namespace {
 
 void checkRefused(const fs::path& path, const QList<QByteArray>& words, ErrorKind kind = ErrorKind::BadInput)
 {
-    const Result<Dataset> dataset = LatticeReader().read(path, {}, {});
+    const Result<Dataset> dataset = asLoaded<LatticeReader>().read(path, {}, {});
     QVERIFY(!dataset.ok());
     const QByteArray text = QByteArray::fromStdString(dataset.error().text());
     QVERIFY2(dataset.error().kind == kind, text);
@@ -219,7 +220,7 @@ void NrrdRefusalsTest::ofDataFilesThatAreNotThere()
     checkRefused(folder_.write("empty.nhdr", nrrdHeader("data file: nothing.raw\n")), {"nothing.raw", "empty"});
     folder_.write("short.raw", "1234");
     const Result<Dataset> dataset =
-        LatticeReader().read(folder_.write("short.nhdr", nrrdHeader("data file: short.raw\n")), {}, {});
+        asLoaded<LatticeReader>().read(folder_.write("short.nhdr", nrrdHeader("data file: short.raw\n")), {}, {});
     QVERIFY(!dataset.ok());
     QVERIFY2(dataset.error().text().find("short.raw") != std::string::npos, dataset.error().text().c_str());
 }

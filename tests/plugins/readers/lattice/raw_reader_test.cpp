@@ -2,6 +2,7 @@
 // Raw files: what the user's description makes of them, and what is said when it does not fit.
 #include "plugins/readers/lattice/lattice_reader.h"
 #include "plugins/readers/lattice/raw_guess.h"
+#include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/lattice/volume_files.h"
 
 #include <QtTest>
@@ -54,7 +55,7 @@ private:
 
 void RawReaderTest::describesItsParameters()
 {
-    const std::vector<Parameter> parameters = LatticeReader().parameters();
+    const std::vector<Parameter> parameters = asLoaded<LatticeReader>().parameters();
     QStringList ids;
     for (const Parameter& parameter : parameters) {
         ids << QString::fromStdString(parameter.id);
@@ -82,7 +83,7 @@ void RawReaderTest::readsEveryTypeAndOrder()
     const ParameterValues values = {{"size", std::string("3x4x5")},
                                     {"type", std::string(sampleTypeName(type))},
                                     {"byte-order", std::string(big ? "big" : "little")}};
-    const Result<Dataset> dataset = LatticeReader().read(path, values, {});
+    const Result<Dataset> dataset = asLoaded<LatticeReader>().read(path, values, {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QVERIFY((dataset->lattice.size == std::array<std::uint32_t, 3>{3, 4, 5}));
     QCOMPARE(dataset->lattice.spacing, Eigen::Vector3d(1, 1, 1));
@@ -95,7 +96,7 @@ void RawReaderTest::placesTheLattice()
 {
     const auto path = folder_.write("placed.raw", testSamples(SampleType::UInt8));
     for (const char* size : {"3x4x5", "3X4X5", "3,4,5", " 3 4  5 ", "3*4*5", "3 x 4 x 5"}) {
-        const Result<Dataset> dataset = LatticeReader().read(
+        const Result<Dataset> dataset = asLoaded<LatticeReader>().read(
             path,
             {{"size", std::string(size)}, {"spacing", std::string("1x2x0.5")}, {"origin", std::string("-1, 1e2, .5")}},
             {});
@@ -109,7 +110,7 @@ void RawReaderTest::skipsAHeader()
 {
     const auto path = folder_.write("headed.dat", "header." + testSamples(SampleType::UInt8));
     const Result<Dataset> dataset =
-        LatticeReader().read(path, {{"size", std::string("3x4x5")}, {"skip", std::int64_t(7)}}, {});
+        asLoaded<LatticeReader>().read(path, {{"size", std::string("3x4x5")}, {"skip", std::int64_t(7)}}, {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QVERIFY(holdsTestSamples(dataset->values));
 }
@@ -138,12 +139,12 @@ void RawReaderTest::staysInItsFileWhereItCan()
     const bool little = native == (std::endian::native == std::endian::little);
     const auto path = folder_.write(
         "volume.raw", QByteArray(skip, 'x') + testSamples(type, little ? std::endian::little : std::endian::big));
-    const auto dataset = LatticeReader().read(path,
-                                              {{"size", std::string("3x4x5")},
-                                               {"type", std::string(sampleTypeName(type))},
-                                               {"byte-order", std::string(little ? "little" : "big")},
-                                               {"skip", std::int64_t(skip)}},
-                                              {});
+    const auto dataset = asLoaded<LatticeReader>().read(path,
+                                                        {{"size", std::string("3x4x5")},
+                                                         {"type", std::string(sampleTypeName(type))},
+                                                         {"byte-order", std::string(little ? "little" : "big")},
+                                                         {"skip", std::int64_t(skip)}},
+                                                        {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QVERIFY(holdsTestSamples(dataset->values));
     QCOMPARE(dataset->values.range().maximum, testPoints - 1.0);
@@ -155,7 +156,7 @@ void RawReaderTest::staysInItsFileWhereItCan()
 void RawReaderTest::knowsThatItsFileWasCut()
 {
     const auto path = folder_.write("cut.raw", testSamples(SampleType::UInt8));
-    const auto dataset = LatticeReader().read(path, {{"size", std::string("3x4x5")}}, {});
+    const auto dataset = asLoaded<LatticeReader>().read(path, {{"size", std::string("3x4x5")}}, {});
     QVERIFY(dataset.ok());
     std::filesystem::resize_file(path, 30);
     const Status intact = dataset->checkIntact();
@@ -218,7 +219,7 @@ void RawReaderTest::refuses()
     QFETCH(ParameterValues, values);
     QFETCH(int, kind);
     QFETCH(QList<QByteArray>, words);
-    const Result<Dataset> dataset = LatticeReader().read(folder_.write("wrong.raw", file), values, {});
+    const Result<Dataset> dataset = asLoaded<LatticeReader>().read(folder_.write("wrong.raw", file), values, {});
     QVERIFY(!dataset.ok());
     const QByteArray text = QByteArray::fromStdString(dataset.error().text());
     QVERIFY2(static_cast<int>(dataset.error().kind) == kind, text);
@@ -270,11 +271,11 @@ void RawReaderTest::guessesFillTheFile()
 void RawReaderTest::probesWithoutTheSamples()
 {
     const auto path = folder_.write("v_3x4x5_uint16.raw", testSamples(SampleType::UInt16));
-    const auto guessed = LatticeReader().probe(path, {}, {});
+    const auto guessed = asLoaded<LatticeReader>().probe(path, {}, {});
     QVERIFY(guessed);
     QCOMPARE(guessed->points, std::uint64_t(0));
     QCOMPARE(guessed->suggestions.size(), std::size_t(1));
-    const auto contents = LatticeReader().probe(path, guessed->suggestions[0], {});
+    const auto contents = asLoaded<LatticeReader>().probe(path, guessed->suggestions[0], {});
     QVERIFY(contents);
     QCOMPARE(contents->lattice.size, (std::array<std::uint32_t, 3>{3, 4, 5}));
     QCOMPARE(contents->points, std::uint64_t(60));
@@ -282,23 +283,23 @@ void RawReaderTest::probesWithoutTheSamples()
     QVERIFY(contents->suggestions.empty());
     for (const char* size : {"3x4x4", "3x4x6", "3x4"}) { // refused as they are when they are read
         const ParameterValues values = {{"size", std::string(size)}, {"type", std::string("uint16")}};
-        const auto probed = LatticeReader().probe(path, values, {});
-        const auto read = LatticeReader().read(path, values, {});
+        const auto probed = asLoaded<LatticeReader>().probe(path, values, {});
+        const auto read = asLoaded<LatticeReader>().read(path, values, {});
         QVERIFY(!probed && !read);
         QCOMPARE(probed.error().text(), read.error().text());
         QCOMPARE(probed.error().kind, read.error().kind);
     }
     const auto nrrd = folder_.write("v.nrrd", nrrdHeader("spacings: 1 2 3\n") + testSamples(SampleType::UInt8));
-    const auto told = LatticeReader().probe(nrrd, {}, {});
+    const auto told = asLoaded<LatticeReader>().probe(nrrd, {}, {});
     QVERIFY2(told, told ? "" : told.error().text().c_str());
-    const auto whole = LatticeReader().read(nrrd, {}, {});
+    const auto whole = asLoaded<LatticeReader>().read(nrrd, {}, {});
     QVERIFY(whole);
     QCOMPARE(told->lattice.size, whole->lattice.size);
     QCOMPARE(told->lattice.spacing, whole->lattice.spacing);
     QCOMPARE(told->type, std::optional(whole->values.type()));
     const auto cut = folder_.write("cut.nrrd", nrrdHeader("") + testSamples(SampleType::UInt8).left(50));
-    QVERIFY(!LatticeReader().probe(cut, {}, {}));
-    QVERIFY(!LatticeReader().probe(folder_.path() / "missing.nrrd", {}, {}));
+    QVERIFY(!asLoaded<LatticeReader>().probe(cut, {}, {}));
+    QVERIFY(!asLoaded<LatticeReader>().probe(folder_.path() / "missing.nrrd", {}, {}));
 }
 
 QTEST_GUILESS_MAIN(RawReaderTest)

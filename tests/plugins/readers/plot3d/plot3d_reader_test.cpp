@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLOT3D files of every binary kind are read (R1), what is no volume is refused with a text that helps (S6, S20), and
 // damaged files are read or refused, never anything else.
+#include "plugins/host/file_saving.h"
 #include "plugins/readers/plot3d/plot3d_reader.h"
-#include "plugins/readers/plot3d/plot3d_writer.h"
+#include "tests/plugins/as_loaded.h"
+#include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
 
 #include <QTemporaryDir>
@@ -73,13 +75,13 @@ private:
     }
     static Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values = {})
     {
-        return Plot3dReader().read(path, values, {});
+        return asLoaded<Plot3dReader>().read(path, values, {});
     }
     static double scoreOf(const std::filesystem::path& path, const QByteArray& content)
     {
         const QByteArray first = content.left(4096);
-        return Plot3dReader().score(path,
-                                    std::as_bytes(std::span(first.data(), static_cast<std::size_t>(first.size()))));
+        return asLoaded<Plot3dReader>().score(
+            path, std::as_bytes(std::span(first.data(), static_cast<std::size_t>(first.size()))));
     }
 
     std::unique_ptr<QTemporaryDir> folder_;
@@ -192,7 +194,7 @@ void Plot3dReaderTest::aGridOfSeveralIsChosen()
 
 void Plot3dReaderTest::probesWithoutTheData()
 {
-    const auto one = Plot3dReader().probe(writePair({.doubles = true}), {}, {});
+    const auto one = asLoaded<Plot3dReader>().probe(writePair({.doubles = true}), {}, {});
     QVERIFY2(one, one ? "" : one.error().text().c_str());
     QCOMPARE(one->lattice.size, (std::array<std::uint32_t, 3>{3, 4, 5}));
     QCOMPARE(one->type, std::optional(SampleType::Float64));
@@ -200,14 +202,14 @@ void Plot3dReaderTest::probesWithoutTheData()
     for (const FileArray& array : one->arrays) // each can be asked for
         QVERIFY2(read(folder_->path().toStdString() + "/g.xyz", {{"array", array.name}}), array.name.c_str());
     const auto path = writePair({.multiGrid = true, .grids = 3});
-    const auto several = Plot3dReader().probe(path, {}, {});
+    const auto several = asLoaded<Plot3dReader>().probe(path, {}, {});
     QVERIFY(several);
     QCOMPARE(several->blocks, (std::vector<std::string>{"1: 3 x 4 x 5", "2: 4 x 4 x 5", "3: 5 x 4 x 5"}));
     QCOMPARE(several->points, std::uint64_t(0));
-    QCOMPARE(Plot3dReader().probe(path, {{"grid", std::int64_t(2)}}, {})->points, std::uint64_t(80));
-    QVERIFY(!Plot3dReader().probe(path, {{"grid", std::int64_t(4)}}, {}));
+    QCOMPARE(asLoaded<Plot3dReader>().probe(path, {{"grid", std::int64_t(2)}}, {})->points, std::uint64_t(80));
+    QVERIFY(!asLoaded<Plot3dReader>().probe(path, {{"grid", std::int64_t(4)}}, {}));
     const auto alone = write("alone.xyz", testFile({}, false));
-    QCOMPARE(Plot3dReader().probe(alone, {}, {}).error().text(), read(alone).error().text());
+    QCOMPARE(asLoaded<Plot3dReader>().probe(alone, {}, {}).error().text(), read(alone).error().text());
 }
 
 void Plot3dReaderTest::constantArraysAreNotTaken()
@@ -296,7 +298,7 @@ void Plot3dReaderTest::whatIsWrittenComesBack()
         const auto dataset = read(writePair({.order = std::endian::big, .doubles = doubles}));
         QVERIFY(dataset.ok());
         const std::filesystem::path path = folder_->filePath("copy.xyz").toStdString();
-        const Status written = Plot3dWriter().write(*dataset, path, {}, {});
+        const Status written = saveDataset(pluginsOfThisBuild(), *dataset, path);
         QVERIFY2(written.ok(), written.ok() ? "" : written.error().text().c_str());
         const auto copy = read(path);
         QVERIFY2(copy.ok(), copy.ok() ? "" : copy.error().text().c_str());
@@ -306,7 +308,7 @@ void Plot3dReaderTest::whatIsWrittenComesBack()
     }
     Dataset scattered = *read(writePair({}));
     scattered.domain = DomainClass::Scattered;
-    QVERIFY(!Plot3dWriter().write(scattered, folder_->filePath("points.xyz").toStdString(), {}, {}).ok());
+    QVERIFY(!saveDataset(pluginsOfThisBuild(), scattered, folder_->filePath("points.xyz").toStdString()).ok());
     QVERIFY(!std::filesystem::exists(folder_->filePath("points.xyz").toStdString()));
 }
 
@@ -315,7 +317,7 @@ void Plot3dReaderTest::cancels()
     const auto path = writePair({});
     std::stop_source stop;
     stop.request_stop();
-    const auto dataset = Plot3dReader().read(path, {}, Progress(stop.get_token(), {}));
+    const auto dataset = asLoaded<Plot3dReader>().read(path, {}, Progress(stop.get_token(), {}));
     QVERIFY(!dataset.ok());
     QCOMPARE(dataset.error().kind, ErrorKind::Cancelled);
 }

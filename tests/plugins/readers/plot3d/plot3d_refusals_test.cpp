@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is no volume is refused with a text that names the file and helps (S6, S20).
 #include "plugins/readers/plot3d/plot3d_reader.h"
+#include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
 
 #include <QTemporaryDir>
@@ -27,7 +28,7 @@ private:
     }
     static Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values = {})
     {
-        return Plot3dReader().read(path, values, {});
+        return asLoaded<Plot3dReader>().read(path, values, {});
     }
 
     std::unique_ptr<QTemporaryDir> folder_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real PLOT3D datasets are read as their description says (R1, S6). Skipped without them.
 #include "plugins/readers/plot3d/plot3d_reader.h"
+#include "tests/plugins/as_loaded.h"
 
 #include <QTest>
 
@@ -60,7 +61,7 @@ private slots:
         const std::filesystem::path path = data / file.toStdString();
         if (!std::filesystem::exists(path))
             QSKIP("skipped: no data");
-        const auto dataset = Plot3dReader().read(path, {{"array", array.toStdString()}}, {});
+        const auto dataset = asLoaded<Plot3dReader>().read(path, {{"array", array.toStdString()}}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(std::abs(dataset->values.range().minimum - smallest) < 6e-4);
         QVERIFY(std::abs(dataset->values.range().maximum - largest) < 6e-4);
@@ -72,13 +73,13 @@ private slots:
         if (!std::filesystem::exists(data / "bluntfin/bluntfinxyz.bin") ||
             !std::filesystem::exists(data / "post/postxyz.bin"))
             QSKIP("skipped: no data");
-        const auto fin = Plot3dReader().read(data / "bluntfin/bluntfinxyz.bin", {}, {});
+        const auto fin = asLoaded<Plot3dReader>().read(data / "bluntfin/bluntfinxyz.bin", {}, {});
         QVERIFY(fin.ok());
         QCOMPARE(fin->lattice.size, (std::array<std::uint32_t, 3>{40, 32, 32}));
         QCOMPARE(distinctPlaces(*fin), std::size_t(40921)); // a whole line on one place
         QVERIFY((fin->bounds().min() - Eigen::Vector3d(-7.816, 0, 0)).norm() < 1e-3);
         QVERIFY((fin->bounds().max() - Eigen::Vector3d(14.362, 8.328, 5.724)).norm() < 1e-3);
-        const auto post = Plot3dReader().read(data / "post/postxyz.bin", {}, {});
+        const auto post = asLoaded<Plot3dReader>().read(data / "post/postxyz.bin", {}, {});
         QVERIFY(post.ok());
         QCOMPARE(post->lattice.size, (std::array<std::uint32_t, 3>{38, 76, 38}));
         QCOMPARE(distinctPlaces(*post), std::size_t(108300)); // wraps around
@@ -89,7 +90,8 @@ private slots:
     {
         if (!std::filesystem::exists(data / "post/postxyz.bin"))
             QSKIP("skipped: no data");
-        const auto dataset = Plot3dReader().read(data / "post/postxyz.bin", {{"array", std::string("density")}}, {});
+        const auto dataset =
+            asLoaded<Plot3dReader>().read(data / "post/postxyz.bin", {{"array", std::string("density")}}, {});
         QVERIFY(!dataset.ok());
         QVERIFY(QString::fromStdString(dataset.error().text()).contains("pressure"));
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// R1, S20: tables of points are read whatever separates them, or refused with the line.
-#include "plugins/readers/points/csv_writer.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/readers/points/point_reader.h"
 #include "plugins/readers/points/point_table.h"
+#include "tests/plugins/as_loaded.h"
+#include "tests/plugins/plugins_of_this_build.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -34,7 +36,7 @@ private:
         if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
             qFatal("cannot write %s", qPrintable(path));
         file.close();
-        return PointReader().read(path.toStdString(), values, {});
+        return asLoaded<PointReader>().read(path.toStdString(), values, {});
     }
 
     QTemporaryDir folder_;
@@ -44,18 +46,18 @@ private slots:
     {
         QVERIFY(read("T,x,y,z,p\n1,2,3,4,5\n"));
         const auto path = folder_.filePath("points.csv").toStdString();
-        const auto contents = PointReader().probe(path, {}, {});
+        const auto contents = asLoaded<PointReader>().probe(path, {}, {});
         QVERIFY(contents);
         QCOMPARE(contents->domain, std::optional(DomainClass::Scattered));
         QCOMPARE(contents->arrays.size(), std::size_t(2));
         QCOMPARE(contents->arrays[0].name, std::string("T"));
         QCOMPARE(contents->arrays[1].name, std::string("p"));
-        const auto others = PointReader().probe(path, {{"positions", std::string("1,3,4")}}, {});
+        const auto others = asLoaded<PointReader>().probe(path, {{"positions", std::string("1,3,4")}}, {});
         QVERIFY(others);
         QCOMPARE(others->arrays[0].name, std::string("x"));
-        QVERIFY(!PointReader().probe(path, {{"array", std::string("q")}}, {}));
+        QVERIFY(!asLoaded<PointReader>().probe(path, {{"array", std::string("q")}}, {}));
         QVERIFY(!read("a,b\n1,2\n"));
-        QVERIFY(!PointReader().probe(path, {}, {}));
+        QVERIFY(!asLoaded<PointReader>().probe(path, {}, {}));
     }
 
     void allKindsOfTablesAreRead_data()
@@ -186,7 +188,7 @@ private slots:
 
     void filesAreKnownByNameAndContent()
     {
-        const PointReader reader;
+        const Reader& reader = asLoaded<PointReader>();
         const auto score = [&](const char* name, const QByteArray& text) {
             return reader.score(name, std::as_bytes(std::span(text.data(), std::size_t(text.size()))));
         };
@@ -211,8 +213,8 @@ private slots:
         const auto dataset = read(text);
         QVERIFY(dataset.ok());
         const std::filesystem::path path = folder_.filePath("written.csv").toStdString();
-        QVERIFY(CsvWriter().write(*dataset, path, {}, {}).ok());
-        const auto again = PointReader().read(path, {}, {});
+        QVERIFY(saveDataset(pluginsOfThisBuild(), *dataset, path).ok());
+        const auto again = asLoaded<PointReader>().read(path, {}, {});
         QVERIFY(again.ok());
         QVERIFY(*again->positions == *dataset->positions);
         QCOMPARE(again->source.hash, dataset->source.hash);
@@ -265,7 +267,7 @@ private slots:
         const QString path = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
         if (!QFile::exists(path))
             QSKIP("skipped: no data");
-        const auto dataset = PointReader().read(path.toStdString(), {}, {});
+        const auto dataset = asLoaded<PointReader>().read(path.toStdString(), {}, {});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->pointCount(), std::uint64_t(points));
         QVERIFY(dataset->remarks.empty());

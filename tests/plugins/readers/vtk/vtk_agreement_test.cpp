@@ -99,7 +99,7 @@ private slots:
 
     void partsAndTimesCanBeChosen()
     {
-        const VtkReader reader = builtVtkReader();
+        const Reader& reader = builtVtkReader();
         const auto second = reader.read(folder_.path() / "blocks.vtm", {{"part", std::string("2")}}, {});
         QVERIFY2(second.ok(), second.ok() ? "" : second.error().text().c_str());
         QVERIFY((second->bounds().min() - Eigen::Vector3d(0, 1, 2)).norm() < 1e-12);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
+#include "plugins/host/plugin_guards.h"
+
 #include <QFile>
 
 #include <random>
@@ -49,9 +51,11 @@ QByteArray pointData(int count)
 
 } // namespace
 
-VtkReader builtVtkReader()
+const Reader& builtVtkReader()
 {
-    return VtkReader(std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-vtk");
+    static const VtkReader reader(std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-vtk");
+    static const auto guard = guarded(reader, {"vtk", [](const Error&) {}});
+    return *guard;
 }
 
 QByteArray vtiText()

@@ -13,8 +13,8 @@
 
 namespace tetra {
 
-/// The reader with the helper program of this build.
-VtkReader builtVtkReader();
+/// The reader with the helper program of this build, as the program has it.
+const Reader& builtVtkReader();
 
 /// Small VTK files in text, 3 x 3 x 3 points with the scalar "value" (n at point n), and for vtu and vtk of tetrahedra
 /// two tetrahedra over five points.

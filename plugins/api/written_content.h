@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/base.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace tetra {
+
+/// What is said of a mesh as a whole: field data of VTK files, comments of PLY files. Names are not empty.
+using MeshFacts = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+
+/// A number with its shortest digits, a text as it is.
+inline std::string factText(const MeshFacts::value_type::second_type& fact)
+{
+    const auto* number = std::get_if<double>(&fact);
+    if (number == nullptr)
+        return std::get<std::string>(fact);
+    std::array<char, 32> text{}; // -1.7976931348623157e+308 has 24 characters
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), *number);
+    return {text.data(), end};
+}
+
+/// A number for each vertex, or for each tetrahedron, with a name.
+struct NamedArray {
+    using Values = std::variant<std::span<const float>, std::span<const double>, std::span<const std::uint8_t>,
+                                std::span<const std::uint16_t>, std::span<const std::uint32_t>>;
+    std::string name;
+    Values values;
+
+    std::size_t size() const
+    {
+        return std::visit([](const auto& all) { return all.size(); }, values);
+    }
+    std::size_t bytesOfValue() const
+    {
+        return std::visit([](const auto& all) { return sizeof(all[0]); }, values);
+    }
+};
+
+/// A mesh of tetrahedra to be written. Points into arrays that outlive the writing.
+struct MeshContent {
+    std::span<const Eigen::Vector3f> positions;
+    std::span<const std::array<std::uint32_t, 4>> tetrahedra; ///< numbers of positions
+    std::vector<NamedArray> pointArrays;                      ///< as many values as there are positions ...
+    std::vector<NamedArray> cellArrays;                       ///< ... or tetrahedra
+    MeshFacts facts;
+};
+
+/// One surface of several: an isosurface, or the boundary of a mesh. Points into arrays that outlive the writing.
+struct SurfacePart {
+    std::string name; ///< of the group or object, in the formats that have such
+    std::span<const Eigen::Vector3f> positions;
+    std::span<const Eigen::Vector3f> normals; ///< of length 1, one for each position; of all parts or of none
+    std::span<const std::array<std::uint32_t, 3>> triangles; ///< numbers of the part's positions; counterclockwise
+    /// One for each position, or one for all.
+    std::variant<float, std::span<const float>> values = 0.0F;
+    std::array<float, 4> colour = {0.8F, 0.8F, 0.8F, 1.0F}; ///< sRGB and opacity, for the formats that have colours
+
+    float value(std::uint64_t vertex) const
+    {
+        const auto* each = std::get_if<std::span<const float>>(&values);
+        return each != nullptr ? (*each)[vertex] : std::get<float>(values);
+    }
+};
+
+/// Triangles to be written. In formats without parts, the parts' vertices and triangles come one part after the other.
+struct SurfaceContent {
+    std::string title;     ///< "isosurfaces", in the file's first line
+    std::string valueName; ///< of the array of the parts' values
+    std::vector<SurfacePart> parts;
+    MeshFacts facts;
+
+    /// Of all parts together.
+    std::uint64_t vertexCount() const
+    {
+        std::uint64_t count = 0;
+        for (const SurfacePart& part : parts)
+            count += part.positions.size();
+        return count;
+    }
+    std::uint64_t triangleCount() const
+    {
+        std::uint64_t count = 0;
+        for (const SurfacePart& part : parts)
+            count += part.triangles.size();
+        return count;
+    }
+    bool hasNormals() const
+    {
+        return std::ranges::any_of(parts, [](const SurfacePart& part) { return !part.normals.empty(); });
+    }
+};
+
+} // namespace tetra

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/plugin_guards.h"
+
+#include "core/base/checksum.h"
+#include "plugins/host/plugin_call.h"
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+/// What the guards have in common.
+class Guard {
+public:
+    explicit Guard(GuardTarget target) : target_(std::move(target)) {}
+
+    template <class Work> auto call(Work&& work) const { return callPlugin(target_.id, std::forward<Work>(work)); }
+    template <class Work> auto call(const Error& outOfMemory, Work&& work) const
+    {
+        return callPlugin(target_.id, std::forward<Work>(work), outOfMemory);
+    }
+    template <class Value, class Work> Value callOr(Value fallback, Work&& work) const
+    {
+        return callPluginOr(std::move(fallback), target_.id, target_.tell, std::forward<Work>(work));
+    }
+
+    /// Parameters, whose checks of texts are the plugin's code, too.
+    template <class Work> std::vector<Parameter> parameters(Work&& work) const
+    {
+        auto all = callOr(std::vector<Parameter>(), std::forward<Work>(work));
+        for (Parameter& parameter : all)
+            if (parameter.mistake)
+                parameter.mistake = [target = target_, mistake = parameter.mistake](const std::string& text) {
+                    return callPluginOr(Message(), target.id, target.tell, [&] { return mistake(text); });
+                };
+        return all;
+    }
+
+private:
+    GuardTarget target_;
+};
+
+class GuardedBuilder : public Builder {
+public:
+    GuardedBuilder(const Builder& plugin, GuardTarget target) : plugin_(plugin), guard_(std::move(target)) {}
+
+    Acceptance accepts(const Dataset& dataset) const override
+    {
+        auto acceptance = guard_.call([&]() -> Result<Acceptance> { return plugin_.accepts(dataset); });
+        return acceptance ? *acceptance : Acceptance{0, acceptance.error().message};
+    }
+    std::vector<Parameter> parameters() const override
+    {
+        return guard_.parameters([&] { return plugin_.parameters(); });
+    }
+    ParameterValues detail(double percent, DomainClass domain) const override
+    {
+        return guard_.callOr(ParameterValues(), [&] { return plugin_.detail(percent, domain); });
+    }
+    BuildAbilities abilities(const Dataset& dataset, const ParameterValues& values) const override
+    {
+        return guard_.callOr(BuildAbilities(), [&] { return plugin_.abilities(dataset, values); });
+    }
+    std::optional<BuildEstimate> estimate(const BuildSize& size, const ParameterValues& values,
+                                          unsigned threads) const override
+    {
+        return guard_.callOr(std::optional<BuildEstimate>(), [&] { return plugin_.estimate(size, values, threads); });
+    }
+    Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
+                              const Progress& progress) const override
+    {
+        return guard_.call([&] { return plugin_.build(dataset, values, target, progress); });
+    }
+
+private:
+    const Builder& plugin_;
+    Guard guard_;
+};
+
+/// A reader says what is wrong in a file, and of which file it is said here; unless it speaks of another one itself.
+Error inFile(const std::filesystem::path& path, const Error& error)
+{
+    const std::string& text = error.text();
+    const bool namesAFile = text.starts_with("Cannot read '") || text.starts_with("Cannot open '") ||
+                            text.find("'" + path.string() + "'") != std::string::npos;
+    if (error.kind == ErrorKind::Cancelled || namesAFile)
+        return error;
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
+}
+
+Error tooLittleMemoryToRead(const std::filesystem::path& path)
+{
+    return {ErrorKind::OutOfResource,
+            Message::say("Not enough memory to read '%1'. Close other programs.", path.string())};
+}
+
+/// contentHash(), which may take long for a lattice.
+Result<std::uint64_t> hashOf(const Dataset& dataset, const Progress& progress)
+{
+    constexpr std::size_t pieceBytes = std::size_t(16) << 20;
+    if (dataset.positions || dataset.tetrahedra)
+        return contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
+    const std::span<const std::byte> bytes = dataset.values.bytes();
+    Checksum sum;
+    for (std::size_t done = 0; done < bytes.size(); done += pieceBytes) {
+        if (progress.cancelled())
+            return cancelledError(Message::marked("Reading"));
+        sum.add(bytes.subspan(done, std::min(pieceBytes, bytes.size() - done)));
+        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), Message::marked("Reading"));
+    }
+    return sum.value();
+}
+
+class GuardedReader : public Reader {
+public:
+    GuardedReader(const Reader& plugin, GuardTarget target) : plugin_(plugin), guard_(std::move(target)) {}
+
+    std::vector<std::string> nameFilters() const override
+    {
+        return guard_.callOr(std::vector<std::string>(), [&] { return plugin_.nameFilters(); });
+    }
+    double score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const override
+    {
+        return guard_.callOr(0.0, [&] { return plugin_.score(path, firstBytes); });
+    }
+    std::vector<Parameter> parameters() const override
+    {
+        return guard_.parameters([&] { return plugin_.parameters(); });
+    }
+    Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
+                         const Progress& progress) const override
+    {
+        constexpr double readEnd = 0.9; // what is left is for the hash
+        return guard_.call(tooLittleMemoryToRead(path), [&]() -> Result<Dataset> {
+            auto dataset = plugin_.read(path, values, progress.part(0, readEnd));
+            if (!dataset)
+                return inFile(path, dataset.error());
+            Source& source = dataset->source;
+            if (source.name.empty())
+                source.name = path.filename().string();
+            if (source.path.empty())
+                source.path = path;
+            if (source.hash == 0) {
+                const auto hash = hashOf(*dataset, progress.part(readEnd, 1));
+                if (!hash)
+                    return hash.error();
+                source.hash = *hash;
+            }
+            if (const Status intact = dataset->checkIntact(); !intact)
+                return intact.error();
+            progress.report(1, Message::marked("Reading"));
+            return dataset;
+        });
+    }
+    Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
+                               const Progress& progress) const override
+    {
+        const auto contents =
+            guard_.call(tooLittleMemoryToRead(path), [&] { return plugin_.probe(path, values, progress); });
+        return contents ? contents : inFile(path, contents.error());
+    }
+
+private:
+    const Reader& plugin_;
+    Guard guard_;
+};
+
+class GuardedWriter : public Writer {
+public:
+    GuardedWriter(const Writer& plugin, GuardTarget target) : plugin_(plugin), guard_(std::move(target)) {}
+
+    std::vector<FileFormat> formats() const override
+    {
+        return guard_.callOr(std::vector<FileFormat>(), [&] { return plugin_.formats(); });
+    }
+    std::vector<Parameter> parameters() const override
+    {
+        return guard_.parameters([&] { return plugin_.parameters(); });
+    }
+    Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& values) const override
+    {
+        return guard_.call(tooLittleMemory(file), [&] { return plugin_.writeDataset(dataset, file, values); });
+    }
+    Status writeMesh(const MeshContent& mesh, OutputFile& file, const ParameterValues& values) const override
+    {
+        return guard_.call(tooLittleMemory(file), [&] { return plugin_.writeMesh(mesh, file, values); });
+    }
+    Status writeSurface(const SurfaceContent& surface, OutputFile& file, const ParameterValues& values) const override
+    {
+        return guard_.call(tooLittleMemory(file), [&] { return plugin_.writeSurface(surface, file, values); });
+    }
+
+private:
+    static Error tooLittleMemory(const OutputFile& file)
+    {
+        return {ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", file.target().string())};
+    }
+
+    const Writer& plugin_;
+    Guard guard_;
+};
+
+} // namespace
+
+std::unique_ptr<const Builder> guarded(const Builder& plugin, GuardTarget target)
+{
+    return std::make_unique<GuardedBuilder>(plugin, std::move(target));
+}
+
+std::unique_ptr<const Reader> guarded(const Reader& plugin, GuardTarget target)
+{
+    return std::make_unique<GuardedReader>(plugin, std::move(target));
+}
+
+std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target)
+{
+    return std::make_unique<GuardedWriter>(plugin, std::move(target));
+}
+
+} // namespace tetra

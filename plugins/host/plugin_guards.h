@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/api/builder.h"
+#include "plugins/api/reader.h"
+#include "plugins/api/writer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace tetra {
+
+/// Who is guarded, and who hears of what has no Result to give; from any thread.
+struct GuardTarget {
+    std::string id;
+    std::function<void(const Error&)> tell;
+};
+
+/// Plugins as the program calls them: what they throw ends here. A call that gives a Result gives an error then; of
+/// others the failure is told, and they give nothing. What all plugins of a kind would have to do alike is done here,
+/// too:
+/// - readers: an error names the file, a dataset has its source's name, path and hash;
+/// - readers and writers: the text when memory is short names the file.
+///
+/// Each stands for `plugin`, which outlives it.
+std::unique_ptr<const Builder> guarded(const Builder& plugin, GuardTarget target);
+std::unique_ptr<const Reader> guarded(const Reader& plugin, GuardTarget target);
+std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target);
+
+using PluginGuard = std::variant<std::monostate, std::unique_ptr<const Builder>, std::unique_ptr<const Reader>,
+                                 std::unique_ptr<const Writer>>;
+
+} // namespace tetra

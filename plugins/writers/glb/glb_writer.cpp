@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "plugins/api/writer.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QObject>
+
+#include <cmath>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+// The numbers of glTF 2.0 (ISO/IEC 12113), 3.6.2 and 4.4.
+constexpr std::uint32_t magic = 0x46546c67;
+constexpr std::uint32_t jsonChunk = 0x4e4f534a;
+constexpr std::uint32_t binaryChunk = 0x004e4942;
+constexpr int floatType = 5126;
+constexpr int unsignedIntType = 5125;
+constexpr int vertexTarget = 34962;
+constexpr int indexTarget = 34963;
+
+/// glTF's colours are linear.
+float linear(float channel)
+{
+    return channel <= 0.04045F ? channel / 12.92F : std::pow((channel + 0.055F) / 1.055F, 2.4F);
+}
+
+std::string triple(const Eigen::Vector3f& vector)
+{
+    return "[" + formatNumber(vector[0]) + "," + formatNumber(vector[1]) + "," + formatNumber(vector[2]) + "]";
+}
+
+std::string jsonString(const std::string& text)
+{
+    const QByteArray list = QJsonDocument(QJsonArray{QString::fromStdString(text)}).toJson(QJsonDocument::Compact);
+    return list.mid(1, list.size() - 2).toStdString(); // without its brackets
+}
+
+void append(std::string& list, const std::string& entry)
+{
+    (list += list.empty() ? "" : ",") += entry;
+}
+
+/// The JSON part, and where each array will lie in the binary one. Parts without triangles are left out: glTF has no
+/// empty arrays.
+class Head {
+public:
+    explicit Head(const SurfaceContent& content)
+    {
+        for (const SurfacePart& part : content.parts)
+            if (!part.triangles.empty())
+                add(part, content.valueName);
+        text_ = R"({"asset":{"version":"2.0","generator":"TAn"},"scene":0,"scenes":[{"name":)" +
+                jsonString(content.title) + extras(content.facts) + (meshes_.empty() ? "}]" : R"(,"nodes":[0]}])");
+        if (!meshes_.empty())
+            addTree();
+        text_ += "}";
+        text_.resize((text_.size() + 3) / 4 * 4, ' ');
+    }
+    const std::string& text() const { return text_; }
+    std::uint64_t binaryBytes() const { return offset_; }
+
+private:
+    /// In the data z points up, in glTF y: a node above all others turns them.
+    void addTree()
+    {
+        std::string children;
+        for (int child = 1; child <= count_; ++child)
+            append(children, std::to_string(child));
+        text_ += R"(,"nodes":[{"name":"z up","matrix":[1,0,0,0,0,0,-1,0,0,1,0,0,0,0,0,1],"children":[)" + children +
+                 "]}," + nodes_ + R"(],"meshes":[)" + meshes_ + R"(],"materials":[)" + materials_ +
+                 R"(],"accessors":[)" + accessors_ + R"(],"bufferViews":[)" + views_ +
+                 R"(],"buffers":[{"byteLength":)" + std::to_string(offset_) + "}]";
+    }
+
+    static std::string extras(const MeshFacts& facts)
+    {
+        std::string list;
+        for (const auto& [name, fact] : facts) {
+            const auto* number = std::get_if<double>(&fact);
+            const bool finite = number != nullptr && std::isfinite(*number);
+            append(list, jsonString(name) + ":" + (finite ? formatNumber(*number) : jsonString(factText(fact))));
+        }
+        return list.empty() ? "" : ",\"extras\":{" + list + "}";
+    }
+
+    /// The number of the new accessor.
+    std::string accessor(std::uint64_t count, std::size_t components, int type, int target, const std::string& more)
+    {
+        const std::uint64_t bytes = count * components * 4;
+        append(views_, R"({"buffer":0,"byteOffset":)" + std::to_string(offset_) + R"(,"byteLength":)" +
+                           std::to_string(bytes) + R"(,"target":)" + std::to_string(target) + "}");
+        append(accessors_, R"({"bufferView":)" + std::to_string(views_count_) + R"(,"componentType":)" +
+                               std::to_string(type) + R"(,"count":)" + std::to_string(count) + R"(,"type":")" +
+                               (components == 3 ? "VEC3" : "SCALAR") + "\"" + more + "}");
+        offset_ += bytes;
+        return std::to_string(views_count_++);
+    }
+
+    void add(const SurfacePart& part, const std::string& valueName)
+    {
+        Eigen::Vector3f least = part.positions[0];
+        Eigen::Vector3f most = least;
+        for (const Eigen::Vector3f& position : part.positions) {
+            least = least.cwiseMin(position);
+            most = most.cwiseMax(position);
+        }
+        const std::uint64_t count = part.positions.size();
+        const auto vectors = [&](const std::string& more) { return accessor(count, 3, floatType, vertexTarget, more); };
+        std::string attributes = R"("POSITION":)" + vectors(R"(,"min":)" + triple(least) + R"(,"max":)" + triple(most));
+        if (!part.normals.empty())
+            attributes += R"(,"NORMAL":)" + vectors("");
+        const float* const one = std::get_if<float>(&part.values);
+        if (one == nullptr)
+            attributes +=
+                "," + jsonString("_" + upper(valueName)) + ":" + accessor(count, 1, floatType, vertexTarget, "");
+        const std::string indices = accessor(3 * part.triangles.size(), 1, unsignedIntType, indexTarget, "");
+        append(meshes_,
+               R"({"name":)" + jsonString(part.name) +
+                   (one == nullptr ? "" : ",\"extras\":{" + jsonString(valueName) + ":" + formatNumber(*one) + "}") +
+                   R"(,"primitives":[{"attributes":{)" + attributes + R"(},"indices":)" + indices + R"(,"material":)" +
+                   std::to_string(count_) + "}]}");
+        append(nodes_, R"({"name":)" + jsonString(part.name) + R"(,"mesh":)" + std::to_string(count_) + "}");
+        append(materials_, materialOf(part));
+        ++count_;
+    }
+
+    static std::string upper(std::string name)
+    {
+        for (char& c : name)
+            c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        return name;
+    }
+
+    static std::string materialOf(const SurfacePart& part)
+    {
+        std::string colour;
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            append(colour, formatNumber(channel < 3 ? linear(part.colour[channel]) : part.colour[channel]));
+        return R"({"name":)" + jsonString(part.name) + R"(,"doubleSided":true)" +
+               (part.colour[3] < 1 ? R"(,"alphaMode":"BLEND")" : "") +
+               R"(,"pbrMetallicRoughness":{"baseColorFactor":[)" + colour +
+               R"(],"metallicFactor":0,"roughnessFactor":0.6}})";
+    }
+
+    std::string text_;
+    std::string nodes_, meshes_, materials_, accessors_, views_;
+    int count_ = 0; ///< of meshes, and of materials
+    int views_count_ = 0;
+    std::uint64_t offset_ = 0;
+};
+
+Status writeNumbers(OutputFile& file, std::initializer_list<std::uint32_t> numbers)
+{
+    return file.bytes(std::as_bytes(std::span(numbers.begin(), numbers.size())));
+}
+
+Status writeArrays(OutputFile& file, const SurfacePart& part)
+{
+    if (const Status written = file.bytes(std::as_bytes(part.positions)); !written)
+        return written;
+    if (const Status written = file.bytes(std::as_bytes(part.normals)); !written)
+        return written;
+    if (const auto* each = std::get_if<std::span<const float>>(&part.values))
+        if (const Status written = file.bytes(std::as_bytes(*each)); !written)
+            return written;
+    return file.bytes(std::as_bytes(part.triangles));
+}
+
+Error tooLarge(const OutputFile& file)
+{
+    return {
+        ErrorKind::OutOfResource,
+        Message::say("'%1' would hold more than the 4 GiB that a .glb file can. Write a .vtp file, or a surface of a "
+                     "larger error.",
+                     file.target().string())};
+}
+
+} // namespace
+
+/// `.glb`, glTF 2.0 in one binary file: a mesh with a material for each part.
+class GlbWriter : public QObject, public Writer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "glb_writer.json")
+    Q_INTERFACES(tetra::Writer)
+
+public:
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Surface, Message::marked("Binary glTF files"), {".glb"}}};
+    }
+
+    Status writeSurface(const SurfaceContent& content, OutputFile& file,
+                        const ParameterValues& /*values*/) const override
+    {
+        constexpr std::uint64_t mostBytes = std::numeric_limits<std::uint32_t>::max();
+        if (12 * (content.vertexCount() + content.triangleCount()) > mostBytes)
+            return tooLarge(file);
+        const Head head(content);
+        constexpr std::uint64_t chunkHeadBytes = 8;
+        const std::uint64_t binary = head.binaryBytes();
+        const std::uint64_t bytes =
+            12 + chunkHeadBytes + head.text().size() + (binary > 0 ? chunkHeadBytes + binary : 0);
+        if (bytes > mostBytes)
+            return tooLarge(file);
+        file.expect(bytes);
+        if (const Status written = writeNumbers(file, {magic, 2, static_cast<std::uint32_t>(bytes),
+                                                       static_cast<std::uint32_t>(head.text().size()), jsonChunk});
+            !written)
+            return written;
+        if (const Status written = file.text(head.text()); !written)
+            return written;
+        if (binary > 0)
+            if (const Status written = writeNumbers(file, {static_cast<std::uint32_t>(binary), binaryChunk}); !written)
+                return written;
+        for (const SurfacePart& part : content.parts)
+            if (!part.triangles.empty())
+                if (const Status written = writeArrays(file, part); !written)
+                    return written;
+        return {};
+    }
+};
+
+} // namespace tetra
+
+#include "glb_writer.moc"

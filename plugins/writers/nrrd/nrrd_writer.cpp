@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "plugins/api/writer.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+#include <zlib.h>
+
+namespace tetra {
+namespace {
+
+std::string vectorText(double x, double y, double z)
+{
+    return "(" + formatNumber(x) + "," + formatNumber(y) + "," + formatNumber(z) + ")";
+}
+
+std::string headerText(const Dataset& dataset, const std::string& encoding)
+{
+    const Lattice& lattice = dataset.lattice;
+    const Eigen::Vector3d& spacing = lattice.spacing;
+    std::string text = "NRRD0004\n";
+    if (!dataset.source.name.empty())
+        text += "content: " + printable(dataset.source.name) + "\n";
+    text += "type: " + std::string(sampleTypeName(dataset.values.type())) + "\n";
+    text += "dimension: 3\nspace dimension: 3\n";
+    text += "sizes: " + std::to_string(lattice.size[0]) + " " + std::to_string(lattice.size[1]) + " " +
+            std::to_string(lattice.size[2]) + "\n";
+    text += "space directions: " + vectorText(spacing[0], 0, 0) + " " + vectorText(0, spacing[1], 0) + " " +
+            vectorText(0, 0, spacing[2]) + "\n";
+    text += "space origin: " + vectorText(lattice.origin[0], lattice.origin[1], lattice.origin[2]) + "\n";
+    text += "kinds: domain domain domain\n";
+    text += std::string("endian: ") + (std::endian::native == std::endian::little ? "little" : "big") + "\n";
+    text += "encoding: " + encoding + "\n\n";
+    return text;
+}
+
+constexpr std::size_t pieceBytes = std::size_t(1) << 20;
+
+/// Owns what zlib allocates.
+struct Packer {
+    Packer()
+    {
+        constexpr int gzipOnly = 16;
+        constexpr int usualMemory = 8;
+        ready = ::deflateInit2(&state, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzipOnly, usualMemory,
+                               Z_DEFAULT_STRATEGY) == Z_OK;
+    }
+    ~Packer() { ::deflateEnd(&state); }
+    Packer(const Packer&) = delete;
+    Packer& operator=(const Packer&) = delete;
+
+    z_stream state{};
+    bool ready = false;
+};
+
+/// Packs what `packer` was given and writes all that comes out.
+Status pack(Packer& packer, int flush, std::span<std::byte> room, OutputFile& file)
+{
+    do {
+        packer.state.next_out = reinterpret_cast<Bytef*>(room.data());
+        packer.state.avail_out = static_cast<uInt>(room.size());
+        ::deflate(&packer.state, flush);
+        if (const Status written = file.bytes(room.first(room.size() - packer.state.avail_out)); !written)
+            return written;
+    } while (packer.state.avail_out == 0);
+    return {};
+}
+
+/// Appends `content` as one gzip member (RFC 1952).
+Status writeGzip(std::span<const std::byte> content, OutputFile& file)
+{
+    Packer packer;
+    if (!packer.ready)
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("Not enough memory to compress the data. Close other programs.")};
+    std::vector<std::byte> room(pieceBytes);
+    for (std::size_t done = 0; done < content.size();) {
+        const std::size_t piece = std::min(pieceBytes, content.size() - done);
+        packer.state.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(content.data() + done));
+        packer.state.avail_in = static_cast<uInt>(piece);
+        if (const Status packed = pack(packer, Z_NO_FLUSH, room, file); !packed)
+            return packed;
+        done += piece;
+    }
+    return pack(packer, Z_FINISH, room, file);
+}
+
+} // namespace
+
+/// `.nrrd`: NRRD0004 with the data attached, raw or gzip. Reading it gives the same lattice and samples, bit for bit.
+class NrrdWriter : public QObject, public Writer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "nrrd_writer.json")
+    Q_INTERFACES(tetra::Writer)
+
+public:
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Dataset, Message::marked("NRRD volumes"), {".nrrd"}}};
+    }
+
+    std::vector<Parameter> parameters() const override
+    {
+        return {{"encoding",
+                 Message::marked("Encoding"),
+                 Message::marked("raw is quick to write and to read, gzip is smaller."),
+                 "",
+                 std::string("raw"),
+                 0,
+                 0,
+                 {Message::marked("raw"), Message::marked("gzip")}}};
+    }
+
+    Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& values) const override
+    {
+        const auto encoding = parameterValue<std::string>(parameters(), values, "encoding");
+        if (encoding != "raw" && encoding != "gzip")
+            return Error{
+                ErrorKind::WrongUsage,
+                Message::say("NRRD files are written with the encoding raw or gzip, not '%1'.", printable(encoding))};
+        if (dataset.domain != DomainClass::RegularLattice)
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("NRRD files hold regular lattices, and '%1' is %2. Give the file another ending: "
+                                      ".xyz for curvilinear grids, .csv for scattered points.",
+                                      dataset.source.name, domainClassText(dataset.domain))};
+        const auto samples = dataset.values.bytes();
+        file.expect(samples.size());
+        if (const Status written = file.text(headerText(dataset, encoding)); !written)
+            return written;
+        return encoding == "gzip" ? writeGzip(samples, file) : file.bytes(samples);
+    }
+};
+
+} // namespace tetra
+
+#include "nrrd_writer.moc"

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/writer.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace tetra {
+namespace {
+
+/// More vertices cannot be numbered by an int.
+constexpr std::size_t mostVertices = std::numeric_limits<std::int32_t>::max();
+
+/// The head of a binary little-endian PLY file. Line breaks in texts and blanks in names are repaired.
+class PlyHead {
+public:
+    PlyHead& comment(std::string_view text);
+    /// A comment each.
+    PlyHead& facts(const MeshFacts& facts);
+    PlyHead& element(std::string_view name, std::uint64_t count);
+    /// Of the element before; `type` is PLY's word for it.
+    PlyHead& property(std::string_view type, std::string_view name);
+    /// The list of vertices of a face or a cell: a uchar, and as many ints.
+    PlyHead& vertexList();
+
+    std::string text() const { return text_ + "end_header\n"; }
+
+private:
+    std::string text_ = "ply\nformat binary_little_endian 1.0\n";
+};
+
+PlyHead& PlyHead::comment(std::string_view text)
+{
+    std::string line(text);
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    text_ += "comment " + line + "\n";
+    return *this;
+}
+
+PlyHead& PlyHead::facts(const MeshFacts& facts)
+{
+    for (const auto& [name, fact] : facts)
+        comment(name + ": " + factText(fact));
+    return *this;
+}
+
+PlyHead& PlyHead::element(std::string_view name, std::uint64_t count)
+{
+    text_ += "element " + std::string(name) + " " + std::to_string(count) + "\n";
+    return *this;
+}
+
+PlyHead& PlyHead::property(std::string_view type, std::string_view name)
+{
+    std::string word(name);
+    std::ranges::replace_if(
+        word, [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
+    text_ += "property " + std::string(type) + " " + word + "\n";
+    return *this;
+}
+
+PlyHead& PlyHead::vertexList()
+{
+    text_ += "property list uchar int vertex_indices\n";
+    return *this;
+}
+
+template <class T> constexpr std::string_view typeName()
+{
+    if constexpr (std::is_same_v<T, float>)
+        return "float";
+    else if constexpr (std::is_same_v<T, double>)
+        return "double";
+    else if constexpr (std::is_same_v<T, std::uint8_t>)
+        return "uchar";
+    else if constexpr (std::is_same_v<T, std::uint16_t>)
+        return "ushort";
+    else
+        return "uint";
+}
+
+void addProperties(PlyHead& head, std::span<const NamedArray> arrays)
+{
+    for (const NamedArray& array : arrays)
+        std::visit([&]<class T>(std::span<const T>) { head.property(typeName<T>(), array.name); }, array.values);
+}
+
+PlyHead headOf(const MeshContent& content)
+{
+    PlyHead head;
+    head.comment("tetrahedral mesh by TAn").facts(content.facts).element("vertex", content.positions.size());
+    for (const std::string_view axis : {"x", "y", "z"})
+        head.property("float", axis);
+    addProperties(head, content.pointArrays);
+    head.element("cell", content.tetrahedra.size()).vertexList();
+    addProperties(head, content.cellArrays);
+    return head;
+}
+
+std::size_t bytesOfValues(std::span<const NamedArray> arrays)
+{
+    std::size_t bytes = 0;
+    for (const NamedArray& array : arrays)
+        bytes += array.bytesOfValue();
+    return bytes;
+}
+
+void putValues(std::byte*& where, std::span<const NamedArray> arrays, std::uint64_t index)
+{
+    for (const NamedArray& array : arrays)
+        std::visit([&](const auto& values) { putNumber(where, values[index]); }, array.values);
+}
+
+std::string headOf(const SurfaceContent& content)
+{
+    PlyHead head;
+    head.comment(content.title + " by TAn").facts(content.facts).element("vertex", content.vertexCount());
+    for (const std::string_view axis : {"x", "y", "z"})
+        head.property("float", axis);
+    if (content.hasNormals())
+        for (const std::string_view axis : {"nx", "ny", "nz"})
+            head.property("float", axis);
+    head.property("float", content.valueName);
+    return head.element("face", content.triangleCount()).vertexList().text();
+}
+
+} // namespace
+
+/// `.ply`, binary little endian: elements `vertex` and `cell`, or `face`.
+class PlyWriter : public QObject, public Writer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "ply_writer.json")
+    Q_INTERFACES(tetra::Writer)
+
+public:
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Mesh, Message::marked("PLY files"), {".ply"}},
+                {WrittenContent::Surface, Message::marked("PLY files"), {".ply"}}};
+    }
+
+    Status writeMesh(const MeshContent& content, OutputFile& file, const ParameterValues& /*values*/) const override
+    {
+        if (content.positions.size() > mostVertices)
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("'%1' would hold more vertices than a PLY file can number. Write a .vtu file.",
+                                      file.target().string())};
+        const std::size_t vertexBytes = 12 + bytesOfValues(content.pointArrays);
+        const std::size_t cellBytes = 17 + bytesOfValues(content.cellArrays);
+        file.expect(content.positions.size() * vertexBytes + content.tetrahedra.size() * cellBytes);
+        if (const Status written = file.text(headOf(content).text()); !written)
+            return written;
+        const auto vertex = [&](std::uint64_t index, std::byte* where) {
+            for (const float coordinate : content.positions[index])
+                putNumber(where, coordinate);
+            putValues(where, content.pointArrays, index);
+        };
+        if (const Status written = file.records(content.positions.size(), vertexBytes, vertex); !written)
+            return written;
+        const auto cell = [&](std::uint64_t index, std::byte* where) {
+            putNumber(where, std::uint8_t(4));
+            putNumber(where, content.tetrahedra[index]);
+            putValues(where, content.cellArrays, index);
+        };
+        return file.records(content.tetrahedra.size(), cellBytes, cell);
+    }
+
+    Status writeSurface(const SurfaceContent& content, OutputFile& file,
+                        const ParameterValues& /*values*/) const override
+    {
+        if (content.vertexCount() > mostVertices)
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("'%1' would hold more than the 2147483647 vertices that a PLY file can number. "
+                                      "Write a .vtp file, or a surface of a larger error.",
+                                      file.target().string())};
+        const bool normals = content.hasNormals();
+        const std::size_t vertexBytes = (normals ? 7 : 4) * sizeof(float);
+        constexpr std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t);
+        file.expect(content.vertexCount() * vertexBytes + content.triangleCount() * faceBytes);
+        if (const Status written = file.text(headOf(content)); !written)
+            return written;
+        const auto vertex = [normals](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+            for (const float coordinate : part.positions[index])
+                putNumber(where, coordinate);
+            if (normals)
+                for (const float coordinate : part.normals[index])
+                    putNumber(where, coordinate);
+            putNumber(where, part.value(index));
+        };
+        if (const Status written = file.vertexRecords(content, vertexBytes, vertex); !written)
+            return written;
+        const auto face = [](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
+            putNumber(where, std::uint8_t(3));
+            for (const std::uint64_t corner : corners)
+                putNumber(where, static_cast<std::int32_t>(corner));
+        };
+        return file.triangleRecords(content, faceBytes, face);
+    }
+};
+
+} // namespace tetra
+
+#include "ply_writer.moc"

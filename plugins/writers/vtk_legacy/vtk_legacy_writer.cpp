@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/writer.h"
+
+#include <QObject>
+
+#include <limits>
+#include <type_traits>
+
+// Numbers are big endian.
+
+namespace tetra {
+namespace {
+
+/// Numbers of vertices and lengths of lists are ints.
+constexpr auto mostNumbers = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+
+/// How VTK tells the length of a text in a binary file: in 1, 2, 4 or 8 bytes, of which the first two bits say which.
+std::string withLength(const std::string& text)
+{
+    const std::uint64_t length = text.size();
+    const int bytes = length < 1U << 6 ? 1 : length < 1U << 14 ? 2 : length < 1U << 30 ? 4 : 8;
+    const std::uint64_t kind = bytes == 1 ? 3 : bytes == 2 ? 2 : bytes == 4 ? 1 : 0;
+    const std::uint64_t code = length | kind << (8 * bytes - 2);
+    std::string encoded;
+    for (int byte = bytes - 1; byte >= 0; --byte)
+        encoded += static_cast<char>(code >> (8 * byte) & 255);
+    return encoded + text;
+}
+
+/// A name in one word: blanks and whatever else could mislead a reader as %XX, which VTK turns back.
+std::string vtkLegacyWord(std::string_view name)
+{
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string encoded;
+    for (const char c : name) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code > ' ' && code < 127 && c != '%' && c != '"')
+            encoded += c;
+        else
+            encoded += {'%', digits[code >> 4], digits[code & 15]};
+    }
+    return encoded;
+}
+
+std::string titleText(const MeshFacts& facts)
+{
+    if (facts.empty())
+        return "";
+    std::string text = "FIELD FieldData " + std::to_string(facts.size()) + "\n";
+    for (const auto& [name, fact] : facts) {
+        if (const auto* number = std::get_if<double>(&fact)) {
+            std::byte bytes[sizeof *number];
+            std::byte* where = bytes;
+            putTurned(where, *number);
+            text += vtkLegacyWord(name) + " 1 1 double\n";
+            text.append(reinterpret_cast<const char*>(bytes), sizeof bytes);
+        } else {
+            text += vtkLegacyWord(name) + " 1 1 string\n" + withLength(std::get<std::string>(fact));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+/// The file up to its points: `title` in one line, `dataset` is VTK's word for its kind.
+std::string vtkLegacyHead(std::string_view title, std::string_view dataset, const MeshFacts& facts)
+{
+    return "# vtk DataFile Version 4.2\n" + std::string(title) + "\nBINARY\nDATASET " + std::string(dataset) + "\n" +
+           titleText(facts);
+}
+
+constexpr std::int32_t legacyTetra = 10;
+
+template <class T> constexpr std::string_view legacyTypeName()
+{
+    if constexpr (std::is_same_v<T, float>)
+        return "float";
+    else if constexpr (std::is_same_v<T, double>)
+        return "double";
+    else if constexpr (std::is_same_v<T, std::uint8_t>)
+        return "unsigned_char";
+    else if constexpr (std::is_same_v<T, std::uint16_t>)
+        return "unsigned_short";
+    else
+        return "unsigned_int";
+}
+
+Status writeGeometry(OutputFile& file, const MeshContent& content)
+{
+    const std::uint64_t cells = content.tetrahedra.size();
+    if (const Status written = file.text("POINTS " + std::to_string(content.positions.size()) + " float\n"); !written)
+        return written;
+    if (const Status written = file.records(content.positions.size(), 12,
+                                            [&](std::uint64_t index, std::byte* where) {
+                                                for (const float coordinate : content.positions[index])
+                                                    putTurned(where, coordinate);
+                                            });
+        !written)
+        return written;
+    if (const Status written = file.text("\nCELLS " + std::to_string(cells) + " " + std::to_string(5 * cells) + "\n");
+        !written)
+        return written;
+    if (const Status written = file.records(cells, 20,
+                                            [&](std::uint64_t index, std::byte* where) {
+                                                putTurned(where, std::int32_t(4));
+                                                for (const std::uint32_t vertex : content.tetrahedra[index])
+                                                    putTurned(where, vertex);
+                                            });
+        !written)
+        return written;
+    if (const Status written = file.text("\nCELL_TYPES " + std::to_string(cells) + "\n"); !written)
+        return written;
+    if (const Status written =
+            file.records(cells, 4, [](std::uint64_t, std::byte* where) { putTurned(where, legacyTetra); });
+        !written)
+        return written;
+    return file.text("\n");
+}
+
+/// The first array is the one that viewers show at once, the others are fields.
+Status writeArrays(OutputFile& file, std::string_view keyword, std::uint64_t count, std::span<const NamedArray> arrays)
+{
+    if (arrays.empty())
+        return {};
+    if (const Status written = file.text(std::string(keyword) + " " + std::to_string(count) + "\n"); !written)
+        return written;
+    for (std::size_t number = 0; number < arrays.size(); ++number) {
+        const Status written = std::visit(
+            [&]<class T>(std::span<const T> values) -> Status {
+                const std::string type(legacyTypeName<T>());
+                std::string head = number == 1 ? "FIELD FieldData " + std::to_string(arrays.size() - 1) + "\n" : "";
+                head +=
+                    number == 0
+                        ? "SCALARS " + vtkLegacyWord(arrays[number].name) + " " + type + " 1\nLOOKUP_TABLE default\n"
+                        : vtkLegacyWord(arrays[number].name) + " 1 " + std::to_string(count) + " " + type + "\n";
+                if (const Status begun = file.text(head); !begun)
+                    return begun;
+                if (const Status put =
+                        file.records(count, sizeof(T),
+                                     [&](std::uint64_t index, std::byte* where) { putTurned(where, values[index]); });
+                    !put)
+                    return put;
+                return file.text("\n");
+            },
+            arrays[number].values);
+        if (!written)
+            return written;
+    }
+    return {};
+}
+
+constexpr std::size_t vectorBytes = 3 * sizeof(float);
+constexpr std::size_t legacyTriangleBytes = 4 * sizeof(std::int32_t);
+
+Status writeVectors(OutputFile& file, const SurfaceContent& content,
+                    std::span<const Eigen::Vector3f> SurfacePart::*which)
+{
+    const auto vector = [which](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+        for (const float coordinate : (part.*which)[index])
+            putTurned(where, coordinate);
+    };
+    return file.vertexRecords(content, vectorBytes, vector);
+}
+
+Status writeTriangles(OutputFile& file, const SurfaceContent& content)
+{
+    const auto triangle = [](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
+        putTurned(where, std::int32_t(3));
+        for (const std::uint64_t corner : corners)
+            putTurned(where, static_cast<std::int32_t>(corner));
+    };
+    return file.triangleRecords(content, legacyTriangleBytes, triangle);
+}
+
+Status writeValues(OutputFile& file, const SurfaceContent& content)
+{
+    const auto value = [](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+        putTurned(where, part.value(index));
+    };
+    return file.vertexRecords(content, sizeof(float), value);
+}
+
+Status writeAll(OutputFile& file, const SurfaceContent& content)
+{
+    const std::string vertices = std::to_string(content.vertexCount());
+    const std::uint64_t triangles = content.triangleCount();
+    if (const Status written = file.text(vtkLegacyHead(content.title + " by TAn", "POLYDATA", content.facts) +
+                                         "POINTS " + vertices + " float\n");
+        !written)
+        return written;
+    if (const Status written = writeVectors(file, content, &SurfacePart::positions); !written)
+        return written;
+    if (const Status written =
+            file.text("\nPOLYGONS " + std::to_string(triangles) + " " + std::to_string(4 * triangles) + "\n");
+        !written)
+        return written;
+    if (const Status written = writeTriangles(file, content); !written)
+        return written;
+    if (const Status written = file.text("\nPOINT_DATA " + vertices + "\nSCALARS " + vtkLegacyWord(content.valueName) +
+                                         " float 1\nLOOKUP_TABLE default\n");
+        !written)
+        return written;
+    if (const Status written = writeValues(file, content); !written || !content.hasNormals())
+        return written;
+    if (const Status written = file.text("\nNORMALS Normals float\n"); !written)
+        return written;
+    return writeVectors(file, content, &SurfacePart::normals);
+}
+
+std::uint64_t bytesOf(const std::vector<NamedArray>& arrays)
+{
+    std::uint64_t bytes = 0;
+    for (const NamedArray& array : arrays)
+        bytes += array.size() * array.bytesOfValue();
+    return bytes;
+}
+
+} // namespace
+
+/// `.vtk`, legacy 4.2, binary: unstructured grids of tetrahedra, and polydata.
+class VtkLegacyWriter : public QObject, public Writer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "vtk_legacy_writer.json")
+    Q_INTERFACES(tetra::Writer)
+
+public:
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Mesh, Message::marked("VTK legacy files"), {".vtk"}},
+                {WrittenContent::Surface, Message::marked("VTK legacy files"), {".vtk"}}};
+    }
+
+    Status writeMesh(const MeshContent& content, OutputFile& file, const ParameterValues& /*values*/) const override
+    {
+        const std::uint64_t points = content.positions.size(), cells = content.tetrahedra.size();
+        if (points > mostNumbers || 5 * cells > mostNumbers)
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("'%1' would hold more than a legacy VTK file can number. Write a .vtu file.",
+                                      file.target().string())};
+        file.expect(12 * points + 24 * cells + bytesOf(content.pointArrays) + bytesOf(content.cellArrays));
+        if (const Status written =
+                file.text(vtkLegacyHead("tetrahedral mesh by TAn", "UNSTRUCTURED_GRID", content.facts));
+            !written)
+            return written;
+        if (const Status written = writeGeometry(file, content); !written)
+            return written;
+        if (const Status written = writeArrays(file, "CELL_DATA", cells, content.cellArrays); !written)
+            return written;
+        return writeArrays(file, "POINT_DATA", points, content.pointArrays);
+    }
+
+    Status writeSurface(const SurfaceContent& content, OutputFile& file,
+                        const ParameterValues& /*values*/) const override
+    {
+        const std::uint64_t vertices = content.vertexCount(), triangles = content.triangleCount();
+        if (vertices > mostNumbers || 4 * triangles > mostNumbers)
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("'%1' would hold more than a legacy VTK file can number. Write a .vtp file, or a "
+                                      "surface of a larger error.",
+                                      file.target().string())};
+        file.expect(vertices * 28 + triangles * legacyTriangleBytes);
+        if (const Status written = writeAll(file, content); !written)
+            return written;
+        return file.text("\n");
+    }
+};
+
+} // namespace tetra
+
+#include "vtk_legacy_writer.moc"

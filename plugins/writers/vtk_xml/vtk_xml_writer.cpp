@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "plugins/api/writer.h"
+
+#include <QObject>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+// VTK XML files of one piece: appended raw, little endian, 64-bit headers.
+
+namespace tetra {
+namespace {
+
+/// An array of a VTK XML file.
+struct XmlArray {
+    std::string name;
+    std::string_view type; ///< vtkXmlType()
+    std::uint64_t bytes = 0;
+    int components = 1;
+    std::function<Status(OutputFile& out)> write; ///< exactly `bytes` bytes, little endian
+};
+
+/// PointData, Points, Cells ..., with its arrays.
+struct XmlElement {
+    std::string name;
+    std::string attributes; ///< with a blank before each
+    std::vector<XmlArray> arrays;
+};
+
+/// A grid of one piece. `numbers` are the piece's attributes: how many points it has, and so on.
+struct XmlGrid {
+    std::string type; ///< UnstructuredGrid, PolyData
+    std::string numbers;
+    MeshFacts facts;
+    std::vector<XmlElement> elements;
+};
+
+/// Text as the value of an attribute. What XML cannot hold becomes a question mark.
+std::string xmlAttribute(std::string_view text)
+{
+    std::string escaped;
+    for (const char c : text)
+        switch (c) {
+        case '&': escaped += "&amp;"; break;
+        case '<': escaped += "&lt;"; break;
+        case '>': escaped += "&gt;"; break;
+        case '"': escaped += "&quot;"; break;
+        default: escaped += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+        }
+    return escaped;
+}
+
+/// Numbers and texts of one tuple; texts as VTK writes them, by the codes of their bytes.
+std::string xmlFacts(const MeshFacts& facts)
+{
+    if (facts.empty())
+        return "";
+    std::string text = "<FieldData>\n";
+    for (const auto& [name, fact] : facts) {
+        const auto* number = std::get_if<double>(&fact);
+        text += "<DataArray type=\"" + std::string(number != nullptr ? "Float64" : "String") + "\" Name=\"" +
+                xmlAttribute(name) + "\" NumberOfTuples=\"1\" format=\"ascii\">";
+        if (number != nullptr)
+            text += formatNumber(*number);
+        else {
+            for (const char c : std::get<std::string>(fact))
+                text += std::to_string(static_cast<int>(static_cast<unsigned char>(c))) + " ";
+            text += "0";
+        }
+        text += "</DataArray>\n";
+    }
+    return text + "</FieldData>\n";
+}
+
+std::string headOf(const XmlGrid& grid)
+{
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid.type +
+                       "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + grid.type + ">\n" +
+                       xmlFacts(grid.facts) + "<Piece" + grid.numbers + ">\n";
+    std::uint64_t offset = 0;
+    for (const XmlElement& element : grid.elements) {
+        text += "<" + element.name + element.attributes + ">\n";
+        for (const XmlArray& array : element.arrays) {
+            text += "<DataArray type=\"" + std::string(array.type) + "\" Name=\"" + xmlAttribute(array.name) + "\"" +
+                    (array.components > 1 ? " NumberOfComponents=\"" + std::to_string(array.components) + "\"" : "") +
+                    " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+            offset += sizeof(std::uint64_t) + array.bytes;
+        }
+        text += "</" + element.name + ">\n";
+    }
+    return text + "</Piece>\n</" + grid.type + ">\n<AppendedData encoding=\"raw\">\n_";
+}
+
+std::uint64_t bytesOf(const XmlGrid& grid)
+{
+    std::uint64_t bytes = 0;
+    for (const XmlElement& element : grid.elements)
+        for (const XmlArray& array : element.arrays)
+            bytes += array.bytes;
+    return bytes;
+}
+
+/// Writes the whole file: appended raw, little endian, 64-bit headers, the arrays in the order of the elements.
+Status write(OutputFile& out, const XmlGrid& grid)
+{
+    out.expect(bytesOf(grid));
+    if (const Status written = out.text(headOf(grid)); !written)
+        return written;
+    for (const XmlElement& element : grid.elements)
+        for (const XmlArray& array : element.arrays) {
+            if (const Status written = out.bytes(std::as_bytes(std::span(&array.bytes, 1))); !written)
+                return written;
+            if (const Status written = array.write(out); !written)
+                return written;
+        }
+    return out.text("\n</AppendedData>\n</VTKFile>\n");
+}
+
+template <class T> constexpr std::string_view vtkXmlType()
+{
+    if constexpr (std::is_same_v<T, float>)
+        return "Float32";
+    else if constexpr (std::is_same_v<T, double>)
+        return "Float64";
+    else if constexpr (std::is_same_v<T, std::uint8_t>)
+        return "UInt8";
+    else if constexpr (std::is_same_v<T, std::uint16_t>)
+        return "UInt16";
+    else if constexpr (std::is_same_v<T, std::uint32_t>)
+        return "UInt32";
+    else if constexpr (std::is_same_v<T, std::int32_t>)
+        return "Int32";
+    else
+        return "Int64";
+}
+
+/// An array that lies in memory as in the file.
+template <class T> XmlArray xmlArray(std::string name, std::span<const T> values)
+{
+    return {std::move(name), vtkXmlType<T>(), values.size_bytes(), 1,
+            [values](OutputFile& out) { return out.bytes(std::as_bytes(values)); }};
+}
+
+/// An array whose values make(index) gives.
+template <class Value, class Make> XmlArray madeXmlArray(std::string name, std::uint64_t count, Make make)
+{
+    return {std::move(name), vtkXmlType<Value>(), count * sizeof(Value), 1, [count, make](OutputFile& out) {
+                return out.records(count, sizeof(Value), [&](std::uint64_t index, std::byte* where) {
+                    putNumber(where, static_cast<Value>(make(index)));
+                });
+            }};
+}
+
+// Surfaces: polydata, and the same triangles as cells of an unstructured grid.
+
+constexpr std::uint8_t vtkTriangle = 5;
+
+/// An array of vectors that lie in memory as in the file, part by part.
+XmlArray vectors(std::string name, const SurfaceContent& content, std::span<const Eigen::Vector3f> SurfacePart::*which)
+{
+    std::uint64_t bytes = 0;
+    for (const SurfacePart& part : content.parts)
+        bytes += (part.*which).size_bytes();
+    return {std::move(name), vtkXmlType<float>(), bytes, 3, [&content, which](OutputFile& out) -> Status {
+                for (const SurfacePart& part : content.parts)
+                    if (const Status written = out.bytes(std::as_bytes(part.*which)); !written)
+                        return written;
+                return {};
+            }};
+}
+
+XmlArray values(const SurfaceContent& content, std::uint64_t count)
+{
+    return {content.valueName, vtkXmlType<float>(), count * sizeof(float), 1, [&content](OutputFile& out) {
+                const auto value = [](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+                    putNumber(where, part.value(index));
+                };
+                return out.vertexRecords(content, sizeof(float), value);
+            }};
+}
+
+/// Signed and of 64 bits, as VTK keeps them.
+XmlArray connectivity(const SurfaceContent& content, std::uint64_t triangles)
+{
+    return {"connectivity", vtkXmlType<std::int64_t>(), 3 * triangles * sizeof(std::int64_t), 1,
+            [&content](OutputFile& out) {
+                const auto triangle = [](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
+                    for (const std::uint64_t corner : corners)
+                        putNumber(where, static_cast<std::int64_t>(corner));
+                };
+                return out.triangleRecords(content, 3 * sizeof(std::int64_t), triangle);
+            }};
+}
+
+XmlGrid gridOf(const SurfaceContent& content, bool polydata)
+{
+    const std::uint64_t vertexCount = content.vertexCount(), triangleCount = content.triangleCount();
+    const std::string triangles = std::to_string(triangleCount);
+    XmlElement pointData{
+        "PointData", " Scalars=\"" + xmlAttribute(content.valueName) + "\"", {values(content, vertexCount)}};
+    if (content.hasNormals()) {
+        pointData.attributes += " Normals=\"Normals\"";
+        pointData.arrays.push_back(vectors("Normals", content, &SurfacePart::normals));
+    }
+    XmlElement cells{polydata ? "Polys" : "Cells", {}, {connectivity(content, triangleCount)}};
+    cells.arrays.push_back(madeXmlArray<std::int64_t>("offsets", triangleCount,
+                                                      [](std::uint64_t triangle) { return 3 * (triangle + 1); }));
+    if (!polydata)
+        cells.arrays.push_back(
+            madeXmlArray<std::uint8_t>("types", triangleCount, [](std::uint64_t) { return vtkTriangle; }));
+    const std::string numbers = " NumberOfPoints=\"" + std::to_string(vertexCount) + "\" ";
+    return {polydata ? "PolyData" : "UnstructuredGrid",
+            numbers +
+                (polydata ? "NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+                          : "NumberOfCells=\"") +
+                triangles + "\"",
+            content.facts,
+            {std::move(pointData),
+             {"Points", {}, {vectors("Points", content, &SurfacePart::positions)}},
+             std::move(cells)}};
+}
+
+// Meshes.
+
+constexpr std::uint8_t vtkTetra = 10;
+
+XmlElement elementOf(std::string name, const std::vector<NamedArray>& arrays)
+{
+    XmlElement element{std::move(name), {}, {}};
+    if (!arrays.empty())
+        element.attributes = " Scalars=\"" + xmlAttribute(arrays.front().name) + "\"";
+    for (const NamedArray& array : arrays)
+        element.arrays.push_back(
+            std::visit([&](const auto& values) { return xmlArray(array.name, values); }, array.values));
+    return element;
+}
+
+/// `Index` is the type of the numbers of vertices. Points into the content.
+template <class Index> XmlGrid gridWith(const MeshContent& content)
+{
+    const std::span tetrahedra = content.tetrahedra;
+    XmlArray points = xmlArray("Points", std::span<const float>());
+    points.components = 3;
+    points.bytes = content.positions.size_bytes();
+    points.write = [&content](OutputFile& out) { return out.bytes(std::as_bytes(content.positions)); };
+    XmlElement cells{"Cells", {}, {}};
+    cells.arrays.push_back(
+        madeXmlArray<Index>("connectivity", 4 * tetrahedra.size(),
+                            [tetrahedra](std::uint64_t index) { return tetrahedra[index / 4][index % 4]; }));
+    cells.arrays.push_back(
+        madeXmlArray<Index>("offsets", tetrahedra.size(), [](std::uint64_t cell) { return 4 * (cell + 1); }));
+    cells.arrays.push_back(
+        madeXmlArray<std::uint8_t>("types", tetrahedra.size(), [](std::uint64_t) { return vtkTetra; }));
+    return {"UnstructuredGrid",
+            " NumberOfPoints=\"" + std::to_string(content.positions.size()) + "\" NumberOfCells=\"" +
+                std::to_string(tetrahedra.size()) + "\"",
+            content.facts,
+            {elementOf("PointData", content.pointArrays),
+             elementOf("CellData", content.cellArrays),
+             {"Points", {}, {std::move(points)}},
+             std::move(cells)}};
+}
+
+XmlGrid gridOf(const MeshContent& content)
+{
+    // Indices and offsets of one type, as VTK takes them without converting.
+    const bool small = std::max(content.positions.size(), 4 * content.tetrahedra.size()) <=
+                       static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+    return small ? gridWith<std::int32_t>(content) : gridWith<std::int64_t>(content);
+}
+
+// Datasets: positions in doubles or, where they hold them exactly, in floats. Read again they are the same points,
+// values and tetrahedra.
+
+std::string_view vtkTypeName(SampleType type)
+{
+    constexpr std::string_view names[] = {"UInt8", "Int8", "UInt16", "Int16", "UInt32", "Int32", "Float32", "Float64"};
+    return names[static_cast<std::size_t>(type)];
+}
+
+bool fitFloats(const std::vector<Eigen::Vector3d>& positions)
+{
+    return std::ranges::all_of(
+        positions, [](const Eigen::Vector3d& position) { return position.cast<float>().cast<double>() == position; });
+}
+
+/// Points into the dataset.
+XmlGrid gridOf(const Dataset& dataset)
+{
+    const std::vector<Eigen::Vector3d>& positions = *dataset.positions;
+    const auto& tetrahedra = *dataset.tetrahedra;
+    const std::uint64_t points = dataset.pointCount(), cells = tetrahedra.size();
+    const std::span<const std::byte> samples = dataset.values.bytes();
+    XmlArray values{"value", vtkTypeName(dataset.values.type()), samples.size(), 1,
+                    [samples](OutputFile& out) { return out.bytes(samples); }};
+    const auto coordinate = [&positions](std::uint64_t i) { return positions[i / 3][static_cast<int>(i % 3)]; };
+    XmlArray places = fitFloats(positions) ? madeXmlArray<float>("Points", 3 * points, coordinate)
+                                           : madeXmlArray<double>("Points", 3 * points, coordinate);
+    places.components = 3;
+    const auto corner = [&tetrahedra](std::uint64_t i) { return tetrahedra[i / 4][i % 4]; };
+    return {"UnstructuredGrid",
+            " NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\"",
+            {},
+            {{"PointData", " Scalars=\"value\"", {std::move(values)}},
+             {"Points", {}, {std::move(places)}},
+             {"Cells",
+              {},
+              {madeXmlArray<std::int64_t>("connectivity", 4 * cells, corner),
+               madeXmlArray<std::int64_t>("offsets", cells, [](std::uint64_t cell) { return 4 * (cell + 1); }),
+               madeXmlArray<std::uint8_t>("types", cells, [](std::uint64_t) { return vtkTetra; })}}}};
+}
+
+} // namespace
+
+/// `.vtu`: unstructured grids of tetrahedra or of triangles. `.vtp`: polydata.
+class VtkXmlWriter : public QObject, public Writer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "vtk_xml_writer.json")
+    Q_INTERFACES(tetra::Writer)
+
+public:
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Dataset, Message::marked("VTK XML unstructured grids"), {".vtu"}},
+                {WrittenContent::Mesh, Message::marked("VTK XML unstructured grids"), {".vtu"}},
+                {WrittenContent::Surface, Message::marked("VTK XML polydata"), {".vtp"}},
+                {WrittenContent::Surface, Message::marked("VTK XML unstructured grids"), {".vtu"}}};
+    }
+
+    Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& /*values*/) const override
+    {
+        if (!dataset.tetrahedra || !dataset.positions)
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write "
+                                      "lattices as .nrrd, curvilinear grids as .xyz, points as .csv.")};
+        return write(file, gridOf(dataset));
+    }
+
+    Status writeMesh(const MeshContent& content, OutputFile& file, const ParameterValues& /*values*/) const override
+    {
+        return write(file, gridOf(content));
+    }
+
+    Status writeSurface(const SurfaceContent& content, OutputFile& file,
+                        const ParameterValues& /*values*/) const override
+    {
+        return write(file, gridOf(content, fileEnding(file.target()) == ".vtp"));
+    }
+};
+
+} // namespace tetra
+
+#include "vtk_xml_writer.moc"

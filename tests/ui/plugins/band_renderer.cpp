@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/api/scene_parameters.h"
+
+#include <QObject>
+
+namespace tetra {
+namespace {
+
+class BandSession : public RendererSession {
+public:
+    explicit BandSession(const Eigen::AlignedBox3d& bounds) : bounds_(bounds) {}
+    Result<std::shared_ptr<const Scene>> prepare(const ParameterValues&, const Camera&, const Progress&) override
+    {
+        Scene scene;
+        scene.bounds = bounds_;
+        return std::make_shared<const Scene>(std::move(scene));
+    }
+
+private:
+    Eigen::AlignedBox3d bounds_;
+};
+
+} // namespace
+
+/// A mode with parameters of every type that the built-in modes have not: a band, which examples/editor edits, a colour
+/// and a vector. It shows nothing.
+class BandRenderer : public QObject, public Renderer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "band_renderer.json")
+    Q_INTERFACES(tetra::Renderer)
+
+public:
+    std::vector<Parameter> parameters(const FieldExtent& field) const override
+    {
+        Parameter band{.id = "band", .label = "Band", .explanation = "Which values are seen.", .unit = ""};
+        band.defaultValue = OwnValue{"example.band", R"({"low": )" + formatNumber(field.range.minimum) +
+                                                         R"(, "high": )" + formatNumber(field.range.maximum) + "}"};
+        Parameter colour{.id = "paint", .label = "Paint", .explanation = "In which colour.", .unit = ""};
+        colour.defaultValue = Colour{1, 0, 0};
+        Parameter light{.id = "light", .label = "Light", .explanation = "Where from.", .unit = ""};
+        light.defaultValue = Eigen::Vector3d(1, 2, 3);
+        return {band, colour, light};
+    }
+    std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh>,
+                                          const Eigen::AlignedBox3d& bounds) const override
+    {
+        return std::make_unique<BandSession>(bounds);
+    }
+};
+
+} // namespace tetra
+
+#include "band_renderer.moc"
