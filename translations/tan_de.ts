@@ -325,13 +325,6 @@
     </message>
 </context>
 <context>
-    <name>AddIsovalue</name>
-    <message>
-        <source>Add Isovalue</source>
-        <translation>Isowert hinzufügen</translation>
-    </message>
-</context>
-<context>
     <name>Annotations</name>
     <message>
         <source>Value</source>
@@ -398,28 +391,23 @@
     </message>
 </context>
 <context>
-    <name>ChangeAnimation</name>
+    <name>ChangeView</name>
+    <message>
+        <source>Add Isovalue</source>
+        <translation>Isowert hinzufügen</translation>
+    </message>
     <message>
         <source>Change Animation</source>
         <translation>Animation ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeAnnotations</name>
     <message>
         <source>Change Annotations</source>
         <translation>Beschriftung ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeIsovalue</name>
     <message>
         <source>Change Isovalue</source>
         <translation>Isowert ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeLook</name>
     <message>
         <source>Change Rendering Mode</source>
         <translation>Darstellungsart ändern</translation>
@@ -432,9 +420,6 @@
         <source>Change Rendering</source>
         <translation>Darstellung ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeQuery</name>
     <message>
         <source>Change Focus</source>
         <translation>Fokus ändern</translation>
@@ -455,9 +440,6 @@
         <source>Change Accuracy</source>
         <translation>Genauigkeit ändern</translation>
     </message>
-</context>
-<context>
-    <name>ChangeView</name>
     <message>
         <source>Change Background</source>
         <translation>Hintergrund ändern</translation>
@@ -465,6 +447,10 @@
     <message>
         <source>Move Camera</source>
         <translation>Kamera bewegen</translation>
+    </message>
+    <message>
+        <source>Remove Isovalue</source>
+        <translation>Isowert entfernen</translation>
     </message>
 </context>
 <context>
@@ -850,13 +836,6 @@
     <message>
         <source>Diverging: opaque at both ends</source>
         <translation>Divergierend: deckend an beiden Enden</translation>
-    </message>
-</context>
-<context>
-    <name>RemoveIsovalue</name>
-    <message>
-        <source>Remove Isovalue</source>
-        <translation>Isowert entfernen</translation>
     </message>
 </context>
 <context>
@@ -1493,6 +1472,17 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Canvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ColourButton</name>
     <message>
         <source>Colour</source>
@@ -1520,13 +1510,6 @@ Verwerfung %2</translation>
     <message>
         <source>Commands</source>
         <translation>Befehle</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::CpuCanvas</name>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
     </message>
 </context>
 <context>
@@ -1938,13 +1921,6 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
-    <name>tetra::GlCanvas</name>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
-    </message>
-</context>
-<context>
     <name>tetra::HistogramView</name>
     <message>
         <source>Histogram</source>
@@ -2261,8 +2237,8 @@ Verwerfung %2</translation>
         <translation>Mit dem nächsten Schlüsselbild tauschen (Alt+Pfeil ab)</translation>
     </message>
     <message>
-        <source>show of a key frame</source>
-        <translation>Zeigen eines Schlüsselbilds</translation>
+        <source>Show Key Frame</source>
+        <translation>Schlüsselbild zeigen</translation>
     </message>
     <message>
         <source>View</source>
@@ -2470,8 +2446,8 @@ Verwerfung %2</translation>
         <translation>Das Bild wird gezeichnet, %1 weitere warten</translation>
     </message>
     <message>
-        <source>reset of view</source>
-        <translation>Zurücksetzen der Ansicht</translation>
+        <source>Reset View</source>
+        <translation>Ansicht zurücksetzen</translation>
     </message>
     <message>
         <source>The model %1 is built.</source>
@@ -2991,10 +2967,6 @@ Verwerfung %2</translation>
     <message>
         <source>Point %1 of &apos;%2&apos; has a position or a value that is not a finite number. Leave it out.</source>
         <translation>Punkt %1 von „%2“ hat eine Position oder einen Wert, der keine endliche Zahl ist. Lassen Sie ihn weg.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine these points. Close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um diese Punkte zu verfeinern. Schließen Sie andere Programme.</translation>
     </message>
     <message>
         <source>A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.</source>
@@ -4261,14 +4233,6 @@ Verwerfung %2</translation>
         <translation>Bild wird gezeichnet</translation>
     </message>
     <message>
-        <source>The scene&apos;s volume and its transfer function do not belong together.</source>
-        <translation>Das Volumen der Szene und seine Transferfunktion gehören nicht zusammen.</translation>
-    </message>
-    <message>
-        <source>The focus&apos; volume and its transfer function do not belong together.</source>
-        <translation>Das Volumen des Fokus und seine Transferfunktion gehören nicht zusammen.</translation>
-    </message>
-    <message>
         <source>The scene has more than two thousand million vertices.</source>
         <translation>Die Szene hat mehr als zwei Milliarden Knoten.</translation>
     </message>
@@ -4287,10 +4251,6 @@ Verwerfung %2</translation>
     <message>
         <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
         <translation>Der OpenGL-Kontext ist nicht benutzbar, vielleicht weil die Grafikkarte zurückgesetzt wurde. Lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for a picture of this size.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe.</translation>
     </message>
     <message>
         <source>A surface has too many triangles for OpenGL. Use the CPU back end.</source>
@@ -6913,10 +6873,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Wie Flächen und Volumen geordnet werden: &apos;exakt&apos; oder wie im Aufsatz &apos;mit der Zelle&apos;, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no order of surfaces and volume: it is exact or with-cell.</source>
-        <translation>„%1“ ist keine Reihenfolge von Flächen und Volumen: Es gibt exact und with-cell.</translation>
-    </message>
-    <message>
         <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
         <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
     </message>
@@ -7245,10 +7201,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Tetraeder</translation>
     </message>
     <message>
-        <source>it threw something unknown</source>
-        <translation>es warf etwas Unbekanntes</translation>
-    </message>
-    <message>
         <source>Encoding</source>
         <translation>Kodierung</translation>
     </message>
@@ -7263,6 +7215,50 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>gzip</source>
         <translation>gzip</translation>
+    </message>
+    <message>
+        <source>What draws the scene failed: %1. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>Was die Szene zeichnet, ist gescheitert: %1. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>The shader of an optical model cannot be used: %1</source>
+        <translation>Der Shader eines optischen Modells ist nicht zu gebrauchen: %1</translation>
+    </message>
+    <message>
+        <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>Einem optischen Modell der Szene fehlt seine Funktion oder sein Shader. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>A blend of two volumes is seen by emission and absorption alone. Take the optical model away, or show one of the two.</source>
+        <translation>Eine Überblendung zweier Volumen ist nur mit Emission und Absorption zu sehen. Nehmen Sie das optische Modell weg, oder zeigen Sie nur eines der beiden.</translation>
+    </message>
+    <message>
+        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
+        <translation>Eine Szene kann ein Volumen haben oder eine Überblendung von zweien, und diese hat %1. Zeigen Sie die anderen als Oberflächen oder in einem eigenen Bild.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ ist gescheitert, ohne zu sagen, warum. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no choice for &apos;%2&apos;. There is: %3.</source>
+        <translation>„%1“ ist für „%2“ keine Wahl. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a mistake in the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ hat eine Szene gemacht, die nicht gezeigt werden kann: %2 Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>there is none.</source>
+        <translation>es gibt keine.</translation>
+    </message>
+    <message>
+        <source>a drawable has no name.</source>
+        <translation>etwas darin hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>two drawables are called &apos;%1&apos;.</source>
+        <translation>zweierlei darin heißt „%1“.</translation>
     </message>
 </context>
 <context>
@@ -7308,6 +7304,33 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Opening</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sitzungen (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
 </context>
 <context>
@@ -7926,6 +7949,13 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
 </context>
 <context>
+    <name>tetra::SceneService</name>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SlicePreview</name>
     <message>
         <source>Preview of a layer</source>
@@ -8506,37 +8536,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
         <translation>OpenGL ist nicht benutzbar, stattdessen zeichnet der Prozessor das Bild. %1</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::Workbench</name>
-    <message>
-        <source>Models (*.tan)</source>
-        <translation>Modelle (*.tan)</translation>
-    </message>
-    <message>
-        <source>All that can be opened (%1)</source>
-        <translation>Alles, was sich öffnen lässt (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-        <translation>Kein Plugin zur Darstellung konnte geladen werden; so lässt sich kein Modell zeigen. %1</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sitzungen (*.tansession)</translation>
-    </message>
-    <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
-    </message>
-    <message>
-        <source>Pictures with their sessions (*.png)</source>
-        <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
 </context>
 </TS>

@@ -325,13 +325,6 @@
     </message>
 </context>
 <context>
-    <name>AddIsovalue</name>
-    <message>
-        <source>Add Isovalue</source>
-        <translation>Aggiungi isovalore</translation>
-    </message>
-</context>
-<context>
     <name>Annotations</name>
     <message>
         <source>Value</source>
@@ -398,28 +391,23 @@
     </message>
 </context>
 <context>
-    <name>ChangeAnimation</name>
+    <name>ChangeView</name>
+    <message>
+        <source>Add Isovalue</source>
+        <translation>Aggiungi isovalore</translation>
+    </message>
     <message>
         <source>Change Animation</source>
         <translation>Modifica animazione</translation>
     </message>
-</context>
-<context>
-    <name>ChangeAnnotations</name>
     <message>
         <source>Change Annotations</source>
         <translation>Modifica annotazioni</translation>
     </message>
-</context>
-<context>
-    <name>ChangeIsovalue</name>
     <message>
         <source>Change Isovalue</source>
         <translation>Modifica isovalore</translation>
     </message>
-</context>
-<context>
-    <name>ChangeLook</name>
     <message>
         <source>Change Rendering Mode</source>
         <translation>Modifica modalità di resa</translation>
@@ -432,9 +420,6 @@
         <source>Change Rendering</source>
         <translation>Modifica resa</translation>
     </message>
-</context>
-<context>
-    <name>ChangeQuery</name>
     <message>
         <source>Change Focus</source>
         <translation>Modifica focus</translation>
@@ -455,9 +440,6 @@
         <source>Change Accuracy</source>
         <translation>Modifica accuratezza</translation>
     </message>
-</context>
-<context>
-    <name>ChangeView</name>
     <message>
         <source>Change Background</source>
         <translation>Modifica sfondo</translation>
@@ -465,6 +447,10 @@
     <message>
         <source>Move Camera</source>
         <translation>Sposta la camera</translation>
+    </message>
+    <message>
+        <source>Remove Isovalue</source>
+        <translation>Rimuovi isovalore</translation>
     </message>
 </context>
 <context>
@@ -850,13 +836,6 @@
     <message>
         <source>Diverging: opaque at both ends</source>
         <translation>Divergente: opaca ai due estremi</translation>
-    </message>
-</context>
-<context>
-    <name>RemoveIsovalue</name>
-    <message>
-        <source>Remove Isovalue</source>
-        <translation>Rimuovi isovalore</translation>
     </message>
 </context>
 <context>
@@ -1493,6 +1472,17 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Canvas</name>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>tetra::ColourButton</name>
     <message>
         <source>Colour</source>
@@ -1520,13 +1510,6 @@ deformazione %2</translation>
     <message>
         <source>Commands</source>
         <translation>Comandi</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::CpuCanvas</name>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
     </message>
 </context>
 <context>
@@ -1938,13 +1921,6 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
-    <name>tetra::GlCanvas</name>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
-    </message>
-</context>
-<context>
     <name>tetra::HistogramView</name>
     <message>
         <source>Histogram</source>
@@ -2269,8 +2245,8 @@ deformazione %2</translation>
         <translation>Scambia con il fotogramma chiave successivo (Alt+Giù)</translation>
     </message>
     <message>
-        <source>show of a key frame</source>
-        <translation>visione di un fotogramma chiave</translation>
+        <source>Show Key Frame</source>
+        <translation>Mostra fotogramma chiave</translation>
     </message>
 </context>
 <context>
@@ -2470,8 +2446,8 @@ deformazione %2</translation>
         <translation>Immagine copiata, %1 × %2 pixel</translation>
     </message>
     <message>
-        <source>reset of view</source>
-        <translation>reimpostazione della vista</translation>
+        <source>Reset View</source>
+        <translation>Reimposta la vista</translation>
     </message>
     <message>
         <source>The model %1 is built.</source>
@@ -2991,10 +2967,6 @@ deformazione %2</translation>
     <message>
         <source>Point %1 of &apos;%2&apos; has a position or a value that is not a finite number. Leave it out.</source>
         <translation>Il punto %1 di «%2» ha una posizione o un valore che non è un numero finito. Ometterlo.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine these points. Close other programs.</source>
-        <translation>La memoria non basta per raffinare questi punti. Chiudere altri programmi.</translation>
     </message>
     <message>
         <source>A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.</source>
@@ -4261,14 +4233,6 @@ deformazione %2</translation>
         <translation>Disegno dell&apos;immagine</translation>
     </message>
     <message>
-        <source>The scene&apos;s volume and its transfer function do not belong together.</source>
-        <translation>Il volume della scena e la sua funzione di trasferimento non vanno insieme.</translation>
-    </message>
-    <message>
-        <source>The focus&apos; volume and its transfer function do not belong together.</source>
-        <translation>Il volume del focus e la sua funzione di trasferimento non vanno insieme.</translation>
-    </message>
-    <message>
         <source>The scene has more than two thousand million vertices.</source>
         <translation>La scena ha più di due miliardi di vertici.</translation>
     </message>
@@ -4287,10 +4251,6 @@ deformazione %2</translation>
     <message>
         <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
         <translation>Il contesto OpenGL non è utilizzabile, forse perché la scheda grafica è stata reinizializzata. Far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for a picture of this size.</source>
-        <translation>La memoria non basta per un&apos;immagine di queste dimensioni.</translation>
     </message>
     <message>
         <source>A surface has too many triangles for OpenGL. Use the CPU back end.</source>
@@ -6913,10 +6873,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Come si ordinano superfici e volume: &apos;exact&apos;, oppure come faceva l&apos;articolo &apos;with-cell&apos;, dove la parte di superficie in una cella si disegna prima della cella.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no order of surfaces and volume: it is exact or with-cell.</source>
-        <translation>«%1» non è un ordine di superfici e volume: è exact o with-cell.</translation>
-    </message>
-    <message>
         <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
         <translation>densità elettronica della molecola C60, una sfera cava di gobbe lisce</translation>
     </message>
@@ -7245,10 +7201,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>tetraedri</translation>
     </message>
     <message>
-        <source>it threw something unknown</source>
-        <translation>ha lanciato qualcosa di sconosciuto</translation>
-    </message>
-    <message>
         <source>Encoding</source>
         <translation>Codifica</translation>
     </message>
@@ -7263,6 +7215,50 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>gzip</source>
         <translation>gzip</translation>
+    </message>
+    <message>
+        <source>What draws the scene failed: %1. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>Ciò che disegna la scena ha fallito: %1. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>The shader of an optical model cannot be used: %1</source>
+        <translation>Lo shader di un modello ottico non si può usare: %1</translation>
+    </message>
+    <message>
+        <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>A un modello ottico della scena manca la funzione o lo shader. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>A blend of two volumes is seen by emission and absorption alone. Take the optical model away, or show one of the two.</source>
+        <translation>Una dissolvenza tra due volumi si vede solo con emissione e assorbimento. Togliere il modello ottico, o mostrare uno solo dei due.</translation>
+    </message>
+    <message>
+        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
+        <translation>Una scena può avere un volume, o una dissolvenza tra due, e questa ne ha %1. Mostrare gli altri come superfici, o in un&apos;immagine a parte.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha fallito senza dire perché. È un errore del plugin; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no choice for &apos;%2&apos;. There is: %3.</source>
+        <translation>«%1» non è una scelta per «%2». Ci sono: %3.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a mistake in the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha creato una scena che non si può mostrare: %2 È un errore del plugin; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>there is none.</source>
+        <translation>non ce n&apos;è.</translation>
+    </message>
+    <message>
+        <source>a drawable has no name.</source>
+        <translation>un elemento non ha nome.</translation>
+    </message>
+    <message>
+        <source>two drawables are called &apos;%1&apos;.</source>
+        <translation>due elementi si chiamano «%1».</translation>
     </message>
 </context>
 <context>
@@ -7308,6 +7304,33 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::Opening</name>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelli (*.tan)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Tutto ciò che si può aprire (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.tansession)</source>
+        <translation>Sessioni (*.tansession)</translation>
+    </message>
+    <message>
+        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
+        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
+    </message>
+    <message>
+        <source>Pictures with their sessions (*.png)</source>
+        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 <context>
@@ -7926,6 +7949,13 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
 </context>
 <context>
+    <name>tetra::SceneService</name>
+    <message>
+        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
+        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
+    </message>
+</context>
+<context>
     <name>tetra::SlicePreview</name>
     <message>
         <source>Preview of a layer</source>
@@ -8506,37 +8536,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>OpenGL cannot be used, the picture is drawn by the processor instead. %1</source>
         <translation>OpenGL non si può usare, l&apos;immagine è disegnata dal processore. %1</translation>
-    </message>
-</context>
-<context>
-    <name>tetra::Workbench</name>
-    <message>
-        <source>Models (*.tan)</source>
-        <translation>Modelli (*.tan)</translation>
-    </message>
-    <message>
-        <source>All that can be opened (%1)</source>
-        <translation>Tutto ciò che si può aprire (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tutti i file (*)</translation>
-    </message>
-    <message>
-        <source>No renderer plugin could be loaded, so there is no way to show a model. %1</source>
-        <translation>Nessun plugin di resa ha potuto essere caricato, perciò non c&apos;è modo di mostrare un modello. %1</translation>
-    </message>
-    <message>
-        <source>Sessions (*.tansession)</source>
-        <translation>Sessioni (*.tansession)</translation>
-    </message>
-    <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
-    </message>
-    <message>
-        <source>Pictures with their sessions (*.png)</source>
-        <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
 </context>
 </TS>

@@ -10,6 +10,7 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "plugins/api/scene_parameters.h"
 #include "plugins/host/output_check.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
@@ -70,20 +71,25 @@ struct PreparedScene {
     std::size_t tetrahedra = 0;
 };
 
-Result<Camera> cameraOf(const Arguments& arguments, const std::optional<Camera>& ofSession,
-                        const Eigen::AlignedBox3d& bounds, const PictureOptions& picture)
+double aspectRatioOf(const PictureOptions& picture)
 {
-    const double aspectRatio = static_cast<double>(picture.width) / picture.height;
-    if (const auto given = arguments.value("camera"))
-        return cameraFor(*given, bounds, aspectRatio);
-    return ofSession ? *ofSession : fitted(Camera(), bounds, aspectRatio);
+    return static_cast<double>(picture.width) / picture.height;
+}
+
+/// As the options say, or `usual`.
+Result<Camera> cameraOf(const Arguments& arguments, const Camera& usual, const Eigen::AlignedBox3d& bounds,
+                        const PictureOptions& picture)
+{
+    const auto given = arguments.value("camera");
+    return given ? cameraFor(*given, bounds, aspectRatioOf(picture)) : Result<Camera>(usual);
 }
 
 /// The values by which the renderer makes its scene: what the options leave open is as the window shows it at first.
 ParameterValues completed(const ParameterValues& given, const std::vector<Parameter>& parameters,
-                          const SessionDocument& start)
+                          const ViewValue& start)
 {
-    ParameterValues values = rendererValues(parameters, {start.look.mode, start.look.transfer, {}}, start.isovalues);
+    ParameterValues values =
+        rendererValues(parameters, {start.appearance.mode, start.appearance.transfer, {}}, start.isovalues);
     for (const auto& [id, value] : given)
         values[id] = value;
     return values;
@@ -92,15 +98,12 @@ ParameterValues completed(const ParameterValues& given, const std::vector<Parame
 AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& parameters, const ParameterValues& values,
                             const ShownMesh& mesh)
 {
-    TransferFunction transfer;
-    std::vector<Isovalue> isovalues;
-    for (const auto& [id, value] : values) {
-        if (const auto* function = std::get_if<TransferFunction>(&value))
-            transfer = *function;
-        if (const auto* list = std::get_if<std::vector<Isovalue>>(&value))
-            isovalues = *list;
-    }
-    return annotationContent(model, matteringParameters(parameters, values), transfer, isovalues, &mesh);
+    ViewValue view;
+    if (const auto found = values.find(transferId); found != values.end())
+        view.appearance.transfer = std::get<TransferFunction>(found->second);
+    if (const auto found = values.find(isovaluesId); found != values.end())
+        view.isovalues = std::get<std::vector<Isovalue>>(found->second);
+    return annotationContent(model, matteringParameters(parameters, values), view, &mesh);
 }
 
 Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
@@ -116,16 +119,22 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(roughExtentOf(*view.model)));
     if (!values)
         return values.error();
-    if (renderer.plugin->blendsFocus() && !twoResolutions(request.query))
+    if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
-    const auto camera = cameraOf(invocation.arguments, std::nullopt, data.bounds, request.picture);
+    const auto camera = cameraOf(invocation.arguments, fitted(Camera(), data.bounds, aspectRatioOf(request.picture)),
+                                 data.bounds, request.picture);
     if (!camera)
         return camera.error();
     const FieldExtent field = extentOf(*view.model);
-    const SessionDocument start = startingView(renderingModes(invocation.host), *view.model, field);
-    view.scene = {view.model, renderer.plugin, request.query,
-                  completed(*values, renderer.plugin->parameters(field), start), *camera};
+    const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
+    view.scene = {view.model,
+                  renderer.plugin,
+                  request.query,
+                  completed(*values, renderer.plugin->parameters(field), start),
+                  *camera,
+                  request.picture.width,
+                  request.picture.height};
     view.picture.annotations = annotationsOf(invocation.arguments);
     view.picture.annotations.camera = *camera;
     view.picture.annotations.background = request.picture.background;
@@ -174,35 +183,40 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.model = *model;
     const auto modes = renderingModes(invocation.host);
     const FieldExtent field = extentOf(*view.model);
-    const SessionDocument seen = restoredView(*document, modes, *view.model, field);
-    const auto renderer = invocation.host.renderer(seen.look.mode);
+    SessionDocument kept = restoredView(*document, modes, *view.model, field);
+    ViewValue& seen = kept.view;
+    const auto renderer = invocation.host.renderer(seen.appearance.mode);
     if (!renderer)
         return renderer.error();
     view.renderer = *renderer;
-    const auto camera = cameraOf(invocation.arguments, seen.camera, view.model->description().bounds, request.picture);
+    const Eigen::AlignedBox3d& bounds = view.model->description().bounds;
+    if (!kept.hasCamera)
+        seen.camera = fitted(Camera(), bounds, aspectRatioOf(request.picture));
+    const auto camera = cameraOf(invocation.arguments, seen.camera, bounds, request.picture);
     if (!camera)
         return camera.error();
-    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen.query, seen.look,
-                         seen.isovalues);
+    seen.camera = *camera;
+    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen);
+    view.scene.width = request.picture.width;
+    view.scene.height = request.picture.height;
     AnnotationContent& content = view.picture.annotations;
     content.state = seen.annotations;
     content.camera = *camera;
     content.background = invocation.arguments.has("background") ? request.picture.background
                                                                 : seen.background.value_or(usualBackground(false));
-    if (seen.viewSize[0] > 0)
-        view.picture.viewSize = {seen.viewSize[0], seen.viewSize[1]};
+    if (kept.viewSize[0] > 0)
+        view.picture.viewSize = {kept.viewSize[0], kept.viewSize[1]};
     return view;
 }
 
 /// With the scene, and with what can be said of it.
-Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view)
+Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view, ScenePipeline& pipeline)
 {
-    SceneMaker maker;
     const auto built =
-        confirmed(*view.model, maker.make(view.scene, invocation.progress.part(0, 0.6)), invocation.progress);
+        confirmed(*view.model, pipeline.make(view.scene, invocation.progress.part(0, 0.6)), invocation.progress);
     if (!built)
         return built.error();
-    const ExtractedMesh& mesh = *maker.mesh();
+    const ExtractedMesh& mesh = *pipeline.mesh();
     if (const Status some = checkNotEmpty(invocation.arguments, *view.model, mesh.mesh); !some && !view.isOfSession)
         return some.error();
     QJsonObject figures = figuresOf(*view.model, view.scene.query, mesh);
@@ -227,14 +241,13 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view)
 std::size_t triangleCount(const Scene& scene)
 {
     std::size_t count = 0;
-    for (const Surface& surface : scene.surfaces)
-        count += surface.mesh->triangles.size();
+    for (const Surface* surface : shapesOf<Surface>(scene))
+        count += surface->mesh ? surface->mesh->triangles.size() : 0;
     return count;
 }
 
-void addStatistics(QJsonObject& figures, const RenderBackend& backend)
+void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
 {
-    const RenderStatistics statistics = backend.statistics();
     figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
     figures["fragments"] = static_cast<qint64>(statistics.fragments);
     figures["broken_cycles"] = static_cast<qint64>(statistics.brokenCycles);
@@ -249,9 +262,9 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
 {
     const std::string cells = std::to_string(tetrahedra) + " tetrahedra";
     const std::string triangles = std::to_string(triangleCount(scene)) + " triangles";
-    if (!scene.volume)
+    if (shapesOf<Volume>(scene).empty() && shapesOf<FocusVolume>(scene).empty())
         return triangles + " from " + cells;
-    return (scene.surfaces.empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
+    return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
 Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture, QJsonObject& figures)
@@ -336,9 +349,10 @@ Result<Outcome> runRender(const Invocation& invocation)
                                                 renderer->plugin->parameters({}), "mode '" + renderer->id + "'");
         !known)
         return known.error();
-    const auto backend = makeBackend(request->backend);
+    auto backend = makeBackend(request->backend);
     if (!backend)
         return backend.error();
+    ScenePipeline pipeline(*std::move(backend));
     std::optional<tbb::global_control> limit;
     if (request->picture.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request->picture.threads));
@@ -347,17 +361,17 @@ Result<Outcome> runRender(const Invocation& invocation)
     if (!view)
         return view.error();
     const std::string mode = view->renderer.id;
-    const auto prepared = prepareScene(invocation, *std::move(view));
+    const auto prepared = prepareScene(invocation, *std::move(view), pipeline);
     if (!prepared)
         return prepared.error();
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
-    const auto picture = drawScene(order, **backend, request->picture.depth, invocation.progress.part(0.6, 1));
+    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(0.6, 1));
     if (!picture)
         return picture.error();
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
-    addStatistics(figures, **backend);
+    addStatistics(figures, pipeline.statistics());
     if (const Status written = writeFiles(*request, order, *picture, figures); !written)
         return written.error();
 

@@ -56,7 +56,8 @@ Result<DrawingTimes> measureDrawing(PluginHost& host, const ModelDescription& da
         const auto renderer = host.renderer(id);
         if (!renderer)
             return renderer.error();
-        const auto scene = renderer->plugin->open(mesh, bounds)->prepare(values, camera, progress);
+        const auto scene = renderer->plugin->open({.mesh = mesh, .bounds = bounds})
+                               ->prepare({values, camera, timedPictureSide, timedPictureSide}, progress);
         if (!scene)
             return scene.error();
         const auto seconds = timePicture(**scene, camera, progress);

@@ -2,6 +2,7 @@
 #include "core/base/file_writer.h"
 
 #include "core/base/folder.h"
+#include "core/base/guarded.h"
 #include "core/base/system_error.h"
 
 #include <algorithm>
@@ -138,12 +139,14 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
     // Some file systems have no permissions to keep: then what they give is all there is.
     if (mode && ::fchmod(writer.descriptor_, *mode) != 0 && errno != EPERM && errno != ENOTSUP)
         return cannotWrite(writer.target_, errno);
-    try {
+    const auto takeBuffer = [&]() -> Status {
         writer.buffer_.reserve(std::max<std::size_t>(bufferBytes, 1));
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to write '%1'. Close other programs.", target.string())};
-    }
+        return {};
+    };
+    const Status buffered =
+        guarded(Message::marked("Not enough memory to write '%1'. Close other programs."), takeBuffer, target.native());
+    if (!buffered)
+        return buffered.error();
     return writer;
 }
 

@@ -14,10 +14,6 @@
 
 namespace tetra {
 
-/// The paths of all that is in a folder, "" being the current one, in no order; `problem` says why some are missing.
-/// May throw std::bad_alloc.
-TAN_INTERNAL std::vector<std::filesystem::path> pathsIn(const std::filesystem::path& folder, std::error_code& problem);
-
 /// Removes what is in a folder, all that is in folders there, too, but what is called `kept` in the folder itself.
 /// Links are removed, not followed. What cannot be removed stays. Allocates nothing of ours, as lack of memory may be
 /// why.

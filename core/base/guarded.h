@@ -4,18 +4,21 @@
 #include <tan/base.h>
 
 #include <new>
-#include <string>
 
 namespace tetra {
 
-/// What `work`, which builds a model, returns: a Result or a Status. Memory that is not to be had becomes an Error: for
-/// the functions of the face, which do not throw.
-template <class Work> auto guarded(const Work& work) -> decltype(work())
+/// What `work` returns, a Result or a Status; where there is not enough memory for it, an Error with this sentence and
+/// its arguments, which says what the memory was for and how to need less. For the outermost functions that return a
+/// Result: they do not throw.
+///
+///     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."),
+///                    [&] { return readAll(path); }, path.native());
+template <class Work, class... Arguments>
+auto guarded(MarkedText sentence, const Work& work, const Arguments&... arguments) -> decltype(work())
 try {
     return work();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory to build a model. Close other programs, or take fewer samples.")};
+    return Error{ErrorKind::OutOfResource, Message::say(sentence.text, arguments...)};
 }
 
 } // namespace tetra

@@ -11,11 +11,6 @@ namespace tetra {
 /// The size of a page of virtual memory, in bytes.
 std::size_t pageSize() noexcept;
 
-/// The machine's physical memory in bytes, in use or not; 0 if the system does not tell.
-TAN_INTERNAL std::uint64_t physicalBytes() noexcept;
-/// The most memory that this process can use: the machine's, or less if its address space is limited (ulimit -v); 0 if
-/// the system does not tell.
-TAN_INTERNAL std::uint64_t usableBytes() noexcept;
 /// Physical memory that this process occupies now, mapped files included, in bytes; 0 if the system does not tell.
 TAN_INTERNAL std::uint64_t residentBytes();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/build/decimation_build.h"
 
+#include "core/base/guarded.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/build/thresholds.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -101,22 +101,22 @@ private:
 
 Result<DecimationInput> DecimationInput::make(const Dataset& dataset, const Weighting& weighting,
                                               const Progress& progress)
-try {
-    DecimationInput input(dataset);
-    Result<std::vector<float>> weights = pointWeights(weighting, dataset, progress);
-    if (!weights)
-        return weights.error();
-    input.weights_ = *std::move(weights);
-    input.values_ = valuesOf(dataset);
-    if (dataset.domain != DomainClass::Irregular) {
-        input.positions_ = computationalPositions(dataset.lattice);
-        input.tetrahedra_ = latticeTetrahedra(dataset.lattice.size, gridCut(dataset.domain));
-    }
-    return input;
-} catch (const std::bad_alloc&) {
-    return Error{
-        ErrorKind::OutOfResource,
-        Message::say("Not enough memory to decimate '%1'. Take a region of it or fewer samples.", dataset.source.name)};
+{
+    const auto makeInput = [&]() -> Result<DecimationInput> {
+        DecimationInput input(dataset);
+        Result<std::vector<float>> weights = pointWeights(weighting, dataset, progress);
+        if (!weights)
+            return weights.error();
+        input.weights_ = *std::move(weights);
+        input.values_ = valuesOf(dataset);
+        if (dataset.domain != DomainClass::Irregular) {
+            input.positions_ = computationalPositions(dataset.lattice);
+            input.tetrahedra_ = latticeTetrahedra(dataset.lattice.size, gridCut(dataset.domain));
+        }
+        return input;
+    };
+    return guarded(Message::marked("Not enough memory to decimate '%1'. Take a region of it or fewer samples."),
+                   makeInput, dataset.source.name);
 }
 
 DecimationMesh DecimationInput::mesh() const

@@ -32,11 +32,4 @@ std::uint64_t decimationNeed(const DecimationSize& size);
 /// mesh has more points or tetrahedra than can be numbered. `usableBytes`: 0 if unknown.
 Status checkDecimationNeed(const DecimationSize& size, std::uint64_t usableBytes);
 
-/// Why the dataset cannot be decimated, for the user; success if it can.
-TAN_INTERNAL Status checkDecimation(const Dataset& dataset);
-
-/// Edge collapse of irregular data, lattices and grids into a target (R11, R12).
-TAN_INTERNAL Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimation, BuildTarget& target,
-                                           const Progress& progress);
-
 } // namespace tetra

@@ -212,6 +212,9 @@ template <class Method> Result<BuildReport> buildFile(const Dataset& dataset, co
                     [&](BuildTarget& target) { return buildInto(dataset, method, target, progress); });
 }
 
+constexpr MarkedText noMemory =
+    Message::marked("Not enough memory to build a model. Close other programs, or take fewer samples.");
+
 } // namespace
 
 BuildMethod suitableMethod(const Dataset& dataset)
@@ -224,7 +227,7 @@ BuildMethod suitableMethod(const Dataset& dataset)
 Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output, const BuildMethod& method,
                                const Progress& progress)
 {
-    return guarded([&] {
+    return guarded(noMemory, [&] {
         return std::visit([&](const auto& chosen) { return buildFile(dataset, output, chosen, progress); }, method);
     });
 }
@@ -237,7 +240,7 @@ Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::pa
 Result<BuildReport> writeModel(const Dataset& dataset, const std::filesystem::path& output, std::string builder,
                                const std::function<Status(HistorySink& history)>& build)
 {
-    return guarded([&]() -> Result<BuildReport> {
+    return guarded(noMemory, [&]() -> Result<BuildReport> {
         ModelDescription description;
         description.builder = std::move(builder);
         return fillFile(dataset, output, description, [&](BuildTarget& target) -> Result<BuildReport> {

@@ -15,7 +15,6 @@
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <cmath>
-#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -187,7 +186,7 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
 
 Result<BuildReport> buildScattered(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
                                    const Progress& progress)
-try {
+{
     const Result<std::vector<float>> weights = pointWeights(refinement.weighting, dataset, progress);
     if (!weights)
         return weights.error();
@@ -206,9 +205,6 @@ try {
     if (!result)
         return result.error();
     return BuildReport{result->sites, result->tetrahedra, 0, 0};
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory to refine these points. Close other programs.")};
 }
 
 /// A good compromise: the mesh has a few percent more sites than a whole one, and its memory stays in the cache.

@@ -10,21 +10,6 @@
 
 namespace tetra {
 
-/// What every dataset on a lattice must fulfil, whatever format it comes from. The errors say what is wrong and what to
-/// do; the caller names the file.
-
-/// At least two points along each axis, fewer than 2^32, and a number of bytes that fits into 62 bits.
-TAN_INTERNAL Status checkLatticeSize(const std::array<std::uint64_t, 3>& size);
-
-/// Positive, finite spacing, finite origin and bounds, and points that stay apart in double precision.
-TAN_INTERNAL Status checkLatticePlacement(const Lattice& lattice);
-
-/// Volumes of such coordinates are still numbers.
-inline constexpr double farthestCoordinate = 1e90;
-
-/// No NaN, no infinity.
-TAN_INTERNAL Status checkFinite(const Lattice& lattice, const ScalarField& values);
-
 /// "32 x 32 x 32".
 TAN_INTERNAL std::string sizeText(const std::array<std::uint64_t, 3>& size);
 
@@ -44,9 +29,5 @@ TAN_INTERNAL bool isLeftHanded(const Dataset& dataset);
 
 /// Whether a float holds each coordinate exactly.
 TAN_INTERNAL bool fitFloats(const std::vector<Eigen::Vector3d>& positions);
-
-/// What a curvilinear dataset must keep whoever reads it: finite positions and values, and cells with a volume. The
-/// error says what is wrong with "it".
-TAN_INTERNAL Status checkGrid(const Dataset& dataset);
 
 } // namespace tetra

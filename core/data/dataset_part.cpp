@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/dataset_part.h"
 
+#include "core/base/guarded.h"
 #include "core/base/text.h"
 #include "core/data/dataset_checks.h"
 #include "core/mesh/manifold.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -310,20 +310,20 @@ Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part)
 }
 
 Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
-try {
-    if (part.isWhole())
-        return dataset;
-    auto result = takeAnyPart(dataset, part, progress);
-    if (!result)
+{
+    return guarded(Message::marked("Not enough memory for this part. Take a smaller one."), [&]() -> Result<Dataset> {
+        if (part.isWhole())
+            return dataset;
+        auto result = takeAnyPart(dataset, part, progress);
+        if (!result)
+            return result;
+        if (const Status intact = dataset.checkIntact(); !intact)
+            return intact.error();
+        result->source.name += nameOfPart(part);
+        result->source.hash = contentHash(result->values, result->positions, result->tetrahedra);
+        progress.report(1, Message::marked("Reading"));
         return result;
-    if (const Status intact = dataset.checkIntact(); !intact)
-        return intact.error();
-    result->source.name += nameOfPart(part);
-    result->source.hash = contentHash(result->values, result->positions, result->tetrahedra);
-    progress.report(1, Message::marked("Reading"));
-    return result;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory for this part. Take a smaller one.")};
+    });
 }
 
 namespace {

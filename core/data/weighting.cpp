@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
 #include "core/base/text.h"
 
 #include <tan/data.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <optional>
 #include <span>
 
@@ -38,21 +38,12 @@ double Weighting::weight(const Eigen::Vector3d& position, double value) const
     return largest;
 }
 
-Result<std::vector<float>> pointWeights(const Weighting& weighting, const Dataset& dataset, const Progress& progress)
+namespace {
+
+Result<std::vector<float>> weigh(const Weighting& weighting, const Dataset& dataset, const Progress& progress)
 {
     constexpr std::uint64_t pointsAtOnce = 16384;
-    std::vector<float> weights;
-    if (weighting.empty())
-        return weights;
-    try {
-        weights.resize(dataset.pointCount());
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say(
-                "Not enough memory for the weights of %1 points. Build without weights, or close other programs.",
-                dataset.pointCount())};
-    }
+    std::vector<float> weights(dataset.pointCount());
     visitSampleType(dataset.values.type(), [&]<class T>() {
         const std::span<const T> values = dataset.values.as<T>();
         tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, weights.size(), pointsAtOnce), [&](const auto& range) {
@@ -66,6 +57,18 @@ Result<std::vector<float>> pointWeights(const Weighting& weighting, const Datase
     if (progress.cancelled())
         return cancelledError(Message::marked("Weighting the points"));
     return weights;
+}
+
+} // namespace
+
+Result<std::vector<float>> pointWeights(const Weighting& weighting, const Dataset& dataset, const Progress& progress)
+{
+    if (weighting.empty())
+        return std::vector<float>();
+    return guarded(
+        Message::marked(
+            "Not enough memory for the weights of %1 points. Build without weights, or close other programs."),
+        [&] { return weigh(weighting, dataset, progress); }, dataset.pointCount());
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimate/collapse_orders.h"
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
@@ -291,8 +292,7 @@ double distanceFromBoundaryPlane(const CollapsibleMesh& mesh, std::span<const Ei
             if (std::ranges::find(corners, vertex) != corners.end())
                 std::ranges::copy_if(corners, std::back_inserter(around), [vertex](auto c) { return c != vertex; });
         }
-    std::ranges::sort(around);
-    around.erase(std::ranges::unique(around).begin(), around.end());
+    sortUnique(around);
     if (around.empty())
         return 0;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();

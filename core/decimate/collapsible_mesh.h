@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/free_blocks.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace tetra {
 
-/// Storage for many short lists of numbers. Blocks have sizes of powers of two and free lists by size; a larger free
-/// block is halved when a small one is wanted.
+/// Storage for many short lists of numbers.
 class IndexPool {
 public:
     struct List {
         std::uint32_t place = 0;
         std::uint32_t count = 0;
     };
-
-    IndexPool() { freeBlocks_.fill(none); }
 
     std::span<std::uint32_t> operator[](List list) { return {storage_.data() + list.place, list.count}; }
     std::span<const std::uint32_t> operator[](List list) const { return {storage_.data() + list.place, list.count}; }
@@ -33,20 +30,10 @@ public:
         if (count == 0)
             return {};
         const std::uint32_t wanted = classOf(count);
-        std::uint32_t from = wanted;
-        while (from < classes && freeBlocks_[from] == none)
-            ++from;
-        if (from == classes) {
-            const auto place = static_cast<std::uint32_t>(storage_.size());
-            storage_.resize(storage_.size() + (std::size_t(1) << wanted));
+        if (const std::uint32_t place = freeBlocks_.take(storage_.data(), wanted); place != FreeBlocks::none)
             return {place, count};
-        }
-        const std::uint32_t place = freeBlocks_[from];
-        freeBlocks_[from] = storage_[place];
-        while (from > wanted) {
-            --from;
-            putBack(place + (1u << from), from);
-        }
+        const auto place = static_cast<std::uint32_t>(storage_.size());
+        storage_.resize(storage_.size() + (std::size_t(1) << wanted));
         return {place, count};
     }
 
@@ -85,18 +72,14 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t none = 0xffffffff;
-    static constexpr std::uint32_t classes = 32;
-
-    static std::uint32_t classOf(std::uint32_t count) { return static_cast<std::uint32_t>(std::bit_width(count - 1)); }
-    void putBack(std::uint32_t place, std::uint32_t blockClass)
+    static std::uint32_t classOf(std::uint32_t count) { return FreeBlocks::classOf(count); }
+    void putBack(std::uint32_t place, std::uint32_t sizeClass)
     {
-        storage_[place] = freeBlocks_[blockClass];
-        freeBlocks_[blockClass] = place;
+        freeBlocks_.putBack(storage_.data(), place, sizeClass);
     }
 
     std::vector<std::uint32_t> storage_;
-    std::array<std::uint32_t, classes> freeBlocks_{};
+    FreeBlocks freeBlocks_;
 };
 
 /// What decimation keeps with a tetrahedron besides its geometry.

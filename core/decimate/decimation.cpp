@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimate/decimation.h"
 
+#include "core/base/guarded.h"
 #include "core/decimate/collapse_orders.h"
 #include "core/decimate/decimated_mesh.h"
 #include "core/geometry/hilbert_order.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -131,15 +131,16 @@ Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOp
     for (const Status& status : {checkSizes(mesh), checkDecimationOptions(mesh, options)})
         if (!status)
             return status.error();
-    try {
+    const auto decimateChecked = [&]() -> Result<DecimationResult> {
         if (Status status = checkNumbers(mesh); !status)
             return status.error();
         return decimateSound(mesh, options, sink, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to decimate this mesh. Close other programs, use a machine with "
-                                  "more memory, or take a part of the data.")};
-    }
+    };
+    return guarded(
+        Message::marked(
+            "Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or "
+            "take a part of the data."),
+        decimateChecked);
 }
 
 std::uint64_t decimationBytes(std::uint64_t points, std::uint64_t tetrahedra)

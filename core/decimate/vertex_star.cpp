@@ -2,8 +2,7 @@
 #include "core/decimate/vertex_star.h"
 
 #include "core/base/simd.h"
-#include "core/mesh/face_adjacency.h"
-#include "core/mesh/topology.h"
+#include "core/base/sort_unique.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,11 +15,9 @@
 
 namespace tetra {
 
-namespace {
-
-constexpr std::uint32_t noNumber = 0xffffffff;
-
 #if defined(TETRA_SIMD_16)
+
+namespace {
 
 constexpr std::size_t most = 64; ///< that registers hold
 
@@ -55,9 +52,9 @@ TETRA_SIMD_16 std::size_t findInRegisters(std::span<const std::uint32_t> numbers
     return count;
 }
 
-#endif
-
 } // namespace
+
+#endif
 
 void DistinctNumbers::find(std::span<const std::uint32_t> numbers, std::vector<std::uint32_t>& distinct,
                            std::span<std::uint32_t> places)
@@ -71,25 +68,9 @@ void DistinctNumbers::find(std::span<const std::uint32_t> numbers, std::vector<s
             return;
     }
 #endif
-    findByTable(numbers, distinct, places);
-}
-
-void DistinctNumbers::findByTable(std::span<const std::uint32_t> numbers, std::vector<std::uint32_t>& distinct,
-                                  std::span<std::uint32_t> places)
-{
-    distinct.clear();
-    const std::size_t last = std::bit_ceil(2 * numbers.size() + 1) - 1;
-    table_.assign(last + 1, noNumber);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        std::size_t at = numbers[i] * std::size_t{0x9e3779b1} >> 7 & last;
-        while (table_[at] != noNumber && distinct[table_[at]] != numbers[i])
-            at = (at + 1) & last;
-        if (table_[at] == noNumber) {
-            table_[at] = static_cast<std::uint32_t>(distinct.size());
-            distinct.push_back(numbers[i]);
-        }
-        places[i] = table_[at];
-    }
+    index_.clear(numbers.size());
+    index_.numberAll(numbers, [&](std::size_t i, std::uint32_t number) { places[i] = number; });
+    distinct.assign(index_.keys().begin(), index_.keys().end());
 }
 
 namespace {
@@ -276,12 +257,6 @@ bool VertexStar::opensOnto(std::uint32_t linkPlace) const
 
 namespace {
 
-template <class Number> void sortOut(std::vector<Number>& numbers)
-{
-    std::ranges::sort(numbers);
-    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
-}
-
 template <class Number> bool has(const std::vector<Number>& sorted, Number number)
 {
     return std::ranges::binary_search(sorted, number);
@@ -297,16 +272,16 @@ void LinkCondition::set(const VertexStar& star)
     rimEdges_.clear();
     const auto link = star.link();
     for (const auto& [a, b, c] : star.faces())
-        edges_.insert(edges_.end(), {edgeOf(link[a], link[b]), edgeOf(link[b], link[c]), edgeOf(link[c], link[a])});
+        edges_.insert(edges_.end(), {edgeKey(link[a], link[b]), edgeKey(link[b], link[c]), edgeKey(link[c], link[a])});
     for (const VertexStar::RimTriangle& triangle : star.rim()) {
         const std::uint32_t a = link[triangle.corners[0]], b = link[triangle.corners[1]];
         rim_.insert(rim_.end(), {a, b});
-        rimEdges_.push_back(edgeOf(a, b));
+        rimEdges_.push_back(edgeKey(a, b));
     }
     std::ranges::sort(link_);
-    sortOut(edges_);
-    sortOut(rim_);
-    sortOut(rimEdges_);
+    sortUnique(edges_);
+    sortUnique(rim_);
+    sortUnique(rimEdges_);
 }
 
 bool LinkCondition::isOnRim(std::uint32_t vertex) const
@@ -341,14 +316,14 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
                 if (corner != linkPlace)
                     others[count++] = star.link()[corner];
             shared_.insert(shared_.end(), {others[0], others[1]});
-            sharedEdges_.push_back(edgeOf(others[0], others[1]));
+            sharedEdges_.push_back(edgeKey(others[0], others[1]));
         }
     for (const VertexStar::RimTriangle& triangle : star.rim())
         for (std::size_t i = 0; i < 2; ++i)
             if (triangle.corners[i] == linkPlace)
                 sharedLink_.push_back(star.link()[triangle.corners[1 - i]]);
-    sortOut(shared_);
-    sortOut(sharedEdges_);
+    sortUnique(shared_);
+    sortUnique(sharedEdges_);
     if (sharedLink_.size() != 2)
         return false;
 
@@ -378,7 +353,7 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
                     ends[count++] = vertices[k];
             if (ends[0] == vertex || ends[1] == vertex)
                 continue;
-            const Edge edge = edgeOf(ends[0], ends[1]);
+            const EdgeKey edge = edgeKey(ends[0], ends[1]);
             if (has(edges_, edge) && !has(sharedEdges_, edge))
                 return false;
             if (!CollapsibleMesh::isTriangle(neighbours[i]))

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/flat_index.h"
 #include "core/decimate/collapsible_mesh.h"
+#include "core/mesh/topology.h"
 
 #include <array>
 #include <cstdint>
@@ -10,7 +12,7 @@
 
 namespace tetra {
 
-/// Finds out which numbers there are in short lists.
+/// Finds out which numbers there are in short lists: with vectors of sixteen lanes by comparing, else by an index.
 class DistinctNumbers {
 public:
     /// Each of `numbers` once, in order of appearance, into `distinct`, and where it is there into `places`, which is
@@ -19,10 +21,7 @@ public:
               std::span<std::uint32_t> places);
 
 private:
-    void findByTable(std::span<const std::uint32_t> numbers, std::vector<std::uint32_t>& distinct,
-                     std::span<std::uint32_t> places);
-
-    std::vector<std::uint32_t> table_; ///< places among the distinct ones, by the hash of the number
+    FlatIndex<std::uint32_t> index_;
 };
 
 /// A point as evaluations read it, in one line of the cache: points of a star lie all over the memory.
@@ -115,15 +114,13 @@ public:
 
 private:
     static bool leavesFaceOpen(const VertexStar& star, std::uint32_t linkPlace);
-    using Edge = std::uint64_t;
-    static Edge edgeOf(std::uint32_t a, std::uint32_t b) { return a < b ? Edge(a) << 32 | b : Edge(b) << 32 | a; }
 
     std::vector<std::uint32_t> link_;       ///< vertices around the star's, sorted
-    std::vector<Edge> edges_;               ///< of the link, sorted
+    std::vector<EdgeKey> edges_;            ///< of the link, sorted
     std::vector<std::uint32_t> rim_;        ///< vertices joined to it by boundary edges, sorted
-    std::vector<Edge> rimEdges_;            ///< opposite to it in boundary triangles, sorted
+    std::vector<EdgeKey> rimEdges_;         ///< opposite to it in boundary triangles, sorted
     std::vector<std::uint32_t> shared_;     ///< vertices that have a triangle with it and the target, sorted
-    std::vector<Edge> sharedEdges_;         ///< edges that have a tetrahedron with them, sorted
+    std::vector<EdgeKey> sharedEdges_;      ///< edges that have a tetrahedron with them, sorted
     std::vector<std::uint32_t> sharedLink_; ///< vertices that have a boundary triangle with them
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/history/site_positions.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -171,13 +171,11 @@ Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, c
             Message::say(
                 "The first %1 sites of '%2' have no mesh of their own: site %3 enters together with the one before it.",
                 sites, model.path().string(), sites)};
-    try {
-        if (const Status extracted = extractInto(model, sites, progress, reuse); !extracted)
-            return extracted.error();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory for a mesh of %1 sites. Choose a larger error.", sites)};
-    }
+    const Status extracted = guarded(
+        Message::marked("Not enough memory for a mesh of %1 sites. Choose a larger error."),
+        [&] { return extractInto(model, sites, progress, reuse); }, sites);
+    if (!extracted)
+        return extracted.error();
     return reuse;
 }
 

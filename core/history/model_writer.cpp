@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/model_writer.h"
 
+#include "core/base/guarded.h"
 #include "core/base/rounding.h"
 #include "core/base/scratch_file.h"
 #include "core/base/text.h"
@@ -14,7 +15,6 @@
 #include <cstring>
 #include <functional>
 #include <limits>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -95,17 +95,16 @@ Result<std::unique_ptr<ModelFileWriter>> ModelFileWriter::create(const std::file
                                                                  const FixedCounts& counts,
                                                                  const std::filesystem::path& workFolder)
 {
-    try {
+    const auto createAnnounced = [&]() -> Result<std::unique_ptr<ModelFileWriter>> {
         auto writer = create(path, dataset, std::move(description), workFolder);
         if (!writer)
             return writer.error();
         if (const Status announced = (*writer)->announce(counts); !announced)
             return announced.error();
         return writer;
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to write '%1'. Close other programs.", path.string())};
-    }
+    };
+    return guarded(Message::marked("Not enough memory to write '%1'. Close other programs."), createAnnounced,
+                   path.native());
 }
 
 Status ModelFileWriter::begin()
@@ -306,7 +305,13 @@ private:
     void storeMeshSizes(const Batch& batch);
     const ModelDescription& description() const { return file_->description(); }
     Error inconsistent(const Message& what) const;
-    Error outOfMemory() const;
+    template <class Work> Status guardedWriting(const Work& work) const
+    {
+        return guarded(
+            Message::marked("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other "
+                            "programs."),
+            work, file_->target().native(), siteCount());
+    }
 
     std::unique_ptr<ModelFileWriter> file_;
     SpoolFile spool_; ///< of the arrays that are only read at the end
@@ -354,12 +359,10 @@ Status HistoryFileWriter::add(const HistoryStep& step)
 {
     if (canWarp(description().domain) && !(description().warpingWeight > 0))
         return inconsistent(Message::say("%1 data need a warping weight", domainClassText(description().domain)));
-    try {
+    return guardedWriting([&] {
         const Status added = builder_.add(step);
         return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().message);
-    } catch (const std::bad_alloc&) {
-        return outOfMemory();
-    }
+    });
 }
 
 Status HistoryFileWriter::add(const Batch& batch)
@@ -410,13 +413,11 @@ Status HistoryFileWriter::finish(float finalKey)
         return inconsistent(Message::say("a model needs at least the sites of a first mesh"));
     if (!(finalKey >= 0) || !std::isfinite(finalKey))
         return inconsistent(Message::say("the final error is not a number of at least 0"));
-    try {
+    return guardedWriting([&] {
         if (const Status closed = builder_.finish(); !closed)
             return closed;
         return writeArrays(finalKey);
-    } catch (const std::bad_alloc&) {
-        return outOfMemory();
-    }
+    });
 }
 
 Status HistoryFileWriter::finishEarly()
@@ -427,11 +428,7 @@ Status HistoryFileWriter::finishEarly()
             ErrorKind::Cancelled,
             Message::say("The build was stopped before there was a mesh of known error, so there is nothing to keep.")};
     builder_.abandonBatch();
-    try {
-        return writeArrays(builder_.runningKey());
-    } catch (const std::bad_alloc&) {
-        return outOfMemory();
-    }
+    return guardedWriting([&] { return writeArrays(builder_.runningKey()); });
 }
 
 /// All but what went to the file on the way; may throw std::bad_alloc.
@@ -460,14 +457,6 @@ Error HistoryFileWriter::inconsistent(const Message& what) const
     return {ErrorKind::BadInput, Message::say("The builder '%1' made a history that is wrong at site %2: %3. Nothing "
                                               "was written; report this to its author.",
                                               description().builder, siteCount(), what)};
-}
-
-Error HistoryFileWriter::outOfMemory() const
-{
-    return {
-        ErrorKind::OutOfResource,
-        Message::say("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other programs.",
-                     file_->target().string(), siteCount())};
 }
 
 } // namespace

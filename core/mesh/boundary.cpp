@@ -2,49 +2,28 @@
 #include "core/mesh/boundary.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/flat_index.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace tetra {
 
 BoundaryFaces boundaryFaces(std::size_t vertexCount, std::span<const std::array<std::uint32_t, 4>> tetrahedra)
 {
-    constexpr std::uint32_t unused = 0xffffffff;
     const FaceAdjacency adjacency = matchFaces(tetrahedra);
-    std::vector<std::uint32_t> numbers(vertexCount, unused);
     BoundaryFaces boundary;
-    for (std::size_t cell = 0; cell < tetrahedra.size(); ++cell)
-        for (std::size_t face = 0; face < 4; ++face) {
-            if ((adjacency.innerFaces[cell] >> face & 1) != 0)
-                continue;
-            auto& triangle = boundary.triangles.emplace_back();
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                triangle[corner] = tetrahedra[cell][cornersOfFace[face][corner]];
-                numbers[triangle[corner]] = 0;
-            }
-        }
-    for (std::uint32_t vertex = 0; vertex < numbers.size(); ++vertex)
-        if (numbers[vertex] != unused) {
-            numbers[vertex] = static_cast<std::uint32_t>(boundary.vertices.size());
-            boundary.vertices.push_back(vertex);
-        }
-    for (auto& triangle : boundary.triangles)
-        for (std::uint32_t& corner : triangle)
-            corner = numbers[corner];
+    for (std::uint32_t cell = 0; cell < tetrahedra.size(); ++cell)
+        for (std::uint32_t face = 0; face < 4; ++face)
+            if ((adjacency.innerFaces[cell] >> face & 1) == 0)
+                boundary.triangles.push_back(sideCorners(tetrahedra, 4 * cell + face));
+    boundary.vertices = renumberUsed(boundary.triangles, vertexCount);
     return boundary;
 }
 
 namespace {
-
-void sortUnique(std::vector<std::uint32_t>& numbers)
-{
-    std::ranges::sort(numbers);
-    const auto repeated = std::ranges::unique(numbers);
-    numbers.erase(repeated.begin(), repeated.end());
-}
 
 bool isBack(const std::array<std::uint32_t, 3>& face, const std::array<std::uint32_t, 3>& other)
 {
@@ -108,7 +87,7 @@ namespace {
 
 /// One triangle's share of an edge: its corner place `corner` is where it starts along the edge.
 struct EdgeUse {
-    std::uint64_t edge; ///< smaller vertex in the upper half
+    EdgeKey edge;
     std::uint32_t triangle;
     std::uint8_t corner;
     bool upwards; ///< from the smaller vertex to the larger
@@ -120,8 +99,8 @@ std::vector<EdgeUse> sortedEdgeUses(std::span<const Triangle> triangles)
     uses.reserve(3 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::uint8_t i = 0; i < 3; ++i) {
-            const std::uint64_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-            uses.push_back({std::min(from, to) << 32 | std::max(from, to), t, i, from < to});
+            const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+            uses.push_back({edgeKey(from, to), t, i, from < to});
         }
     std::ranges::sort(uses, [](const EdgeUse& a, const EdgeUse& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle;
@@ -156,7 +135,7 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
     forEdges(uses, [&](std::size_t first, std::size_t count) {
         const EdgeUse& a = uses[first];
         if (count != 2 || !sound(a, uses[first + 1])) {
-            breaches.edges.push_back({static_cast<std::uint32_t>(a.edge >> 32), static_cast<std::uint32_t>(a.edge)});
+            breaches.edges.push_back(endsOf(a.edge));
             return;
         }
         // Where one starts along the edge, the other ends.
@@ -164,10 +143,10 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
         fans.join(3 * a.triangle + a.corner, 3 * b.triangle + (b.corner + 1) % 3);
         fans.join(3 * a.triangle + (a.corner + 1) % 3, 3 * b.triangle + b.corner);
     });
-    std::unordered_map<std::uint32_t, std::uint32_t> breached; // ends of breached edges
+    FlatIndex<std::uint32_t> breached; // ends of breached edges
     for (const auto& [a, b] : breaches.edges) {
-        breached[a] = 0;
-        breached[b] = 0;
+        breached.numberOf(a);
+        breached.numberOf(b);
     }
     std::vector<std::uint32_t> centres;
     for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)

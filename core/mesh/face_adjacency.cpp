@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/face_adjacency.h"
 
+#include "core/base/flat_index.h"
 #include "core/mesh/topology.h"
 
 #include <tbb/blocked_range.h>
@@ -68,7 +69,8 @@ std::array<OpenFace, 4> facesOf(const Tetrahedron& cell, std::uint32_t index) no
 }
 
 /// Matches the faces of a block of cells with one another through a small table, in which a face gives way to the next
-/// one with the same place; returns what is left.
+/// one with the same place; returns what is left. Not a FlatIndex: the table forgets, so that it stays in the nearest
+/// cache however many faces pass, and a place is looked at once, without a search.
 class BlockMatcher {
 public:
     static constexpr std::size_t blockSize = std::size_t(1) << 16;
@@ -151,9 +153,9 @@ public:
     void match(Buffer<std::array<std::uint32_t, 4>>& neighbours) const
     {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, partCount()), [&](const auto& range) {
-            std::vector<OpenFace> table;
+            FaceIndex index;
             for (std::size_t part = range.begin(); part != range.end(); ++part)
-                matchPart(std::span(faces_).subspan(first_[part], first_[part + 1] - first_[part]), table, neighbours);
+                matchPart(std::span(faces_).subspan(first_[part], first_[part + 1] - first_[part]), index, neighbours);
         });
     }
 
@@ -163,24 +165,25 @@ private:
     std::size_t partCount() const { return std::size_t(1) << partBits_; }
     std::size_t partOf(const OpenFace& face) const { return face.hash() & (partCount() - 1); }
 
-    static void matchPart(std::span<const OpenFace> faces, std::vector<OpenFace>& table,
+    struct Hash {
+        std::uint64_t operator()(const OpenFace& face) const noexcept { return face.hash(); }
+    };
+    struct SameCorners {
+        bool operator()(const OpenFace& one, const OpenFace& other) const noexcept { return one.sameCorners(other); }
+    };
+    using FaceIndex = FlatIndex<OpenFace, Hash, SameCorners>; ///< the keys are the first sides
+
+    static void matchPart(std::span<const OpenFace> faces, FaceIndex& index,
                           Buffer<std::array<std::uint32_t, 4>>& neighbours)
     {
-        const std::size_t capacity = std::bit_ceil(2 * faces.size() + 1);
-        const int shift = 64 - std::countr_zero(capacity);
-        table.assign(capacity, noFace);
+        const auto sideOf = [&](std::uint32_t name) -> std::uint32_t& { return neighbours[name >> 2][name & 3]; };
+        index.clear(faces.size());
         for (const OpenFace& face : faces) {
-            std::size_t place = face.hash() >> shift;
-            while (table[place].largest != noFace.largest && !table[place].sameCorners(face))
-                place = (place + 1) & (capacity - 1);
-            OpenFace& other = table[place];
-            if (other.largest == noFace.largest) {
-                other = face;
-            } else if (other.name != FaceAdjacency::none) { // none: two have matched already
-                neighbours[face.name >> 2][face.name & 3] = other.name;
-                neighbours[other.name >> 2][other.name & 3] = face.name;
-                other.name = FaceAdjacency::none;
-            }
+            const std::uint32_t other = index.keys()[index.numberOf(face)].name;
+            if (other == face.name || sideOf(other) != FaceAdjacency::none) // the first side, or a third one
+                continue;
+            sideOf(face.name) = other;
+            sideOf(other) = face.name;
         }
     }
 

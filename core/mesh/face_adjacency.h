@@ -11,7 +11,8 @@
 namespace tetra {
 
 /// Finds the two sides of each face of a mesh: a hash table by keys that do not depend on the order of a face's
-/// vertices. About 64 bytes a tetrahedron while it works.
+/// vertices. About 64 bytes a tetrahedron while it works. Not a FlatIndex: all that is known of a face lies in one line
+/// of the cache, which can be fetched ahead.
 class FaceMatching {
 public:
     static constexpr std::uint32_t none = 0xffffffff;

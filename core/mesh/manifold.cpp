@@ -2,6 +2,7 @@
 #include "core/mesh/manifold.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>
@@ -131,8 +132,7 @@ private:
         std::vector<std::uint32_t> points;
         for (const Edge& edge : rim)
             points.insert(points.end(), {edge.a, edge.b});
-        std::ranges::sort(points);
-        points.erase(std::unique(points.begin(), points.end()), points.end());
+        sortUnique(points);
         const auto number = [&](std::uint32_t point) {
             return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());
         };

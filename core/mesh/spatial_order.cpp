@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/spatial_order.h"
 
+#include "core/base/guarded.h"
 #include "core/geometry/hilbert_order.h"
 #include "core/mesh/topology.h"
 
@@ -13,7 +14,6 @@
 #include <atomic>
 #include <bit>
 #include <limits>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -191,12 +191,11 @@ Result<TetrahedralMesh> inSpatialOrder(const TetrahedralMesh& mesh, const Progre
 {
     if (mesh.values.size() != mesh.positions.size())
         return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
-    try {
-        return order(mesh, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to put the mesh in spatial order. Close "
-                                                            "other programs or lower the accuracy of the mesh.")};
-    }
+    return guarded(
+        Message::marked(
+            "Not enough memory to put the mesh in spatial order. Close other programs or lower the accuracy of "
+            "the mesh."),
+        [&] { return order(mesh, progress); });
 }
 
 Buffer<ChunkRange> chunkRanges(const TetrahedralMesh& mesh)

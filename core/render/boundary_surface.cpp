@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/disjoint_sets.h"
+#include "core/base/guarded.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <compare>
 #include <limits>
-#include <new>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -36,7 +36,7 @@ Error tooManyFaces()
 
 /// An edge as one of its triangles has it. Corner c of triangle t has the number 3 t + c.
 struct EdgeSide {
-    std::uint64_t ends;   ///< the smaller vertex, times 2^32, plus the larger one
+    EdgeKey ends;
     std::uint32_t corner; ///< that the edge begins at, seen from the triangle
     auto operator<=>(const EdgeSide&) const = default;
 };
@@ -82,8 +82,7 @@ Buffer<EdgeSide> sortedSides(const Boundary& boundary)
 {
     Buffer<EdgeSide> sides(boundary.corners.size());
     tbb::parallel_for(std::uint32_t(0), static_cast<std::uint32_t>(sides.size()), [&](std::uint32_t corner) {
-        const std::uint64_t from = boundary.vertexOf(corner), to = boundary.vertexOf(nextCorner(corner));
-        sides[corner] = {std::min(from, to) << 32 | std::max(from, to), corner};
+        sides[corner] = {edgeKey(boundary.vertexOf(corner), boundary.vertexOf(nextCorner(corner))), corner};
     });
     tbb::parallel_sort(sides.begin(), sides.end());
     return sides;
@@ -159,17 +158,17 @@ Result<TriangleMesh> boundaryOfMesh(const TetrahedralMesh& mesh, double featureA
     return surface;
 }
 
+constexpr MarkedText noMemoryForBoundary =
+    Message::marked("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.");
+
 } // namespace
 
 Result<TriangleMesh> extractBoundary(const TetrahedralMesh& mesh, double featureAngle, const Progress& progress)
-try {
+{
     progress.report(0, findingBoundary);
     if (mesh.tetrahedra.size() > largestAdjacentCellCount)
         return tooManyFaces();
-    return boundaryOfMesh(mesh, featureAngle, progress);
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.")};
+    return guarded(noMemoryForBoundary, [&] { return boundaryOfMesh(mesh, featureAngle, progress); });
 }
 
 namespace {
@@ -355,21 +354,20 @@ Result<Surface> BoundaryCache::plain(const BoundaryLook& look, const Progress& p
 
 Result<Surface> BoundaryCache::coloured(const TransferFunction& function, const BoundaryLook& look,
                                         const Progress& progress)
-try {
-    if (const Status usable = checkTransferFunction(function); !usable)
-        return usable.error();
-    auto surface = plain(look, progress);
-    if (!surface)
-        return surface.error();
-    if (!coloured_ || function_ != function) {
-        coloured_ = std::make_shared<const TriangleMesh>(colouredByValue(*boundary_, function));
-        function_ = function;
-    }
-    surface->mesh = coloured_;
-    return surface;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource,
-                 Message::say("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.")};
+{
+    return guarded(noMemoryForBoundary, [&]() -> Result<Surface> {
+        if (const Status usable = checkTransferFunction(function); !usable)
+            return usable.error();
+        auto surface = plain(look, progress);
+        if (!surface)
+            return surface.error();
+        if (!coloured_ || function_ != function) {
+            coloured_ = std::make_shared<const TriangleMesh>(colouredByValue(*boundary_, function));
+            function_ = function;
+        }
+        surface->mesh = coloured_;
+        return surface;
+    });
 }
 
 } // namespace tetra

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/render/scene_checks.h"
 
 #include <tan/render.h>
 
@@ -7,8 +8,40 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <variant>
 
 namespace tetra {
+
+const Drawable* drawableOf(const Scene& scene, std::string_view id)
+{
+    const auto found = std::ranges::find(scene.drawables, id, &Drawable::id);
+    return found != scene.drawables.end() ? &*found : nullptr;
+}
+
+std::optional<Scene> withDrawn(const Scene& scene, const Camera& camera, int width, int height)
+{
+    using Custom = std::shared_ptr<const CustomDrawable>;
+    if (shapesOf<Custom>(scene).empty())
+        return std::nullopt;
+    Scene drawn{.bounds = scene.bounds, .clipPlanes = scene.clipPlanes};
+    for (const Drawable& drawable : scene.drawables) {
+        const Custom* custom = std::get_if<Custom>(&drawable.shape);
+        if (custom == nullptr) {
+            drawn.drawables.push_back(drawable);
+            continue;
+        }
+        if (!*custom || !(*custom)->draw)
+            continue;
+        for (Drawable& part : (*custom)->draw(camera, width, height))
+            if (std::holds_alternative<Surface>(part.shape) || std::holds_alternative<LineSet>(part.shape)) {
+                part.id = drawable.id + "/" + part.id;
+                part.overlay = part.overlay || drawable.overlay;
+                drawn.drawables.push_back(std::move(part));
+            }
+    }
+    return drawn;
+}
 
 LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width)
 {

@@ -31,16 +31,6 @@ Status checkLines(const LineSet& lines)
     return {};
 }
 
-bool hasVolume(const Scene& scene)
-{
-    return scene.volume && scene.volume->mesh && scene.volume->transfer;
-}
-
-bool hasFocus(const Scene& scene)
-{
-    return hasVolume(scene) && scene.focus && scene.focus->fine.mesh && scene.focus->fine.transfer;
-}
-
 Status checkOptions(const PictureOptions& options)
 {
     if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largestPictureSide)

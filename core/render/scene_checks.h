@@ -3,6 +3,8 @@
 
 #include <tan/render.h>
 
+#include <optional>
+
 namespace tetra {
 
 /// An error if the mesh has not one normal a vertex, or as many values or colours if any, or a triangle has a corner
@@ -11,10 +13,9 @@ Status checkMesh(const TriangleMesh& mesh);
 /// An error if a segment has an end that does not exist. O(segments).
 Status checkLines(const LineSet& lines);
 
-/// The scene has a volume to be seen.
-bool hasVolume(const Scene& scene);
-/// That volume has a focus with a fine volume.
-bool hasFocus(const Scene& scene);
+/// The scene with what its custom drawables draw in a picture in their place; nothing if it has none. May throw what
+/// they throw.
+std::optional<Scene> withDrawn(const Scene& scene, const Camera& camera, int width, int height);
 
 /// In pixels. Numbers of samples, the one after the last included, have 16 bits where a volume is drawn.
 inline constexpr int largestPictureSide = 32767;

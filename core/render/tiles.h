@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/render/view_transform.h"
 
 #include <tan/base.h>
@@ -12,24 +13,23 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <vector>
 
 namespace tetra {
+
+inline constexpr MarkedText noMemoryForPicture =
+    Message::marked("Not enough memory for a picture of this size and scene. Make the "
+                    "picture smaller or lower the accuracy of the mesh.");
 
 /// Runs `work`, which returns a Result, on as many threads as are wanted; 0 or too many means all of the machine.
 /// std::bad_alloc becomes an error.
 template <class Work> auto onThreads(int threads, Work&& work) -> decltype(work())
 {
-    try {
+    return guarded(noMemoryForPicture, [&] {
         const int all = tbb::info::default_concurrency();
         tbb::task_arena arena(threads > 0 ? std::min(threads, all) : all);
         return arena.execute(work);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory for a picture of this size and scene. Make the picture smaller or "
-                                  "lower the accuracy of the mesh.")};
-    }
+    });
 }
 
 /// A picture of samples cut into square tiles, row by row from the top.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/sort_unique.h"
+
 #include <tan/transfer.h>
 
 #include <algorithm>
@@ -129,8 +131,7 @@ std::vector<double> valuesOf(const TransferFunction& function)
         values.push_back(point.value);
     for (const OpacityPoint& point : function.opacities)
         values.push_back(point.value);
-    std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    sortUnique(values);
     return values;
 }
 

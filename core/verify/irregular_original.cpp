@@ -2,6 +2,7 @@
 #include "core/verify/irregular_original.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/sort_unique.h"
 #include "core/verify/level_cells.h"
 
 #include <Eigen/Geometry>
@@ -55,8 +56,7 @@ std::vector<std::uint32_t> verticesOfManyFans(std::span<const Triangle> triangle
     std::vector<std::array<std::uint32_t, 2>> roots; // of a vertex
     for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)
         roots.push_back({triangles[corner / 3][corner % 3], fans.root(corner)});
-    std::ranges::sort(roots);
-    roots.erase(std::ranges::unique(roots).begin(), roots.end());
+    sortUnique(roots);
     std::vector<std::uint32_t> broken;
     for (std::size_t i = 1; i < roots.size(); ++i)
         if (roots[i][0] == roots[i - 1][0] && (broken.empty() || broken.back() != roots[i][0]))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
 #include "core/history/derived_sections.h"
 #include "core/verify/cell_check.h"
 #include "core/verify/verify_irregular.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <optional>
 
 namespace tetra {
@@ -177,14 +177,9 @@ bool VerificationReport::ok() const noexcept
 Result<VerificationReport> verify(const Model& model, const Dataset& original, const std::vector<Accuracy>& levels,
                                   const Progress& progress)
 {
-    try {
-        return verifyAll(model, original, levels, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say("Not enough memory to verify '%1'. Close other programs, or verify coarser levels only.",
-                         model.path().string())};
-    }
+    return guarded(
+        Message::marked("Not enough memory to verify '%1'. Close other programs, or verify coarser levels only."),
+        [&] { return verifyAll(model, original, levels, progress); }, model.path().native());
 }
 
 } // namespace tetra

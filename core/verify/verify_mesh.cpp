@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/verify/verify_mesh.h"
 
+#include "core/base/guarded.h"
 #include "core/verify/cell_check.h"
 #include "core/verify/findings.h"
 #include "core/verify/verify_parts.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -154,13 +154,9 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
     if (!query.values.empty() || query.window)
         return Error{ErrorKind::WrongUsage, Message::say("Only a mesh of the whole domain can be verified: ask for it "
                                                          "without a range of values and without a window.")};
-    try {
-        return verifyWhole(model, original, query, mesh, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one.")};
-    }
+    return guarded(
+        Message::marked("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."),
+        [&] { return verifyWhole(model, original, query, mesh, progress); });
 }
 
 } // namespace tetra

@@ -41,7 +41,7 @@ int main(int count, char** arguments)
         return failed(volume.error());
     tetra::Scene scene;
     scene.bounds = about.bounds;
-    scene.volume = *volume;
+    scene.drawables.push_back({.id = "volume", .shape = *volume});
     const auto picture = tetra::makeCpuBackend()->render(scene, tetra::fitted({}, scene.bounds), {});
     if (!picture)
         return failed(picture.error());

@@ -65,27 +65,23 @@ inline Parameter boundaryTransferParameter(const FieldExtent& field)
     return parameter;
 }
 
-/// Adds the boundary of the maker's mesh to a scene, behind its other surfaces, if the values ask for one. The
-/// parameters are those of the renderer. Errors: those of BoundaryCache.
-inline Status addBoundary(BoundaryCache& maker, const std::vector<Parameter>& parameters, const ParameterValues& values,
-                          const Progress& progress, Scene& scene)
+/// Adds the boundary of the cache's mesh to a scene, behind its other surfaces, if the values ask for one. Errors:
+/// those of BoundaryCache.
+inline Status addBoundary(BoundaryCache& cache, const RendererView& view, const Progress& progress, Scene& scene)
 {
-    const auto shown = parameterValue<std::string>(parameters, values, boundaryId);
+    const auto shown = view.value<std::string>(boundaryId);
     BoundaryLook look;
-    look.backFacesOnly = parameterValue<bool>(parameters, values, boundaryFarSideId);
+    look.backFacesOnly = view.value<bool>(boundaryFarSideId);
     if (shown == boundaryTranslucent)
-        look.opacity = static_cast<float>(parameterValue<double>(parameters, values, boundaryOpacityId));
-    else if (shown != boundaryValues) {
-        progress.report(1, {});
-        return {};
+        look.opacity = static_cast<float>(view.value<double>(boundaryOpacityId));
+    if (shown == boundaryTranslucent || shown == boundaryValues) {
+        auto surface = shown == boundaryValues
+                           ? cache.coloured(view.value<TransferFunction>(transferId), look, progress)
+                           : cache.plain(look, progress);
+        if (!surface)
+            return surface.error();
+        scene.drawables.push_back({.id = boundaryId, .label = "Boundary", .shape = *std::move(surface)});
     }
-    const auto surface =
-        shown == boundaryValues
-            ? maker.coloured(parameterValue<TransferFunction>(parameters, values, transferId), look, progress)
-            : maker.plain(look, progress);
-    if (!surface)
-        return surface.error();
-    scene.surfaces.push_back(*surface);
     progress.report(1, {});
     return {};
 }

@@ -34,37 +34,59 @@ struct FocusMesh {
     double border = 0; ///< see FocusVolume
 };
 
-/// A mesh being looked at: holds what is worth keeping between two changes of the parameters (gradients, surfaces).
-/// Used from one thread at a time, which need not be the same.
+/// What a renderer needs to make its scenes.
+struct RendererNeeds {
+    /// A focus as a mesh of its own beside the one outside, to blend the two, rather than one mesh of varying
+    /// resolution.
+    bool focusMesh = false;
+    /// Camera and size of the picture: the scene is made anew whenever they change. Without this it never is for their
+    /// sake, so that turning a scene costs nothing.
+    bool view = false;
+};
+
+/// The meshes that a renderer asked for.
+struct RendererMeshes {
+    std::shared_ptr<const TetrahedralMesh> mesh; ///< what is to be seen; with a focus that outside of it
+    std::optional<FocusMesh> focus{};            ///< if it is needed, and there is one
+    Eigen::AlignedBox3d bounds{};                ///< of the domain; a scene has them
+};
+
+/// How the meshes are to be seen.
+struct RendererView {
+    /// One for each of the renderer's parameters, of its type: where nobody has chosen one it is the default for the
+    /// mesh.
+    ParameterValues values{};
+    Camera camera{};
+    int width = 1024; ///< of the picture, in pixels
+    int height = 768;
+
+    /// The value of a parameter; T is its type.
+    template <class T> T value(const std::string& id) const { return parameterValue<T>({}, values, id); }
+};
+
+/// Meshes being looked at: holds what is worth keeping between two scenes of them (gradients, surfaces). Used from one
+/// thread at a time, which need not be the same.
 class RendererSession {
 public:
     virtual ~RendererSession() = default;
-    /// Makes the scene to draw, on the CPU, cancellable, without GL. Either back end draws it.
-    virtual Result<std::shared_ptr<const Scene>> prepare(const ParameterValues& values, const Camera& camera,
-                                                         const Progress& progress) = 0;
+    /// Makes the scene to draw, on the CPU, cancellable, without GL. Either back end draws it. Drawables have ids that
+    /// stay from scene to scene.
+    virtual Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) = 0;
 };
 
-/// A way of looking at a mesh: isosurfaces, volume, both ...
+/// A way of looking at a mesh: isosurfaces, volume, both ... Called from any thread. What it throws, and what it gives
+/// back that is no scene, becomes an error in the program that called it.
 class Renderer {
 public:
     virtual ~Renderer() = default;
-    /// With defaults that fit the field.
+    /// With defaults that fit the field. Several may have the same type: two transfer functions, say. Those with the
+    /// ids of plugins/api/scene_parameters.h have the values that the user sees in all modes.
     virtual std::vector<Parameter> parameters(const FieldExtent& field) const = 0;
-    /// `bounds` is the domain's box, whose outline belongs to the scene.
-    virtual std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh> mesh,
-                                                  const Eigen::AlignedBox3d& bounds) const = 0;
-    /// Whether it wants a focus as a mesh of its own, to blend the two, rather than one mesh of varying resolution.
-    virtual bool blendsFocus() const { return false; }
-    /// Called in place of open() if there is a focus and it blendsFocus(): `mesh` is of the resolution outside.
-    virtual std::unique_ptr<RendererSession> openWithFocus(std::shared_ptr<const TetrahedralMesh> mesh,
-                                                           [[maybe_unused]] FocusMesh focus,
-                                                           const Eigen::AlignedBox3d& bounds) const
-    {
-        return open(std::move(mesh), bounds);
-    }
+    virtual RendererNeeds needs() const { return {}; }
+    virtual std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const = 0;
 };
 
 } // namespace tetra
 
-#define TAN_RENDERER_INTERFACE "org.tan.Renderer/1"
+#define TAN_RENDERER_INTERFACE "org.tan.Renderer/2"
 Q_DECLARE_INTERFACE(tetra::Renderer, TAN_RENDERER_INTERFACE)

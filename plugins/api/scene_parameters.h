@@ -7,6 +7,7 @@
 #include <tan/transfer.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace tetra {
 
@@ -18,9 +19,7 @@ inline constexpr const char* shadedId = "shaded";
 inline constexpr const char* outlineId = "outline";
 inline constexpr const char* clipId = "clip";
 
-/// std::vector<Isovalue>; by default where the field has a surface, or the middle of the range if that is not known. A
-/// scene has one surface for each that is visible, in their order and in their colours, so that the shell knows which
-/// one was clicked.
+/// std::vector<Isovalue>; by default where the field has a surface, or the middle of the range if that is not known.
 inline Parameter isovaluesParameter(const FieldExtent& field)
 {
     const ValueRange& range = field.range;
@@ -101,22 +100,30 @@ inline FieldExtent extentOf(const TetrahedralMesh& mesh, const Eigen::AlignedBox
     return {{smallest, largest}, bounds, {}};
 }
 
-/// A scene with nothing in it but the domain's outline and the clip planes, if they are among the parameters. The error
-/// is that of a text that is no clip plane.
-inline Result<Scene> startScene(const std::vector<Parameter>& parameters, const ParameterValues& values,
-                                const Eigen::AlignedBox3d& bounds)
+/// A scene with nothing in it but the domain's outline and the clip planes, as the values of `outline` and `clip` say.
+/// The error is that of a text that is no clip plane.
+inline Result<Scene> startScene(const RendererView& view, const Eigen::AlignedBox3d& bounds)
 {
     constexpr Colour outlineColour{0.45f, 0.45f, 0.45f};
     constexpr float outlineWidth = 1.5f;
-    auto planes = parseClipPlanes(parameterValue<std::string>(parameters, values, clipId));
+    auto planes = parseClipPlanes(view.value<std::string>(clipId));
     if (!planes)
         return planes.error();
-    Scene scene;
-    scene.bounds = bounds;
-    scene.clipPlanes = *std::move(planes);
-    if (parameterValue<bool>(parameters, values, outlineId))
-        scene.lines.push_back(boxOutline(bounds, outlineColour, outlineWidth));
+    Scene scene{.bounds = bounds, .clipPlanes = *std::move(planes)};
+    if (view.value<bool>(outlineId))
+        scene.drawables.push_back(
+            {.id = outlineId, .label = "Bounding box", .shape = boxOutline(bounds, outlineColour, outlineWidth)});
     return scene;
+}
+
+/// Adds the surfaces that the value of `isovalues` asks for. Errors: those of IsosurfaceCache::update().
+inline Status addIsosurfaces(IsosurfaceCache& cache, const RendererView& view, const Progress& progress, Scene& scene)
+{
+    auto surfaces = cache.drawables(view.value<std::vector<Isovalue>>(isovaluesId), progress);
+    if (!surfaces)
+        return surfaces.error();
+    std::ranges::move(*surfaces, std::back_inserter(scene.drawables));
+    return {};
 }
 
 } // namespace tetra

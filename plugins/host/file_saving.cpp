@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/file_saving.h"
 
-#include "core/base/text.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/face_adjacency.h"
 #include "plugins/host/parameter_values.h"

@@ -50,7 +50,9 @@ template <class Work> auto callPlugin(const std::string& id, Work&& work, const 
     } catch (const std::exception& problem) {
         return thrownByPlugin(id, problem);
     } catch (...) {
-        return brokenPlugin(id, Message::say("it threw something unknown"));
+        return Error{ErrorKind::BadInput, Message::say("The plugin '%1' failed without saying why. This is a mistake "
+                                                       "in the plugin; tell its author.",
+                                                       id)};
     }
 }
 template <class Work> auto callPlugin(const std::string& id, Work&& work) -> decltype(work())

@@ -2,11 +2,11 @@
 #include "plugins/host/plugin_host.h"
 
 #include "core/base/folder.h"
-#include "core/base/mapped_file.h"
 #include "core/base/system_error.h"
 #include "plugins/host/dependency_order.h"
 #include "plugins/host/load_error.h"
 #include "plugins/host/plugin_folders.h"
+#include "plugins/host/renderer_guard.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -275,6 +275,31 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
     return Error{ErrorKind::WrongUsage, Message::say("There is no %1 \"%2\". %3", kindName, id,
                                                      ids.empty() ? Message::say("None is installed.")
                                                                  : Message::say("There is: %1.", joined(ids)))};
+}
+
+const Renderer* PluginHost::guarded(const Provided<Renderer>& renderer)
+{
+    const std::lock_guard lock(mutex_);
+    std::unique_ptr<Renderer>& guard = guards_[renderer.id];
+    if (!guard)
+        guard = guardedRenderer(renderer.id, *renderer.plugin);
+    return guard.get();
+}
+
+std::vector<Provided<Renderer>> PluginHost::renderers()
+{
+    auto renderers = all<Renderer>(PluginKind::Renderer);
+    for (Provided<Renderer>& renderer : renderers)
+        renderer.plugin = guarded(renderer);
+    return renderers;
+}
+
+Result<Provided<Renderer>> PluginHost::renderer(const std::string& id)
+{
+    auto renderer = one<Renderer>(PluginKind::Renderer, id);
+    if (renderer)
+        renderer->plugin = guarded(*renderer);
+    return renderer;
 }
 
 Status PluginHost::loadRequired(const Entry& entry)

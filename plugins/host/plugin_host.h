@@ -78,14 +78,15 @@ public:
     /// All usable plugins of a kind, by id; loads them. One that cannot be loaded is missing here, and whenFailing()
     /// says why.
     std::vector<Provided<Builder>> builders() { return all<Builder>(PluginKind::Builder); }
-    std::vector<Provided<Renderer>> renderers() { return all<Renderer>(PluginKind::Renderer); }
+    /// Renderers come guarded (renderer_guard.h).
+    std::vector<Provided<Renderer>> renderers();
     std::vector<Provided<Reader>> readers() { return all<Reader>(PluginKind::Reader); }
     std::vector<Provided<Writer>> writers() { return all<Writer>(PluginKind::Writer); }
     std::vector<Provided<Editor>> editors() { return all<Editor>(PluginKind::Editor); }
 
     /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
     Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }
-    Result<Provided<Renderer>> renderer(const std::string& id) { return one<Renderer>(PluginKind::Renderer, id); }
+    Result<Provided<Renderer>> renderer(const std::string& id);
     Result<Provided<Editor>> editor(const std::string& id) { return one<Editor>(PluginKind::Editor, id); }
     Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
 
@@ -122,6 +123,7 @@ private:
     Error lacking(const Message& reason);
     void tell(const Error& error) const;
     Status loadRequired(const Entry& entry);
+    const Renderer* guarded(const Provided<Renderer>& renderer);
 
     template <class Interface> Result<Provided<Interface>> one(PluginKind kind, const std::string& id)
     {
@@ -150,8 +152,9 @@ private:
     }
 
     PluginHostOptions options_;
-    mutable std::mutex mutex_; ///< guards the next three after construction
+    mutable std::mutex mutex_; ///< guards the next four after construction
     std::vector<std::unique_ptr<Entry>> entries_;
+    std::map<std::string, std::unique_ptr<Renderer>> guards_; ///< of renderers, by id
     Status complete_;
     std::function<void(const Error&)> tell_;
 };

@@ -8,6 +8,7 @@ layout(location = 2) in vec3 vertexColour; // if coloured
 uniform mat4 clipFromMesh;
 uniform vec4 colour;
 uniform bool coloured;
+uniform bool overlay; // over everything: at the near plane
 uniform vec4 eye; // its place (w = 1), or the direction towards it (w = 0)
 
 out vec3 surfaceColour;
@@ -21,6 +22,8 @@ invariant gl_Position;
 void main()
 {
     gl_Position = clipFromMesh * vec4(position, 1.0);
+    if (overlay)
+        gl_Position.z = -gl_Position.w;
     placeInMesh = position;
     surfaceColour = coloured ? vertexColour : colour.rgb;
     surfaceNormal = normal;

@@ -8,8 +8,7 @@
 
 namespace tetra {
 
-/// What a move of a camera drag costs the window before it draws, with the steps of the undo stack and, as the
-/// yardstick, without them. Needs a QApplication.
+/// What a move of a camera drag costs the window before it draws, with its undo step. Needs a QApplication.
 BenchCase cameraDrag(PluginHost& host, const std::filesystem::path& model, const QString& name);
 
 } // namespace tetra

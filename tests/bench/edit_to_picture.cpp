@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/edit_to_picture.h"
+#include "tests/core/render/scene_parts.h"
 
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -64,13 +65,13 @@ public:
         window_.open(QString::fromStdString(model.string()));
         secondsUntil([this] { return session().model() != nullptr && settled(); });
         session().setMode("volume");
-        secondsUntil([this] { return settled() && window_.viewport().scene()->volume.has_value(); });
+        secondsUntil([this] { return settled() && testing::partsOf(*window_.viewport().scene()).volume.has_value(); });
     }
 
     /// Seconds from each edit to the first picture that shows it.
     std::vector<double> edit(bool dragging)
     {
-        const TransferFunction before = session().view().look().transfer;
+        const TransferFunction before = session().view().appearance.transfer;
         std::vector<double> seconds;
         if (dragging)
             session().beginGesture();
@@ -96,7 +97,7 @@ private:
     Session& session() { return workbench_.session(); }
     bool settled()
     {
-        return !workbench_.sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
+        return !workbench_.scenes().sceneBuilder().busy() && window_.viewport().scene() && window_.viewport().settled();
     }
 
     QTemporaryDir views_; ///< the model is seen as at first

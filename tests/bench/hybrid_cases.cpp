@@ -2,6 +2,7 @@
 #include "tests/bench/hybrid_cases.h"
 
 #include "core/render/volume/volume_mesh.h"
+#include "tests/core/render/scene_parts.h"
 
 #include <tan/render.h>
 
@@ -19,26 +20,26 @@ struct NamedScene {
 
 std::vector<NamedScene> scenesOf(const RenderingScene& source)
 {
-    Scene alone;
+    testing::SceneParts alone;
     alone.volume =
         Volume{std::make_shared<const VolumeMesh>(makeVolumeMesh(source.mesh).value()),
                std::make_shared<const VolumeTransfer>(makeVolumeTransfer(*source.mesh, source.function).value())};
     alone.bounds = alone.volume->mesh->bounds;
 
-    Scene surfaces = alone;
+    testing::SceneParts surfaces = alone;
     const auto [low, high] = std::ranges::minmax(source.mesh->values);
     const auto gradients = vertexGradients(*source.mesh);
     for (const float share : {0.4f, 0.6f}) {
         auto mesh = extractIsosurface(*source.mesh, gradients, std::lerp(low, high, share)).value();
         surfaces.surfaces.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), {0.8f, share, 0}, 0.4f});
     }
-    Scene onlySurfaces = surfaces;
+    testing::SceneParts onlySurfaces = surfaces;
     onlySurfaces.volume.reset();
-    Scene withCell = surfaces;
-    withCell.hybridOrder = HybridOrder::WithCell;
-    Scene clipped = alone;
+    testing::SceneParts withCell = surfaces;
+    withCell.wholeCells = true;
+    testing::SceneParts clipped = alone;
     clipped.clipPlanes.push_back({{1, 0, 0}, alone.bounds.center().x()});
-    Scene lit = alone;
+    testing::SceneParts lit = alone;
     lit.volume->shaded = true;
     return {{"the volume alone", alone},        {"two isosurfaces alone", onlySurfaces},
             {"with two isosurfaces", surfaces}, {"with two isosurfaces before cells", withCell},

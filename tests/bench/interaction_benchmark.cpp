@@ -59,7 +59,7 @@ Result<Level> makeLevel(const std::shared_ptr<const Model>& model, MeshExtractor
         return volume.error();
     auto scene = std::make_shared<Scene>();
     scene->bounds = description.bounds;
-    scene->volume = *volume;
+    scene->drawables.push_back({.id = "volume", .shape = *volume});
     return Level{scene, (*mesh)->mesh.tetrahedra.size()};
 }
 

@@ -94,6 +94,25 @@ check test "$(grep -c '^3 ' boundary.off)" -gt 10
 check grep -q boundary messages
 check test "$(tan isosurface wells.tan --value -0.5 -o surface.of 2>&1 | grep -c '\.obj, \.off, \.ply')" = 1
 
+# A renderer of somebody else: by its options, and refused with a sentence.
+build_example renderer
+export TAN_PLUGIN_PATH=$scratch/renderer
+tan render wells.tan --mode example.shells --shells 3 --size 64x48 -o shells.png --json >shells.json
+check test "$(head -c 4 shells.png | tail -c 3)" = PNG
+check grep -q '"triangles": [1-9]' shells.json
+check test "$(tan render wells.tan --mode example.shells --shells 99 -o none.png 2>&1 | grep -c shells)" = 1
+check test ! -e none.png
+build_example slice
+for backend in cpu gl; do
+    TAN_PLUGIN_PATH=$scratch/slice tan render wells.tan --mode example.slice --height 40 --size 64x48 --backend $backend -o slice.png \
+        --json >slice.json 2>messages || grep -q OpenGL messages
+done
+check grep -q '"triangles": [1-9]' slice.json
+build_example projection
+TAN_PLUGIN_PATH=$scratch/projection tan render wells.tan --mode example.projection --size 64x48 -o maximum.png --json >maximum.json
+check test "$(head -c 4 maximum.png | tail -c 3)" = PNG
+check grep -q '"cells_drawn": [1-9]' maximum.json
+
 # An editor, from the user's own folder.
 build_example editor
 unset TAN_PLUGIN_PATH

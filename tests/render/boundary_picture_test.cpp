@@ -3,6 +3,7 @@
 // closed forms and against the same triangles taken out by hand.
 #include "core/render/shading.h"
 #include "core/render/view_transform.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/boundary_scenes.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
@@ -70,7 +71,7 @@ private slots:
     {
         QFETCH(double, distance);
         QFETCH(bool, perspective);
-        Scene scene;
+        SceneParts scene;
         scene.bounds = cube(half);
         scene.surfaces = {{quad({50, 50, 50}, {1, 0, 0}, {0, 1, 0}), {1, 0, 0}, 1}, {colouredFloor(), {}, 1}};
         const Camera camera{
@@ -107,7 +108,7 @@ private slots:
     {
         QFETCH(QString, look);
         QFETCH(bool, perspective);
-        Scene scene = boundaryScene(5, look, false);
+        SceneParts scene = boundaryScene(5, look, false);
         const Camera camera = boundaryCamera(scene, perspective);
         const Eigen::Vector3d eye = eyePosition(camera);
         const Eigen::Vector3d towards = eye - camera.target;
@@ -123,7 +124,7 @@ private slots:
         const Picture both = rendered(*cpu_, scene, camera, options);
         scene.surfaces[0].backFacesOnly = true;
         const Picture culled = rendered(*cpu_, scene, camera, options);
-        Scene byHand = scene;
+        SceneParts byHand = scene;
         byHand.surfaces[0] = {farSide, scene.surfaces[0].colour, scene.surfaces[0].opacity};
         QVERIFY(culled.pixels == rendered(*cpu_, byHand, camera, options).pixels);
         QVERIFY(culled.pixels != both.pixels);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/core/render/holed_mesh.h"
+#include "tests/core/render/scene_parts.h"
 
 #include <tan/render.h>
 
@@ -20,7 +21,7 @@ inline TransferFunction boundaryFunction()
 }
 
 /// The boundary of a mesh with holes, alone or in its volume: "translucent", "values", "far side", "faint values".
-inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
+inline SceneParts boundaryScene(unsigned seed, const QString& look, bool withVolume)
 {
     const auto mesh = std::make_shared<const TetrahedralMesh>(holedMesh(seed));
     BoundaryCache maker(mesh);
@@ -30,7 +31,7 @@ inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
     const auto surface = look == "translucent" ? maker.plain(wanted) : maker.coloured(boundaryFunction(), wanted);
     if (!surface)
         qFatal("%s", surface.error().text().c_str());
-    Scene scene;
+    SceneParts scene;
     scene.bounds = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2)};
     scene.surfaces.push_back(*surface);
     if (!withVolume)
@@ -42,7 +43,7 @@ inline Scene boundaryScene(unsigned seed, const QString& look, bool withVolume)
     return scene;
 }
 
-inline Camera boundaryCamera(const Scene& scene, bool perspective)
+inline Camera boundaryCamera(const SceneParts& scene, bool perspective)
 {
     Camera camera;
     camera.azimuth = 33;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the CPU back end (B4), the reference, against closed forms.
 #include "core/render/shading.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 
@@ -25,7 +26,7 @@ using Pixel = std::array<std::uint8_t, 4>;
 /// Looks along +y at the origin.
 const Camera fromFront{.target = {0, 0, 0}, .distance = 5, .azimuth = 0, .elevation = 0};
 
-Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions& options)
+Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options)
 {
     auto picture = makeCpuBackend()->render(scene, camera, options);
     if (!picture)
@@ -80,7 +81,7 @@ private slots:
     {
         QFETCH(bool, perspective);
         const Colour colour{0.9f, 0.5f, 0.1f};
-        Scene scene{{{sphere({0, 0, 0}, 1), colour, 1}}, {}, cube(1)};
+        SceneParts scene{{{sphere({0, 0, 0}, 1), colour, 1}}, {}, cube(1)};
         Camera camera{.target = {0.1, 0, 0.05}, .distance = 4, .perspective = perspective};
         const PictureOptions options{.width = 230, .height = 171, .samplesPerAxis = 1};
         const Picture picture = rendered(scene, camera, options);
@@ -113,7 +114,7 @@ private slots:
         const std::array<float, 5> depths = {0.3f, -0.8f, 0.9f, 0.0f, -0.4f};
         const std::array<float, 5> opacities = {0.5f, 0.3f, 1.0f, 0.7f, 0.2f};
         const std::array<Colour, 5> colours = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}}};
-        Scene scene{{}, {}, cube(1)};
+        SceneParts scene{{}, {}, cube(1)};
         for (std::size_t i = 0; i < depths.size(); ++i)
             scene.surfaces.push_back({quad({-9, depths[i], -9}, {18, 0, 0}, {0, 0, 18}), colours[i], opacities[i]});
         Camera camera = fromFront;
@@ -128,7 +129,7 @@ private slots:
     /// Two translucent planes that cross: the order changes inside each of them.
     void crossingPlanesChangeOrder()
     {
-        Scene scene{{}, {}, cube(2)};
+        SceneParts scene{{}, {}, cube(2)};
         scene.surfaces.push_back({quad({-6, -3, -6}, {12, 6, 0}, {0, 0, 12}), {1, 0, 0}, 0.6f});
         scene.surfaces.push_back({quad({-6, 3, -6}, {12, -6, 0}, {0, 0, 12}), {0, 0, 1}, 0.6f});
         Camera camera = fromFront;
@@ -162,7 +163,7 @@ private slots:
         QFETCH(double, distance);
         QFETCH(double, elevation);
         for (unsigned seed = 0; seed < 4; ++seed) {
-            Scene scene{{{crumpledSheet(40, seed), {0, 0, 0}, 0.5f}}, {}, cube(1)};
+            SceneParts scene{{{crumpledSheet(40, seed), {0, 0, 0}, 0.5f}}, {}, cube(1)};
             Camera camera = fromFront;
             camera.target = {0.013, 0, -0.007};
             camera.distance = distance;
@@ -195,7 +196,7 @@ private slots:
     /// From inside a closed surface there is no way out: the near plane opens no hole, clipping no crack.
     void eyeInsideSeesNoBackground()
     {
-        Scene scene{{{sphere({0, 0, 0}, 1, 40), {0, 0.5f, 1}, 1}}, {}, cube(1)};
+        SceneParts scene{{{sphere({0, 0, 0}, 1, 40), {0, 0.5f, 1}, 1}}, {}, cube(1)};
         for (const double field : {30.0, 140.0})
             for (int turn = 0; turn < 5; ++turn) {
                 Camera camera{.target = {0.2, 0, 0.1}, .distance = 0.5, .fieldOfView = field};
@@ -209,7 +210,7 @@ private slots:
     /// The outline of a cube before, behind and inside things.
     void linesHideAndAreHidden()
     {
-        Scene scene{{}, {boxOutline(cube(1), {1, 0, 0}, 3)}, cube(3)};
+        SceneParts scene{{}, {boxOutline(cube(1), {1, 0, 0}, 3)}, cube(3)};
         Camera camera = fromFront;
         camera.perspective = false;
         camera.distance = 3 / (2 * std::tan(15 * std::numbers::pi / 180)); // 3 units high, 100 pixels: 33.3 a unit
@@ -245,7 +246,7 @@ private slots:
         Camera camera = fromFront;
         camera.perspective = false;
         camera.distance = 1 / (2 * std::tan(15 * std::numbers::pi / 180)); // 1 unit high, 20 pixels
-        Scene scene{{{quad({-1, 0, -1}, {1 + 0.5f / 20, 0, 0}, {0, 0, 2}), {0, 0, 0}, 1}}, {}, cube(1)};
+        SceneParts scene{{{quad({-1, 0, -1}, {1 + 0.5f / 20, 0, 0}, {0, 0, 2}), {0, 0, 0}, 1}}, {}, cube(1)};
         const Picture picture =
             rendered(scene, camera, {.width = 20, .height = 20, .transparentBackground = true, .samplesPerAxis = 2});
         QCOMPARE(int(pixelAt(picture, 9, 9)[3]), 255);
@@ -268,7 +269,7 @@ private slots:
         Camera camera = fromFront;
         camera.perspective = false;
         const Colour colour{0.2f, 0.4f, 0.6f};
-        const Scene scene{{{quad({-900, 0, -900}, {1800, 0, 0}, {0, 0, 1800}), colour, 1}}, {}, cube(1)};
+        const SceneParts scene{{{quad({-900, 0, -900}, {1800, 0, 0}, {0, 0, 1800}), colour, 1}}, {}, cube(1)};
         for (int samples = 1; samples <= 4; ++samples) {
             const Picture picture =
                 rendered(scene, camera, {.width = width, .height = height, .samplesPerAxis = samples});
@@ -279,11 +280,11 @@ private slots:
 
     void sameWithAnyNumberOfThreads()
     {
-        const Scene scene{{{sphere({0, 0, 0}, 1, 60), {0.3f, 0.6f, 0.9f}, 0.4f},
-                           {sphere({0.4f, 0, 0}, 0.8f, 50), {0.9f, 0.6f, 0.3f}, 0.6f},
-                           {sphere({0, 0, 0}, 1, 60), {1, 0, 0}, 0.5f}}, // again in the same place: ties by order
-                          {boxOutline(cube(1), {0, 0, 0}, 2)},
-                          cube(1)};
+        const SceneParts scene{{{sphere({0, 0, 0}, 1, 60), {0.3f, 0.6f, 0.9f}, 0.4f},
+                                {sphere({0.4f, 0, 0}, 0.8f, 50), {0.9f, 0.6f, 0.3f}, 0.6f},
+                                {sphere({0, 0, 0}, 1, 60), {1, 0, 0}, 0.5f}}, // again in the same place: ties by order
+                               {boxOutline(cube(1), {0, 0, 0}, 2)},
+                               cube(1)};
         const Camera camera = fitted({}, scene.bounds);
         const Picture one = rendered(scene, camera, {.width = 300, .height = 200, .threads = 1});
         for (const int threads : {0, 2, 7})
@@ -303,7 +304,7 @@ private slots:
     void badScenesAreErrors()
     {
         const auto backend = makeCpuBackend();
-        const auto errorOf = [&](const Scene& scene, const PictureOptions& options) {
+        const auto errorOf = [&](const SceneParts& scene, const PictureOptions& options) {
             const auto picture = backend->render(scene, fromFront, options);
             return picture ? std::string() : picture.error().text();
         };
@@ -331,7 +332,7 @@ private slots:
             mesh->normals.emplace_back(bad, bad, bad);
             mesh->triangles.push_back({0, 1, static_cast<std::uint32_t>(mesh->positions.size() - 1)});
         }
-        const Scene scene{{{mesh, {0, 0, 0}, 1}, {nullptr, {}, 1}, {mesh, {1, 0, 0}, 0}}, {}, cube(1)};
+        const SceneParts scene{{{mesh, {0, 0, 0}, 1}, {nullptr, {}, 1}, {mesh, {1, 0, 0}, 0}}, {}, cube(1)};
         Camera camera = fromFront;
         camera.perspective = false;
         const Picture picture = rendered(scene, camera, {.width = 20, .height = 20});
@@ -340,7 +341,7 @@ private slots:
 
     void reportsAndCancels()
     {
-        const Scene scene{{{sphere({0, 0, 0}, 1, 30), {1, 0, 0}, 1}}, {}, cube(1)};
+        const SceneParts scene{{{sphere({0, 0, 0}, 1, 30), {1, 0, 0}, 1}}, {}, cube(1)};
         std::stop_source stop;
         double last = 0;
         bool falls = false;

@@ -3,6 +3,7 @@
 // same field twice, which must look like one.
 #include "core/render/volume/volume_view.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/focus_fields.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/volume_scenes.h"
@@ -97,7 +98,7 @@ struct Fields {
 
 /// Marches through both fields in small steps.
 Picture marched(const Fields& fields, const TransferFunction& function, const Focus& focus, const Camera& camera,
-                const Scene& scene)
+                const SceneParts& scene)
 {
     const VolumeView view = makeVolumeView(camera, width, height, scene.bounds);
     const Eigen::Matrix3d worldFromImage = view.imageFromWorld.leftCols<3>().inverse();
@@ -144,15 +145,15 @@ Picture marched(const Fields& fields, const TransferFunction& function, const Fo
     return picture;
 }
 
-Scene sceneOf(const TetrahedralMesh& coarse, const TetrahedralMesh& fine, const TransferFunction& function,
-              const Focus& focus)
+SceneParts sceneOf(const TetrahedralMesh& coarse, const TetrahedralMesh& fine, const TransferFunction& function,
+                   const Focus& focus)
 {
-    Scene scene = volumeScene(coarse, function);
-    scene.focus = FocusVolume{volumeOf(volumeMeshOf(fine), function), focus.region, focus.border};
+    SceneParts scene = volumeScene(coarse, function);
+    scene.focus = FinePart{volumeOf(volumeMeshOf(fine), function), focus.region, focus.border};
     return scene;
 }
 
-Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions& options = usual)
+Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
     auto picture = makeCpuBackend()->render(scene, camera, options);
     if (!picture)
@@ -213,12 +214,12 @@ void FocusSceneTest::agreesWithTheIntegrator()
     if (isBox)
         focus.region = box;
     const TransferFunction function = rainbow(opacity);
-    const Scene scene = sceneOf(fields.coarse, fields.fine, function, focus);
+    const SceneParts scene = sceneOf(fields.coarse, fields.fine, function, focus);
     const Camera camera = cameraAround(scene.bounds, perspective);
     const Picture picture = rendered(scene, camera);
     const int found = largestDifference(picture, marched(fields, function, focus, camera, scene));
     QVERIFY2(found <= 2, qPrintable(QString("%1 steps of 255, %2").arg(found).arg(savePicture(picture, "focus"))));
-    Scene without = scene;
+    SceneParts without = scene;
     without.focus.reset();
     QVERIFY(largestDifference(picture, rendered(without, camera)) > 3);
 }
@@ -238,7 +239,7 @@ void FocusSceneTest::oneFieldTwiceIsOne()
     Focus focus{ball, border};
     if (isBox)
         focus.region = box;
-    Scene scene = sceneOf(fields.fine, fields.fine, rainbow(opacity), focus);
+    SceneParts scene = sceneOf(fields.fine, fields.fine, rainbow(opacity), focus);
     const Camera camera = cameraAround(scene.bounds, perspective);
     const Picture picture = rendered(scene, camera);
     scene.focus.reset();
@@ -251,7 +252,7 @@ void FocusSceneTest::insideTheFocus()
     const Fields fields;
     const Focus focus{ball, 0.1};
     const TransferFunction function = rainbow(0.3);
-    const Scene scene = sceneOf(fields.coarse, fields.fine, function, focus);
+    const SceneParts scene = sceneOf(fields.coarse, fields.fine, function, focus);
     for (const Vector3d& eye : {Vector3d(0.41, 0.52, 0.57), Vector3d(0.45, 0.14, 0.55)}) {
         const Camera camera = withEyeAt(cameraAround(scene.bounds, true), eye);
         QVERIFY(largestDifference(rendered(scene, camera), marched(fields, function, focus, camera, scene)) <= 2);
@@ -263,7 +264,7 @@ void FocusSceneTest::clipPlanesCutBoth()
     const Fields fields;
     const Focus focus{ball, 0.15};
     const TransferFunction function = rainbow(0.5);
-    Scene scene = sceneOf(fields.coarse, fields.fine, function, focus);
+    SceneParts scene = sceneOf(fields.coarse, fields.fine, function, focus);
     scene.clipPlanes = {{{0.6, 0.8, 0}, 0.63}, {{0, 0, -1}, -0.8}};
     for (const bool perspective : {true, false}) {
         const Camera camera = cameraAround(scene.bounds, perspective);
@@ -274,11 +275,11 @@ void FocusSceneTest::clipPlanesCutBoth()
 void FocusSceneTest::surfacesAreMetInTheBorder()
 {
     const Fields fields;
-    Scene scene = sceneOf(fields.fine, fields.fine, rainbow(0.4), {box, 0.1});
+    SceneParts scene = sceneOf(fields.fine, fields.fine, rainbow(0.4), {box, 0.1});
     addLayer(scene, 0.55, {0.9f, 0.5f, 0.2f}, 0.5f);
     for (const bool perspective : {true, false}) {
         const Camera camera = cameraAround(scene.bounds, perspective);
-        Scene without = scene;
+        SceneParts without = scene;
         without.focus.reset();
         // A way through the border is drawn before or behind a surface in it as a whole.
         QVERIFY(largestDifference(rendered(scene, camera), rendered(without, camera)) <= 3);
@@ -290,9 +291,9 @@ void FocusSceneTest::hasAFunctionOfItsOwn()
     const Fields fields;
     const TransferFunction function =
         transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2);
-    const Scene expected = volumeScene(fields.fine, function);
-    Scene scene = volumeScene(fields.fine, rainbow(0.5));
-    scene.focus = FocusVolume{volumeOf(scene.volume->mesh, function), Sphere{{0.5, 0.5, 0.5}, 2}, 0};
+    const SceneParts expected = volumeScene(fields.fine, function);
+    SceneParts scene = volumeScene(fields.fine, rainbow(0.5));
+    scene.focus = FinePart{volumeOf(scene.volume->mesh, function), Sphere{{0.5, 0.5, 0.5}, 2}, 0};
     for (const bool perspective : {true, false}) {
         const Camera camera = cameraAround(scene.bounds, perspective);
         QVERIFY(largestDifference(rendered(scene, camera), rendered(expected, camera)) <= 1);
@@ -302,7 +303,7 @@ void FocusSceneTest::hasAFunctionOfItsOwn()
 void FocusSceneTest::besideTheDomainItIsNothing()
 {
     const Fields fields;
-    Scene scene = sceneOf(fields.coarse, fields.fine, rainbow(0.5), {Sphere{{3, 3, 3}, 0.5}, 0.1});
+    SceneParts scene = sceneOf(fields.coarse, fields.fine, rainbow(0.5), {Sphere{{3, 3, 3}, 0.5}, 0.1});
     const Camera camera = cameraAround(scene.bounds, true);
     const Picture picture = rendered(scene, camera);
     scene.focus.reset();
@@ -312,7 +313,7 @@ void FocusSceneTest::besideTheDomainItIsNothing()
 void FocusSceneTest::oneThreadEqualsMany()
 {
     const Fields fields;
-    const Scene scene = sceneOf(fields.coarse, fields.fine, rainbow(0.5), {ball, 0.1});
+    const SceneParts scene = sceneOf(fields.coarse, fields.fine, rainbow(0.5), {ball, 0.1});
     const Camera camera = cameraAround(scene.bounds, true);
     PictureOptions options{.width = 150, .height = 140, .threads = 1, .depth = true};
     const Picture one = rendered(scene, camera, options);
@@ -325,7 +326,7 @@ void FocusSceneTest::oneThreadEqualsMany()
 void FocusSceneTest::refusesAFunctionOfAnotherMesh()
 {
     const Fields fields;
-    Scene scene = sceneOf(fields.coarse, fields.fine, rainbow(0.5), {ball, 0.1});
+    SceneParts scene = sceneOf(fields.coarse, fields.fine, rainbow(0.5), {ball, 0.1});
     scene.focus->fine.transfer = scene.volume->transfer;
     const auto picture = makeCpuBackend()->render(scene, cameraAround(scene.bounds, true), usual);
     QVERIFY(!picture);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Boundaries of meshes with holes on the OpenGL back end against the CPU's (B4), by TAN_GL_LEVEL at most: colours of
 // vertices, translucent ones in the volume, and without what faces the eye. Skipped where EGL gives no OpenGL 3.3.
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/boundary_scenes.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
@@ -35,7 +36,7 @@ private slots:
         for (const unsigned seed : {1u, 2u}) {
             if (volume && seed == 1)
                 continue; // volumes take their time; they are cut open
-            Scene scene = boundaryScene(seed, look, volume);
+            SceneParts scene = boundaryScene(seed, look, volume);
             const Camera camera = boundaryCamera(scene, perspective);
             if (seed == 2)
                 scene.clipPlanes = {{{0, 1, 0}, 0.7}};
@@ -59,7 +60,7 @@ private slots:
     void eyeInTheMesh()
     {
         for (const bool backFacesOnly : {false, true}) {
-            Scene scene = boundaryScene(4, "values", false);
+            SceneParts scene = boundaryScene(4, "values", false);
             scene.surfaces[0].backFacesOnly = backFacesOnly;
             Camera camera = boundaryCamera(scene, true);
             camera.distance = 0.2;

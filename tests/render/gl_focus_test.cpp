@@ -2,6 +2,7 @@
 // A finer volume inside a region, blended at its border (R24, S18), by OpenGL against the CPU back end (B4). Skipped
 // where EGL gives no OpenGL 3.3.
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/focus_fields.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
@@ -35,12 +36,12 @@ TetrahedralMesh shiftedLattice(int cells, Split split, const Vector3d& shift)
 }
 
 /// Coarse and fine differ by much where the waves are steep.
-Scene focusScene(const FocusRegion& region, double border, double opacity, const Vector3d& shift = {0, 0, 0})
+SceneParts focusScene(const FocusRegion& region, double border, double opacity, const Vector3d& shift = {0, 0, 0})
 {
     const TransferFunction function = rainbow(opacity);
-    Scene scene = volumeScene(shiftedLattice(4, Split::Six, shift), function);
+    SceneParts scene = volumeScene(shiftedLattice(4, Split::Six, shift), function);
     const Volume fine = volumeOf(volumeMeshOf(shiftedLattice(7, Split::Five, shift)), function);
-    scene.focus = FocusVolume{fine, region, border};
+    scene.focus = FinePart{fine, region, border};
     return scene;
 }
 
@@ -64,7 +65,7 @@ class GlFocusTest : public GlTest {
 
 private:
     /// Checks that both back ends draw the same, and something else than without the focus.
-    void compare(const Scene& scene, const Camera& camera, const PictureOptions& options = usual, int strays = 0,
+    void compare(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual, int strays = 0,
                  int leastChanged = 20)
     {
         const Picture cpu = rendered(*cpu_, scene, camera, options);
@@ -72,7 +73,7 @@ private:
         const Picture again = rendered(*gl_, scene, camera, options);
         const QString name = QString("gl_focus_%1_%2").arg(QTest::currentTestFunction(), QTest::currentDataTag());
         QVERIFY(samePicture(cpu, gl, again, QString(name).replace(' ', '_').remove(','), strays));
-        Scene without = scene;
+        SceneParts without = scene;
         without.focus.reset();
         const int changed = differingPixels(gl, rendered(*gl_, without, camera, options));
         QVERIFY2(changed > leastChanged, qPrintable(QString::number(changed)));
@@ -111,7 +112,7 @@ private slots:
         QFETCH(double, border);
         QFETCH(double, opacity);
         QFETCH(bool, perspective);
-        const Scene scene = focusScene(regionNamed(isBox), border, opacity);
+        const SceneParts scene = focusScene(regionNamed(isBox), border, opacity);
         compare(scene, cameraAround(scene.bounds, perspective));
     }
 
@@ -129,7 +130,7 @@ private slots:
     {
         QFETCH(bool, isBox);
         QFETCH(Vector3d, eye);
-        const Scene scene = focusScene(regionNamed(isBox), 0.2, 0.4);
+        const SceneParts scene = focusScene(regionNamed(isBox), 0.2, 0.4);
         for (int turn = 0; turn < 4; ++turn) {
             const Camera camera = turned(cameraAround(scene.bounds, true), 90 * turn, 30 * turn - 40);
             const Picture cpu = rendered(*cpu_, scene, withEyeAt(camera, eye), usual);
@@ -143,7 +144,7 @@ private slots:
     {
         QFETCH(bool, isBox);
         QFETCH(bool, perspective);
-        Scene scene = focusScene(regionNamed(isBox), 0.15, 0.5);
+        SceneParts scene = focusScene(regionNamed(isBox), 0.15, 0.5);
         scene.clipPlanes = {{{0.6, 0.8, 0}, 0.63}, {{0, 0, -1}, -0.8}};
         compare(scene, cameraAround(scene.bounds, perspective));
     }
@@ -166,7 +167,7 @@ private slots:
         QFETCH(float, surfaceOpacity);
         QFETCH(bool, isBox);
         QFETCH(bool, perspective);
-        Scene scene = focusScene(regionNamed(isBox), 0.1, 0.3);
+        SceneParts scene = focusScene(regionNamed(isBox), 0.1, 0.3);
         addLayer(scene, 0.55, {0.9f, 0.5f, 0.2f}, surfaceOpacity);
         compare(scene, cameraAround(scene.bounds, perspective), usual, 1);
     }
@@ -177,8 +178,8 @@ private slots:
     {
         QFETCH(bool, isBox);
         QFETCH(bool, perspective);
-        Scene scene = focusScene(regionNamed(isBox), 0, 0.5);
-        scene.hybridOrder = HybridOrder::WithCell;
+        SceneParts scene = focusScene(regionNamed(isBox), 0, 0.5);
+        scene.wholeCells = true;
         addLayer(scene, 0.55, {0.9f, 0.5f, 0.2f}, 0.5f);
         compare(scene, cameraAround(scene.bounds, perspective), usual, 1, 10);
     }
@@ -204,7 +205,7 @@ private slots:
         const Vector3d shift(300, -200, 100);
         const FocusRegion region = isBox ? FocusRegion(Box{box.least + shift, box.largest + shift})
                                          : FocusRegion(Sphere{ball.centre + shift, ball.radius});
-        Scene scene = focusScene(region, 0.1, 0.2, shift);
+        SceneParts scene = focusScene(region, 0.1, 0.2, shift);
         scene.focus->fine = volumeOf(scene.focus->fine.mesh, fire);
         Camera camera = cameraAround(scene.bounds, perspective);
         if (zoom < 1)
@@ -215,7 +216,7 @@ private slots:
     /// Lit, many samples, a transparent background.
     void shadedAndTransparent()
     {
-        Scene scene = focusScene(ball, 0.1, 0.5);
+        SceneParts scene = focusScene(ball, 0.1, 0.5);
         scene.volume->shaded = true;
         scene.focus->fine.shaded = true;
         compare(scene, cameraAround(scene.bounds, true),
@@ -225,7 +226,7 @@ private slots:
     /// One mesh for both, of another function in the focus.
     void oneMeshTwoFunctions()
     {
-        Scene scene = focusScene(box, 0.1, 0.3);
+        SceneParts scene = focusScene(box, 0.1, 0.3);
         scene.focus->fine = volumeOf(scene.volume->mesh, fire);
         compare(scene, cameraAround(scene.bounds, true));
         QVERIFY(gl_->statistics().cells > 0);
@@ -233,7 +234,7 @@ private slots:
 
     void depths()
     {
-        const Scene scene = focusScene(ball, 0.1, 0.5);
+        const SceneParts scene = focusScene(ball, 0.1, 0.5);
         const Camera camera = cameraAround(scene.bounds, true);
         const PictureOptions options{.width = 30, .height = 24, .samplesPerAxis = 1, .depth = true};
         const Picture cpu = rendered(*cpu_, scene, camera, options), gl = rendered(*gl_, scene, camera, options);
@@ -250,7 +251,7 @@ private slots:
 
     void besideTheDomainItIsNothing()
     {
-        Scene scene = focusScene(Sphere{{3, 3, 3}, 0.5}, 0.1, 0.5);
+        SceneParts scene = focusScene(Sphere{{3, 3, 3}, 0.5}, 0.1, 0.5);
         const Camera camera = cameraAround(scene.bounds, true);
         const Picture picture = rendered(*gl_, scene, camera, usual);
         scene.focus.reset();
@@ -259,7 +260,7 @@ private slots:
 
     void refusesAFunctionOfAnotherMesh()
     {
-        Scene scene = focusScene(ball, 0.1, 0.5);
+        SceneParts scene = focusScene(ball, 0.1, 0.5);
         scene.focus->fine.transfer = scene.volume->transfer;
         const auto picture = gl_->render(scene, cameraAround(scene.bounds, true), usual);
         QVERIFY(!picture);

@@ -4,6 +4,7 @@
 #include "core/render/gl/scene_painter.h"
 #include "core/render/scene_checks.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/same_picture.h"
 #include "tests/render/scenes.h"
@@ -22,7 +23,7 @@ using namespace tetra::testing;
 namespace {
 
 /// Isosurfaces of smooth noise: they fold over each other many times.
-Scene foldedScene()
+SceneParts foldedScene()
 {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> phase(0, 6.28);
@@ -36,7 +37,7 @@ Scene foldedScene()
         return sum;
     });
     const auto gradients = vertexGradients(mesh);
-    Scene scene;
+    SceneParts scene;
     scene.bounds = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2)};
     const std::array<Colour, 3> colours = {{{0.9f, 0.6f, 0}, {0.3f, 0.7f, 0.9f}, {0, 0.6f, 0.5f}}};
     for (std::size_t i = 0; i < colours.size(); ++i) {
@@ -48,9 +49,9 @@ Scene foldedScene()
     return scene;
 }
 
-Scene movedBy(const Scene& scene, const Eigen::Vector3d& offset)
+SceneParts movedBy(const SceneParts& scene, const Eigen::Vector3d& offset)
 {
-    Scene result;
+    SceneParts result;
     result.bounds = scene.bounds.translated(offset);
     for (const Surface& surface : scene.surfaces) {
         auto mesh = std::make_shared<TriangleMesh>(*surface.mesh);
@@ -62,7 +63,7 @@ Scene movedBy(const Scene& scene, const Eigen::Vector3d& offset)
 }
 
 struct View {
-    Scene scene;
+    SceneParts scene;
     Camera camera;
     PictureOptions options{.width = 220, .height = 160};
 };

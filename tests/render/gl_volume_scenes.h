@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/volume/volume_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/core/render/volume/volume_meshes.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
@@ -45,15 +46,15 @@ inline Volume volumeNamed(const std::string& meshName, const std::string& functi
     return volumeOf(std::ranges::find(meshes(), meshName, &NamedMesh::name)->mesh, functionName);
 }
 
-inline Scene sceneNamed(const QString& meshName, const QString& functionName)
+inline SceneParts sceneNamed(const QString& meshName, const QString& functionName)
 {
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeNamed(meshName.toStdString(), functionName.toStdString());
     scene.bounds = scene.volume->mesh->bounds;
     return scene;
 }
 
-inline Camera cameraFor(const Scene& scene, bool perspective)
+inline Camera cameraFor(const SceneParts& scene, bool perspective)
 {
     Camera camera;
     camera.azimuth = 33;
@@ -63,7 +64,7 @@ inline Camera cameraFor(const Scene& scene, bool perspective)
 }
 
 /// Surfaces in and around the volume.
-inline void addSurfaces(Scene& scene, const QString& which)
+inline void addSurfaces(SceneParts& scene, const QString& which)
 {
     const Eigen::Vector3f centre = scene.bounds.center().cast<float>();
     const Eigen::Vector3f size = scene.bounds.sizes().cast<float>();

@@ -2,6 +2,7 @@
 // Volumes and hybrids of the OpenGL back end against the CPU's (B4, R20, R21), by TAN_GL_LEVEL at most: run for both.
 // Skipped where EGL gives no OpenGL 3.3.
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/gl_test.h"
 #include "tests/render/gl_volume_scenes.h"
 #include "tests/render/same_picture.h"
@@ -20,7 +21,7 @@ class GlVolumeTest : public GlTest {
 
 private:
     /// Checks that OpenGL's picture is `expected`, twice, and that there is something to be seen.
-    void compare(const Picture& expected, const Scene& scene, const Camera& camera, const PictureOptions& options,
+    void compare(const Picture& expected, const SceneParts& scene, const Camera& camera, const PictureOptions& options,
                  double leastSeen = 0.05, int strays = 0)
     {
         QVERIFY(shareOfOther(expected, expected.pixels.front()) > leastSeen);
@@ -50,7 +51,7 @@ private slots:
         QFETCH(QString, mesh);
         QFETCH(QString, function);
         QFETCH(bool, perspective);
-        const Scene scene = sceneNamed(mesh, function);
+        const SceneParts scene = sceneNamed(mesh, function);
         const Camera camera = cameraFor(scene, perspective);
         const PictureOptions options{.width = 90, .height = 60, .background = {0.2f, 0.5f, 0.3f}};
         compare(rendered(*cpu_, scene, camera, options), scene, camera, options);
@@ -69,7 +70,7 @@ private slots:
     {
         QFETCH(QString, mesh);
         QFETCH(QString, function);
-        const Scene scene = sceneNamed(mesh, function);
+        const SceneParts scene = sceneNamed(mesh, function);
         const PictureOptions options{.width = 60, .height = 70};
         double seen = 0;
         for (int turn = 0; turn < 4; ++turn) {
@@ -100,7 +101,7 @@ private slots:
         QFETCH(int, height);
         QFETCH(int, samples);
         QFETCH(bool, transparent);
-        const Scene scene = sceneNamed("refined lattice", "ramps");
+        const SceneParts scene = sceneNamed("refined lattice", "ramps");
         const Camera camera = cameraFor(scene, true);
         const PictureOptions options{
             .width = width, .height = height, .transparentBackground = transparent, .samplesPerAxis = samples};
@@ -114,7 +115,7 @@ private slots:
         const auto mesh = std::make_shared<VolumeMesh>(*makeVolumeMesh(std::make_shared<TetrahedralMesh>(fine)));
         const TransferFunction function =
             transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.5f}, {1, {0, 0.2f, 1}, 0.9f}}, 1);
-        Scene scene;
+        SceneParts scene;
         scene.volume = {mesh, std::make_shared<VolumeTransfer>(*makeVolumeTransfer(fine, function))};
         scene.bounds = mesh->bounds;
         Camera camera{.target = mesh->bounds.center(), .distance = 4, .azimuth = 1, .elevation = 2};
@@ -129,7 +130,7 @@ private slots:
         const auto rising = [](const Eigen::Vector3d& p) { return -p.y() + 0.1 * std::sin(9 * p.x() + 7 * p.z()); };
         const TetrahedralMesh mesh = latticeMesh(24, 1, Split::Five, rising);
         const auto fragmentsOf = [&](const std::string& function) {
-            Scene scene;
+            SceneParts scene;
             scene.volume = volumeOf(mesh, function);
             scene.bounds = scene.volume->mesh->bounds;
             const Camera camera = cameraFor(scene, true);
@@ -160,7 +161,7 @@ private slots:
             position += Eigen::Vector3f(300, -200, 100);
         for (float& value : mesh.values)
             value += 500;
-        Scene scene;
+        SceneParts scene;
         scene.volume = volumeOf(mesh, "ramps");
         scene.bounds = scene.volume->mesh->bounds;
         Camera camera = zoomed(cameraFor(scene, perspective), zoom);
@@ -181,7 +182,7 @@ private slots:
         std::swap(mesh.tetrahedra[12][0], mesh.tetrahedra[12][1]);
         const TransferFunction function =
             transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.3f}}, 1);
-        Scene scene;
+        SceneParts scene;
         scene.volume = {std::make_shared<VolumeMesh>(*makeVolumeMesh(std::make_shared<TetrahedralMesh>(mesh))),
                         std::make_shared<VolumeTransfer>(*makeVolumeTransfer(mesh, function))};
         scene.bounds = scene.volume->mesh->bounds;
@@ -211,10 +212,10 @@ private slots:
         QFETCH(QString, function);
         QFETCH(bool, perspective);
         QFETCH(bool, exact);
-        Scene scene = sceneNamed("refined lattice", function);
+        SceneParts scene = sceneNamed("refined lattice", function);
         addSurfaces(scene, surfaces);
         scene.lines.push_back(boxOutline(scene.bounds, {0, 0, 0}, 2));
-        scene.hybridOrder = exact ? HybridOrder::Exact : HybridOrder::WithCell;
+        scene.wholeCells = !exact;
         scene.volume->shaded = surfaces == "crossing";
         const Camera camera = cameraFor(scene, perspective);
         const PictureOptions options{
@@ -241,7 +242,7 @@ private slots:
         QFETCH(QString, mesh);
         QFETCH(QString, function);
         QFETCH(bool, perspective);
-        Scene scene = sceneNamed(mesh, function);
+        SceneParts scene = sceneNamed(mesh, function);
         scene.volume->shaded = true;
         const Camera camera = cameraFor(scene, perspective);
         const PictureOptions options{.width = 60, .height = 50};
@@ -267,7 +268,7 @@ private slots:
         QFETCH(QString, surfaces);
         QFETCH(bool, perspective);
         QFETCH(bool, volume);
-        Scene scene = sceneNamed("refined lattice", "ramps");
+        SceneParts scene = sceneNamed("refined lattice", "ramps");
         addSurfaces(scene, surfaces);
         if (!volume)
             scene.volume.reset();
@@ -293,7 +294,7 @@ private slots:
     /// The order and the buffers are kept while they fit, and not longer.
     void keepsWhatFits()
     {
-        Scene scene = sceneNamed("refined lattice", "ramps");
+        SceneParts scene = sceneNamed("refined lattice", "ramps");
         const PictureOptions exact{.width = 60, .height = 40};
         PictureOptions quick = exact;
         quick.orderTolerance = 5;
@@ -327,7 +328,7 @@ private slots:
 
     void badScenesAreErrors()
     {
-        Scene scene = sceneNamed("one cell", "ramp");
+        SceneParts scene = sceneNamed("one cell", "ramp");
         const auto mesh = scene.volume->mesh;
         scene.volume->mesh = sceneNamed("refined lattice", "ramp").volume->mesh;
         QCOMPARE(gl_->render(scene, {}, {}).error().kind, ErrorKind::WrongUsage);
@@ -341,7 +342,7 @@ private slots:
 
     void cancels()
     {
-        const Scene scene = sceneNamed("refined lattice", "ramp");
+        const SceneParts scene = sceneNamed("refined lattice", "ramp");
         const PictureOptions small{.width = 60, .height = 50};
         std::stop_source stop;
         const Progress stopping(stop.get_token(), [&](double fraction, const Message&) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
 
 #include <tan/render.h>
@@ -11,7 +12,8 @@
 
 namespace tetra::testing {
 
-inline Picture rendered(RenderBackend& backend, const Scene& scene, const Camera& camera, const PictureOptions& options)
+inline Picture rendered(RenderBackend& backend, const SceneParts& scene, const Camera& camera,
+                        const PictureOptions& options)
 {
     auto picture = backend.render(scene, camera, options);
     if (!picture)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the CPU back end does with scenes that have a volume (B4): samples, depth, parts, orders, statistics.
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 #include "tests/render/volume_scenes.h"
@@ -20,7 +21,7 @@ namespace {
 using Pixel = std::array<std::uint8_t, 4>;
 const PictureOptions usual{.width = 28, .height = 20, .samplesPerAxis = 1};
 
-Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions& options = usual)
+Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
     auto picture = makeCpuBackend()->render(scene, camera, options);
     if (!picture)
@@ -29,7 +30,7 @@ Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions&
 }
 
 /// A picture's pixels are the means of those of a picture `axis` times as large, of one sample each.
-bool isMeanOfSamples(const Scene& scene, const Camera& camera, int columns, int rows, int axis)
+bool isMeanOfSamples(const SceneParts& scene, const Camera& camera, int columns, int rows, int axis)
 {
     const Picture picture = rendered(scene, camera, {.width = columns, .height = rows, .samplesPerAxis = axis});
     const Picture fine = rendered(scene, camera, {.width = columns * axis, .height = rows * axis, .samplesPerAxis = 1});
@@ -71,7 +72,7 @@ private slots:
             for (const int samples : {1, 3}) {
                 Camera camera = beforeCube();
                 camera.perspective = perspective;
-                Scene scene = fogCube(1 - std::exp(-0.5f));
+                SceneParts scene = fogCube(1 - std::exp(-0.5f));
                 PictureOptions options{.width = 31, .height = 31, .samplesPerAxis = samples, .depth = true};
                 const auto middle = [&] { return rendered(scene, camera, options).depth[15 * 31 + 15]; };
                 QVERIFY(std::abs(middle() - (6 + 2 * std::log(2.0))) < 0.02);
@@ -92,7 +93,7 @@ private slots:
     void pixelsAreMeansOfSamples()
     {
         const TetrahedralMesh mesh = irregularWithHole();
-        Scene scene = volumeScene(mesh, functionFor(mesh, "steps").function);
+        SceneParts scene = volumeScene(mesh, functionFor(mesh, "steps").function);
         addLayer(scene, valueAt(mesh, 0.4), {0.9f, 0.1f, 0.2f}, 0.5f);
         for (int axis = 2; axis <= 4; ++axis)
             QVERIFY(isMeanOfSamples(scene, cameraAround(scene.bounds, true), 60, 50, axis));
@@ -101,7 +102,7 @@ private slots:
     void sameWithAnyNumberOfThreads()
     {
         const TetrahedralMesh mesh = irregularWithHole();
-        Scene scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
+        SceneParts scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
         scene.volume->shaded = true;
         addLayer(scene, valueAt(mesh, 0.4), {0.9f, 0.1f, 0.2f}, 0.5f);
         scene.lines.push_back(boxOutline(scene.bounds, {0, 0, 0}, 2));
@@ -120,7 +121,7 @@ private slots:
     void partsLeaveNoSeams()
     {
         const TetrahedralMesh mesh = irregularWithHole();
-        Scene scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
+        SceneParts scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
         scene.clipPlanes.push_back({{0, 1, 0.2}, 0.3 * scene.bounds.sizes().y() + scene.bounds.min().y()});
         addLayer(scene, valueAt(mesh, 0.4), {0.9f, 0.1f, 0.2f}, 0.5f);
         for (const bool perspective : {true, false}) {
@@ -135,13 +136,13 @@ private slots:
     void ordersAreKept()
     {
         const auto backend = makeCpuBackend();
-        const auto reused = [&](const Scene& scene, const Camera& camera, PictureOptions options) {
+        const auto reused = [&](const SceneParts& scene, const Camera& camera, PictureOptions options) {
             if (!backend->render(scene, camera, options).ok())
                 qFatal("no picture");
             return backend->statistics().orderReused;
         };
         const TetrahedralMesh convex = refinedLattice();
-        Scene scene = volumeScene(convex, functionFor(convex, "ramps").function);
+        SceneParts scene = volumeScene(convex, functionFor(convex, "ramps").function);
         const Camera camera = cameraAround(scene.bounds, true);
         PictureOptions larger = usual, tolerant = usual;
         larger.width *= 2;
@@ -162,7 +163,7 @@ private slots:
         QVERIFY(!reused(scene, turned(camera, 20, 0), tolerant));
 
         const TetrahedralMesh hole = irregularWithHole();
-        const Scene holed = volumeScene(hole, functionFor(hole, "ramps").function);
+        const SceneParts holed = volumeScene(hole, functionFor(hole, "ramps").function);
         QVERIFY(!reused(holed, camera, usual));
         QVERIFY(reused(holed, camera, usual));
         QVERIFY(!reused(holed, camera, larger));
@@ -173,7 +174,7 @@ private slots:
     void statisticsTellWhatItTook()
     {
         const TetrahedralMesh mesh = refinedLattice();
-        Scene scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
+        SceneParts scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
         const auto backend = makeCpuBackend();
         QVERIFY(backend->render(scene, cameraAround(scene.bounds, true), usual).ok());
         const RenderStatistics one = backend->statistics();
@@ -190,7 +191,7 @@ private slots:
 
     void missingVolumesAreNothing()
     {
-        Scene scene = fogCube(0.5f);
+        SceneParts scene = fogCube(0.5f);
         const auto transfer = scene.volume->transfer;
         scene.volume->transfer = nullptr;
         for (const Pixel& pixel : rendered(scene, beforeCube()).pixels)
@@ -207,7 +208,7 @@ private slots:
     void reportsAndCancels()
     {
         const TetrahedralMesh mesh = irregularWithHole();
-        const Scene scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
+        const SceneParts scene = volumeScene(mesh, functionFor(mesh, "ramps").function);
         const Camera camera = cameraAround(scene.bounds, true);
         const PictureOptions options{.width = 700, .height = 700};
         double last = 0;

@@ -3,6 +3,7 @@
 // integrator and closed forms.
 #include "core/render/volume/volume_renderer.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
 #include "tests/render/scenes.h"
 #include "tests/render/volume_scenes.h"
@@ -17,8 +18,6 @@
 using namespace tetra;
 using namespace tetra::testing;
 using Eigen::Vector3d;
-
-Q_DECLARE_METATYPE(tetra::HybridOrder)
 
 namespace {
 
@@ -38,7 +37,7 @@ const TetrahedralMesh& meshNamed(const QString& name)
     return std::ranges::find(meshes(), name.toStdString(), &NamedMesh::name)->mesh;
 }
 
-Picture rendered(const Scene& scene, const Camera& camera, const PictureOptions& options = usual)
+Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
     auto picture = makeCpuBackend()->render(scene, camera, options);
     if (!picture)
@@ -92,7 +91,7 @@ private slots:
     {
         for (const NamedMesh& named : meshes())
             for (const bool perspective : {true, false}) {
-                const Scene scene = volumeScene(named.mesh, functionFor(named.mesh, "ramps").function);
+                const SceneParts scene = volumeScene(named.mesh, functionFor(named.mesh, "ramps").function);
                 const Camera camera = cameraAround(scene.bounds, perspective);
                 const VolumeMesh& mesh = *scene.volume->mesh;
                 const VolumeOptions options{90, 70};
@@ -112,14 +111,13 @@ private slots:
         QTest::addColumn<QString>("mesh");
         QTest::addColumn<QString>("function");
         QTest::addColumn<bool>("perspective");
-        QTest::addColumn<HybridOrder>("order");
+        QTest::addColumn<bool>("wholeCells");
         for (const NamedMesh& mesh : meshes())
             for (const char* function : {"ramps", "steps", "opaque"})
-                for (const HybridOrder order : {HybridOrder::Exact, HybridOrder::WithCell}) {
+                for (const bool wholeCells : {false, true}) {
                     const bool perspective = QString(function) != "steps";
-                    QTest::addRow("%s, %s, %s", mesh.name.c_str(), function,
-                                  order == HybridOrder::Exact ? "exact" : "with cell")
-                        << QString::fromStdString(mesh.name) << QString(function) << perspective << order;
+                    QTest::addRow("%s, %s, %s", mesh.name.c_str(), function, wholeCells ? "with cell" : "exact")
+                        << QString::fromStdString(mesh.name) << QString(function) << perspective << wholeCells;
                 }
     }
     /// Translucent isosurfaces and an opaque one in the volume.
@@ -128,13 +126,13 @@ private slots:
         QFETCH(QString, mesh);
         QFETCH(QString, function);
         QFETCH(bool, perspective);
-        QFETCH(HybridOrder, order);
+        QFETCH(bool, wholeCells);
         const TetrahedralMesh& tetrahedra = meshNamed(mesh);
         const NamedFunction chosen = functionFor(tetrahedra, function.toStdString());
-        Scene scene = volumeScene(tetrahedra, chosen.function);
-        scene.hybridOrder = order;
+        SceneParts scene = volumeScene(tetrahedra, chosen.function);
+        scene.wholeCells = wholeCells;
         RayScene rays;
-        rays.order = order;
+        rays.wholeCells = wholeCells;
         rays.layers = {addLayer(scene, valueAt(tetrahedra, 0.35), {0.9f, 0.1f, 0.2f}, 0.4f),
                        addLayer(scene, valueAt(tetrahedra, 0.52), {0.1f, 0.3f, 0.9f}, 0.6f),
                        addLayer(scene, valueAt(tetrahedra, 0.77), {0.2f, 0.8f, 0.3f}, 1)};
@@ -150,7 +148,7 @@ private slots:
             for (const bool perspective : {true, false}) {
                 const TetrahedralMesh& mesh = meshNamed(name);
                 const NamedFunction function = functionFor(mesh, "ramps");
-                Scene scene = volumeScene(mesh, function.function);
+                SceneParts scene = volumeScene(mesh, function.function);
                 const Camera camera = cameraAround(scene.bounds, perspective);
                 const Vector3d centre = scene.bounds.center();
                 for (const Vector3d& normal : {Vector3d(1, 0.3, 0.2), Vector3d(-0.2, 1, -0.4), Vector3d(0, 0, -2)})
@@ -169,7 +167,7 @@ private slots:
     {
         const TetrahedralMesh& mesh = meshNamed("refined lattice");
         const NamedFunction function = functionFor(mesh, "ramps");
-        Scene scene = volumeScene(mesh, function.function);
+        SceneParts scene = volumeScene(mesh, function.function);
         RayScene rays;
         rays.layers = {addLayer(scene, valueAt(mesh, 0.4), {0.9f, 0.1f, 0.2f}, 0.4f),
                        addLayer(scene, valueAt(mesh, 0.6), {0.1f, 0.3f, 0.9f}, 0.3f)};
@@ -197,7 +195,7 @@ private slots:
                     for (ColourPoint& point : function.colours)
                         for (float& channel : point.colour)
                             channel *= 0.8f; // so that no highlight is cut off, which the back end does slab by slab
-                    Scene scene = volumeScene(mesh, function);
+                    SceneParts scene = volumeScene(mesh, function);
                     scene.volume->shaded = true;
                     RayScene rays;
                     rays.shaded = true;
@@ -212,7 +210,7 @@ private slots:
     /// A translucent sheet in the middle of a fog, an opaque one and a line behind it: closed forms.
     void sheetsAndLinesInFog()
     {
-        Scene scene = fogCube(0.5f);
+        SceneParts scene = fogCube(0.5f);
         scene.surfaces.push_back({quad({0, 1, 0}, {4, 0, 0}, {0, 0, 4}), {0, 0, 0.8f}, 0.25f});
         const Colour sheet = shaded({0, 0, 0.8f}, 1, 1);
         scene.lines.push_back({{{0, 3, 2}, {4, 3, 2}}, {{0, 1}}, {0, 1, 0}, 2});

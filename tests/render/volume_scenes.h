@@ -4,6 +4,7 @@
 #include "core/render/shading.h"
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/core/render/volume/ray_integrator.h"
 #include "tests/core/render/volume/volume_meshes.h"
 
@@ -29,16 +30,16 @@ inline Volume volumeOf(const std::shared_ptr<const VolumeMesh>& mesh, const Tran
 }
 
 /// A scene of a mesh's volume.
-inline Scene volumeScene(const TetrahedralMesh& mesh, const TransferFunction& function)
+inline SceneParts volumeScene(const TetrahedralMesh& mesh, const TransferFunction& function)
 {
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeOf(volumeMeshOf(mesh), function);
     scene.bounds = scene.volume->mesh->bounds;
     return scene;
 }
 
 /// An isosurface without normals, which looks the same from all sides: what such a colour is lit to.
-inline IsoLayer addLayer(Scene& scene, double isovalue, const Colour& colour, float opacity)
+inline IsoLayer addLayer(SceneParts& scene, double isovalue, const Colour& colour, float opacity)
 {
     const TetrahedralMesh& mesh = *scene.volume->mesh->mesh;
     auto surface = extractIsosurface(mesh, vertexGradients(mesh), isovalue);
@@ -73,7 +74,7 @@ inline double valueAt(const TetrahedralMesh& mesh, double share)
 }
 
 /// A cube [0, 4]^3 of half a unit of optical depth a unit of length, in one colour.
-inline Scene fogCube(float opacityOfUnit)
+inline SceneParts fogCube(float opacityOfUnit)
 {
     const TetrahedralMesh mesh = latticeMesh(4, 4, Split::Six, [](const Eigen::Vector3d&) { return 0.5; });
     return volumeScene(mesh, transferFunctionFromPoints({{0, {1, 0.5f, 0}, opacityOfUnit}}));

@@ -97,9 +97,9 @@ void IncludeDirectionTest::acceptsWhatIsAllowed_data()
     QTest::newRow("EGL in a source of core") << "core/render/context.cpp" << QByteArray("#include <EGL/egl.h>");
     QTest::newRow("plugin uses its own") << "plugins/builders/refinement/builder.cpp"
                                          << QByteArray("#include \"plugins/builders/refinement/builder.h\"");
-    QTest::newRow("plugin uses core, api and Qt")
+    QTest::newRow("plugin uses the face, api and Qt")
         << "plugins/readers/lattice/reader.cpp"
-        << QByteArray("#include \"core/data/lattice.h\"\n#include \"plugins/api/builder.h\"\n#include <QFile>");
+        << QByteArray("#include <tan/data.h>\n#include \"plugins/api/builder.h\"\n#include <QFile>");
     QTest::newRow("moc's output") << "ui/window.cpp" << QByteArray("#include \"window.moc\"");
     QTest::newRow("ui uses the host") << "ui/window.cpp" << QByteArray("#include \"plugins/host/host.h\"");
     QTest::newRow("ui uses shared widgets")
@@ -155,8 +155,15 @@ void IncludeDirectionTest::findsTheBreach_data()
     row("host sees plugin", "plugins/host/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",
         "may not include plugins/readers/lattice/nrrd.h");
     row("plugin sees host", lattice, "#include \"plugins/host/host.h\"", "may not include plugins/host/host.h");
+    row("renderer sees the inside", "plugins/renderers/volume/bad.cpp", "#include \"core/render/tiles.h\"",
+        "may not include core/render/tiles.h");
     row("plugin sees plugin of its kind", "plugins/builders/refinement/bad.h",
         "#include \"plugins/builders/decimation/heap.h\"", "may not include plugins/builders/decimation/heap.h");
+    for (const char* kind : {"builders", "renderers", "readers", "writers", "editors"})
+        row(kind, QString("plugins/%1/some/bad.h").arg(kind), "#include \"core/data/lattice.h\"",
+            "may not include core/data/lattice.h");
+    row("widgets see the inside", "plugins/widgets/bad.h", "#include \"core/data/lattice.h\"",
+        "may not include core/data/lattice.h");
     row("plugin sees ui", lattice, "#include \"ui/window.h\"", "may not include ui/window.h");
     row("plugin sees app", lattice, "#include \"app/commands.h\"", "may not include app/commands.h");
     row("editor sees ui", "plugins/editors/curve/bad.h", "#include \"ui/window.h\"", "may not include ui/window.h");

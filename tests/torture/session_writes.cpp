@@ -25,8 +25,8 @@ Status writeOnce(const QString& folder, int round)
 {
     SessionDocument document;
     document.model = (folder + "/model.tan").toStdString();
-    document.query.budget = static_cast<std::uint64_t>(round);
-    document.isovalues.resize(entries);
+    document.view.query.budget = static_cast<std::uint64_t>(round);
+    document.view.isovalues.resize(entries);
     QSettings settings(folder + "/tan.conf", QSettings::IniFormat);
     for (int entry = 0; entry < entries; ++entry)
         settings.setValue(QString("entry%1").arg(entry), round);
@@ -44,7 +44,7 @@ QString whatIsWrong(const QString& folder)
         const auto read = sessionFromText(*text, folder.toStdString());
         if (!read)
             return QString::fromStdString(read.error().text());
-        if (read->isovalues.size() != entries)
+        if (read->view.isovalues.size() != entries)
             return "A session without its isovalues.";
     }
     if (QFile::exists(folder + "/tan.conf")) {

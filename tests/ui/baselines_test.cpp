@@ -229,7 +229,7 @@ void BaselinesTest::plotsOfTheEditor()
     const ValueRange range = session.range();
     session.setTransfer(withMask(uneven(range), {range.minimum + 0.2 * range.extent(), range.maximum - 10}));
     session.addIsovalue(range.minimum + 0.3 * range.extent());
-    Isovalue hidden = session.view().isovalues().back();
+    Isovalue hidden = session.view().isovalues.back();
     hidden.visible = false;
     session.setIsovalue(1, hidden);
     compareAs("editor-mask");
@@ -297,15 +297,17 @@ void BaselinesTest::waysToDraw()
     constexpr QSize size(96, 80);
     const EditorFixture window(model_);
     Session& session = window.session();
-    window.window.resize(window.window.size() + size - window.viewport().size());
-    Viewport viewport(BackendChoice::Cpu); // without tools over it
+    Session shown; // of a picture without the window's tools
+    Viewport viewport(shown, BackendChoice::Cpu);
     viewport.resize(size);
-    viewport.setBackground(Colour{1, 1, 1});
     viewport.show();
     const auto compareAs = [&](const char* name) {
         QTRY_VERIFY(window.settled());
+        ViewValue view = session.view();
+        view.camera = fitted(Camera(), session.model()->description().bounds, double(size.width()) / size.height());
+        view.background = view.background.value_or(Colour{1, 1, 1});
+        shown.restore(session.model(), view);
         viewport.setScene(window.viewport().scene());
-        viewport.startFrom(fitted(Camera(), session.model()->description().bounds), viewport.chosenBackground());
         QTRY_VERIFY(viewport.settled() && viewport.picture().size() == size);
         compare(viewport.picture(), name, renderedTolerance);
     };
@@ -321,9 +323,9 @@ void BaselinesTest::waysToDraw()
     compareAs("drawn-boundary");
     session.setMode("hybrid");
     compareAs("drawn-hybrid");
-    viewport.setBackground(Colour{0.1F, 0.1F, 0.12F});
+    session.setBackground(Colour{0.1F, 0.1F, 0.12F});
     session.setMode("focus");
-    FocusState focus = session.view().query().focus;
+    FocusState focus = session.view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     session.setFocus(focus);
     session.setError(4);

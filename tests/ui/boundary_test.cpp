@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/annotations/annotation_content.h"
@@ -42,8 +43,8 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const Scene& scene() const { return *window_->viewport().scene(); }
-    const Surface& boundary() const { return scene().surfaces.back(); }
+    testing::SceneParts scene() const { return testing::partsOf(*window_->viewport().scene()); }
+    Surface boundary() const { return scene().surfaces.back(); }
     void open(const std::filesystem::path& file) const
     {
         window_->window.open(QString::fromStdString(file));
@@ -58,15 +59,15 @@ private:
     }
     std::string savedSession() const
     {
-        const auto document = window_->workbench.sessionDocument();
+        const auto document = window_->workbench.opening().sessionDocument();
         return document ? sessionToText(*document, window_->folderPath()) : std::string();
     }
     void openSession(const std::string& text) const
     {
-        window_->workbench.closeModel();
+        window_->workbench.opening().closeModel();
         const std::filesystem::path file = window_->folderPath() + "/opened.tansession";
         QVERIFY(writeTextFile(file, text));
-        window_->workbench.openSession(file, SessionSource::File);
+        window_->workbench.opening().openSession(file, SessionSource::File);
         QTRY_VERIFY_WITH_TIMEOUT(session().model() && window_->settled(), 30'000);
     }
 
@@ -108,7 +109,7 @@ void BoundaryTest::irregularModelsOpenWithIt()
     QVERIFY(boundary().opacity < 0.5f && boundary().mesh->colours.empty() && !boundary().mesh->values.empty());
     QVERIFY(!session().undoStack().canUndo());
     open(lattice_);
-    QVERIFY(session().view().look().settings.empty());
+    QVERIFY(session().view().appearance.settings.empty());
     QCOMPARE(scene().surfaces.size(), std::size_t(1));
     choose("translucent");
     QCOMPARE(scene().surfaces.size(), std::size_t(2));
@@ -158,12 +159,12 @@ void BoundaryTest::itFollowsTheMeshAndTheMode()
 
 void BoundaryTest::valuesHaveTheColoursOfTheTransferFunction()
 {
-    const auto bar = [&] { return window_->workbench.annotations({}, {}).transfer; };
+    const auto bar = [&] { return window_->workbench.scenes().annotations({}, {}).transfer; };
     QVERIFY(!bar());
     choose("values");
-    QVERIFY(bar() && *bar() == session().view().look().transfer);
+    QVERIFY(bar() && *bar() == session().view().appearance.transfer);
     QVERIFY(!boundary().mesh->colours.empty() && boundary().opacity == 1);
-    TransferFunction green = session().view().look().transfer;
+    TransferFunction green = session().view().appearance.transfer;
     for (ColourPoint& point : green.colours)
         point.colour = {0, 1, 0};
     session().setTransfer(green);
@@ -176,9 +177,9 @@ void BoundaryTest::sessionsKeepIt()
     session().setSetting("boundary-opacity", 0.75);
     session().setSetting("boundary-far-side", true);
     QTRY_VERIFY(window_->settled());
-    const ParameterValues settings = session().view().look().settings;
+    const ParameterValues settings = session().view().appearance.settings;
     openSession(savedSession());
-    QVERIFY(session().view().look().settings == settings);
+    QVERIFY(session().view().appearance.settings == settings);
     QVERIFY(boundary().opacity == 0.75f && boundary().backFacesOnly);
     QCOMPARE(window_->find<QDoubleSpinBox>("rendering.setting.boundary-opacity").value(), 0.75);
 }
@@ -198,7 +199,7 @@ void BoundaryTest::olderSessionsOpenAsTheyWere()
 
 void BoundaryTest::aClickOnItTellsItsValue()
 {
-    Isovalue hidden = session().view().isovalues().front();
+    Isovalue hidden = session().view().isovalues.front();
     hidden.visible = false;
     session().setIsovalue(0, hidden);
     choose("values");
@@ -207,7 +208,8 @@ void BoundaryTest::aClickOnItTellsItsValue()
     QTRY_VERIFY(!pick.busy());
     QVERIFY(pick.picked() && !pick.picked()->onSurface);
     // The value of the vertex there is near by.
-    const TriangleMesh& mesh = *boundary().mesh;
+    const auto kept = boundary().mesh;
+    const TriangleMesh& mesh = *kept;
     const auto distance = [&](std::size_t v) {
         return (mesh.positions[v].cast<double>() - pick.picked()->place).norm();
     };
@@ -228,7 +230,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
         wall.triangles = {{0, 1, 2}};
         return std::make_shared<const TriangleMesh>(std::move(wall));
     };
-    Scene seen;
+    testing::SceneParts seen;
     seen.bounds = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
     seen.surfaces = {{mesh(0.5f), {}, 1}, {mesh(-0.5f), {}, 0.2f}};
     Camera camera = fitted({}, seen.bounds);
@@ -249,7 +251,7 @@ void BoundaryTest::itHidesNothingFromDoubleClicks()
 void BoundaryTest::buildOptionsAreThoseThatMatter()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     auto& builder = window_->find<QComboBox>("build.builder");
     builder.setCurrentIndex(builder.findData("refinement"));
     const auto isShown = [&](const QString& id) { return !window_->find<QWidget>("build.option." + id).isHidden(); };

@@ -83,17 +83,20 @@ void DamagedModelWindowTest::nothingIsSavedOfAnOldFile()
                saveFailed.takeFirst().first().toString() == damageMessage("own errors") &&
                !std::filesystem::exists(path(name));
     };
-    QVERIFY(isRefused("levels.csv", [&](const auto& target) { workbench.saveStatistics(target); }));
+    QVERIFY(isRefused("levels.csv", [&](const auto& target) { workbench.exporting().saveStatistics(target); }));
     QVERIFY(isRefused("picture.png", [&](const auto& target) {
         PictureOrder order;
         order.width = order.height = 20;
         order.target = target;
-        workbench.savePicture(order);
+        workbench.exporting().savePicture(order);
     }));
     const std::shared_ptr<const Model> model = workbench.session().model();
     const MeshOrder order{model, nullptr, {}, path("mesh.ply")};
     QVERIFY(!writeMesh(*window_->host, order, {}).ok());
-    QVERIFY(!writeSurfaces(*window_->host, {order, {Isovalue()}}, {}).ok());
+    const auto renderer = window_->workbench.host().renderer("isosurface");
+    QVERIFY(renderer.ok());
+    QVERIFY(!writeSurfaces(*window_->host, {{model, renderer->plugin, {}, {}, {}}, std::nullopt, path("mesh.ply")}, {})
+                 .ok());
     QVERIFY(!std::filesystem::exists(path("mesh.ply")));
 }
 

@@ -47,7 +47,7 @@ QStringList DockControlsTest::controlNames()
 {
     DrivenWindow& window = startWindow();
     QStringList names;
-    for (const auto& mode : window.workbench.modes()) {
+    for (const auto& mode : window.workbench.scenes().modes()) {
         window.choose(QString::fromStdString(mode.id));
         addNames(names, window);
     }

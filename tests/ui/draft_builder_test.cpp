@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/draft_builder.h"
-#include "ui/viewport/cpu_canvas.h"
+#include "ui/viewport/canvas.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -129,7 +130,7 @@ void DraftBuilderTest::meshesFallBelowTheShownOne()
     for (std::size_t i = 0; i < made.size(); ++i) {
         QVERIFY(made[i].tetrahedra <= budgets[i]);
         QVERIFY(made[i].tetrahedra > budgets[i] / 2);
-        QVERIFY(made[i].scene->volume.has_value());
+        QVERIFY(testing::partsOf(*made[i].scene).volume.has_value());
     }
 }
 
@@ -148,8 +149,9 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     SceneRequest other = full.request;
     other.values["shaded"] = true;
     builder.requestLook(other);
-    QTRY_VERIFY(newest().size() == expected && newest().front().scene->volume->shaded);
-    QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
+    QTRY_VERIFY(newest().size() == expected && testing::partsOf(*newest().front().scene).volume->shaded);
+    QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
+             testing::partsOf(*before.front().scene).volume->mesh);
     SceneRequest elsewhere = full.request;
     elsewhere.query.error = 3.0;
     builder.requestLook(elsewhere); // of a mesh that is not known yet: as if it had not been asked for
@@ -212,24 +214,24 @@ void DraftBuilderTest::movingPicturesAreQuickAndRestingOnesFull()
     for (const DraftScene& draft : drafts(full))
         view.levels.push_back({draft.scene, draft.tetrahedra});
     view.camera = fitted(Camera(), model_->description().bounds);
-    CpuCanvas canvas;
+    Canvas canvas;
     canvas.resize(640, 480);
     std::vector<FrameReport> reports;
-    canvas.framePainted = [&](const FrameReport& report) { reports.push_back(report); };
-    canvas.failed = [](const QString& text) { qFatal("%s", qPrintable(text)); };
+    connect(&canvas, &Canvas::framePainted, this, [&](const FrameReport& report) { reports.push_back(report); });
+    connect(&canvas, &Canvas::failed, this, [](const QString& text) { qFatal("%s", qPrintable(text)); });
     canvas.setFrameRate(100); // more than can be: then as coarse as there is
     view.moving = true;
-    canvas.show(view);
+    canvas.setView(view);
     for (std::size_t count = 1; count <= 12; ++count) {
         QTRY_COMPARE(reports.size(), count);
         view.camera = turned(view.camera, 3, 0);
-        canvas.show(view);
+        canvas.setView(view);
         QVERIFY(!canvas.settled());
     }
     QVERIFY(reports.back().moving);
     QVERIFY(reports.back().tetrahedra < full.scene.mesh.tetrahedra || reports.back().reduction > 1);
     view.moving = false;
-    canvas.show(view);
+    canvas.setView(view);
     QTRY_VERIFY_WITH_TIMEOUT(canvas.settled(), 60'000);
     QVERIFY(!reports.back().moving);
     QCOMPARE(reports.back().tetrahedra, full.scene.mesh.tetrahedra);
@@ -243,16 +245,16 @@ void DraftBuilderTest::draftsDoNotDisturbAFinePicture()
     View view;
     view.levels.push_back({full.scene.scene, full.scene.mesh.tetrahedra});
     view.camera = fitted(Camera(), model_->description().bounds);
-    CpuCanvas canvas;
+    Canvas canvas;
     canvas.resize(320, 240);
     int pictures = 0;
-    canvas.framePainted = [&](const FrameReport&) { ++pictures; };
-    canvas.show(view);
+    connect(&canvas, &Canvas::framePainted, this, [&] { ++pictures; });
+    canvas.setView(view);
     QTRY_VERIFY(canvas.settled());
     pictures = 0;
     for (const DraftScene& draft : drafts(full))
         view.levels.push_back({draft.scene, draft.tetrahedra});
-    canvas.show(view);
+    canvas.setView(view);
     QVERIFY(canvas.settled());
     QCoreApplication::processEvents();
     QCOMPARE(pictures, 0);

@@ -87,7 +87,7 @@ public:
 private:
     void painted()
     {
-        if (window_.workbench.sceneBuilder().busy())
+        if (window_.workbench.scenes().sceneBuilder().busy())
             return; // the picture is of an older scene
         for (const qint64 start : waiting_)
             seconds_.push_back(static_cast<double>(clock_.nsecsElapsed() - start) * 1e-9);
@@ -114,7 +114,7 @@ void followFor(double seconds, const Latencies& latencies)
 std::vector<std::string> modesOf(const WindowFixture& window)
 {
     std::vector<std::string> modes;
-    for (const auto& mode : window.workbench.modes())
+    for (const auto& mode : window.workbench.scenes().modes())
         modes.push_back(mode.id);
     return modes;
 }
@@ -178,9 +178,9 @@ void EditingSessionTest::anHourOfEditing()
     const auto window = windowOn(model_);
     Session& session = window->workbench.session();
     QUndoStack& stack = session.undoStack();
-    const Moment start = momentOf(session, window->viewport());
+    const ViewValue start = session.view();
     session.setMode("volume");
-    RandomEdits some(session, window->viewport(), modesOf(*window), 7);
+    RandomEdits some(session, modesOf(*window), 7);
     Latencies latencies(*window);
     std::mt19937 random(7);
     int edits = 0;
@@ -190,9 +190,9 @@ void EditingSessionTest::anHourOfEditing()
         session.beginGesture();
         for (auto moves = random() % mostMoves + 1; moves > 0; --moves, ++edits, now += betweenMoves) {
             const int steps = stack.count();
-            const TransferFunction before = session.view().look().transfer;
+            const TransferFunction before = session.view().appearance.transfer;
             some.editTransfer();
-            if (stack.count() != steps || session.view().look().transfer != before)
+            if (stack.count() != steps || session.view().appearance.transfer != before)
                 latencies.edited();
             followFor(betweenMoves, latencies);
         }
@@ -216,14 +216,14 @@ void EditingSessionTest::anHourOfEditing()
         QVERIFY2(grown <= allowedMegabytes, qPrintable(QString("%1 MB more").arg(grown)));
     QVERIFY2(slow <= allowedSeconds, qPrintable(QString("%1 s from edit to picture").arg(slow)));
 
-    const Moment end = momentOf(session, window->viewport());
+    const ViewValue end = session.view();
     const int steps = stack.count();
     while (stack.canUndo())
         stack.undo();
-    QVERIFY(momentOf(session, window->viewport()) == start);
+    QVERIFY(session.view() == start);
     while (stack.canRedo())
         stack.redo();
-    QVERIFY(momentOf(session, window->viewport()) == end);
+    QVERIFY(session.view() == end);
     QCOMPARE(stack.count(), steps);
     waitForRest(*window);
 }
@@ -256,7 +256,7 @@ void EditingSessionTest::whatAKilledProgramWasAtIsThereAgain()
     QVERIFY(text.ok());
     const auto document = sessionFromText(*text, expected.parent_path());
     QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
-    QVERIFY(momentOf(window.workbench.session(), window.viewport()) == momentOf(*document));
+    QVERIFY(window.workbench.session().view() == document->view);
 }
 
 void EditingSessionTest::theProgramThatIsKilled()
@@ -266,15 +266,13 @@ void EditingSessionTest::theProgramThatIsKilled()
     const QDir folder(qEnvironmentVariable(killedFolder));
     const auto window = windowOn(qEnvironmentVariable(killedModel), filePath(folder.filePath("views")));
     Session& session = window->workbench.session();
-    RandomEdits some(session, window->viewport(), modesOf(*window), 3);
+    RandomEdits some(session, modesOf(*window), 3);
     for (int done = 0; done < editsBeforeTheKill; ++done)
         some.editOnce();
     some.finish();
-    auto document = window->workbench.sessionDocument();
-    document->camera = window->viewport().camera();
-    document->background = window->viewport().chosenBackground();
+    const auto document = window->workbench.opening().sessionDocument();
     window->window.open(folder.filePath("no such file.tan"));
-    QTRY_VERIFY(!window->messages().isEmpty() && window->workbench.views().idle());
+    QTRY_VERIFY(!window->messages().isEmpty() && window->workbench.opening().views().idle());
     session.setError(19); // is not kept any more
     const std::filesystem::path expected = filePath(folder.filePath("expected.tansession"));
     QVERIFY(writeTextFile(expected, sessionToText(*document, expected.parent_path())));

@@ -28,7 +28,7 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
     };
     const auto import = [](const QString& path) {
         return [path](WindowFixture& window) {
-            window.workbench.openWithOptions(path);
+            window.workbench.opening().openWithOptions(path);
             const auto isOpen = [&window] {
                 const auto* dialog = window.window.findChild<QWidget*>("importDialog");
                 return dialog != nullptr && dialog->isVisible();

@@ -68,7 +68,7 @@ void FilmTest::cleanup()
 
 PictureSettings FilmTest::settings(QSize size) const
 {
-    return {size, 0, false, session().view().annotations()};
+    return {size, 0, false, session().view().annotations};
 }
 
 void FilmTest::keyFramesAreEdited()
@@ -88,12 +88,12 @@ void FilmTest::keyFramesAreEdited()
     }
     const auto azimuths = [&] {
         QList<double> result;
-        for (const KeyFrame& key : session().view().animation().keys)
+        for (const KeyFrame& key : session().view().animation.keys)
             result.append(key.frame.camera.azimuth);
         return result;
     };
     QCOMPARE(table.rowCount(), 3);
-    QCOMPARE(session().view().animation().keys[2].time, 4.0);
+    QCOMPARE(session().view().animation.keys[2].time, 4.0);
     QVERIFY(window_->find<QLabel>("animation.summary").text().contains("121"));
     table.setCurrentCell(2, 1);
     QTest::keyClick(&table, Qt::Key_Up, Qt::AltModifier);
@@ -108,7 +108,7 @@ void FilmTest::keyFramesAreEdited()
     QCOMPARE(window_->viewport().camera().azimuth, 30.0);
     for (int i = 0; i < 20 && session().undoStack().canUndo(); ++i)
         session().undoStack().undo();
-    QVERIFY(session().view().animation() == Animation());
+    QVERIFY(session().view().animation == Animation());
     QCOMPARE(table.rowCount(), 0);
 }
 
@@ -146,7 +146,7 @@ void FilmTest::aFilmIsWrittenAsPictures()
     target.setText(window_->folder.filePath("round.png"));
     QTRY_VERIFY(window_->find<QPushButton>("film.save").isEnabled());
     QCOMPARE(window_->find<QPushButton>("film.save").text(), QString("&Save"));
-    QSignalSpy saved(&window_->workbench, &Workbench::filmSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::filmSaved);
     window_->find<QPushButton>("film.save").click();
     QVERIFY(!target.isEnabled());
     QTRY_COMPARE(saved.count(), 1);
@@ -166,12 +166,12 @@ void FilmTest::aFilmThatIsCancelledLeavesNothing()
     session().setAnimation(animation);
     FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({320, 240}));
     order.target = window_->folder.filePath("long.png").toStdString();
-    LongTask& task = window_->workbench.savingFilm();
+    LongTask& task = window_->workbench.exporting().savingFilm();
     double done = 0;
     connect(&task, &LongTask::progressed, this, [&done](const TaskProgress& progress) { done = progress.fraction; });
     QElapsedTimer clock;
     clock.start();
-    window_->workbench.saveFilm(order);
+    window_->workbench.exporting().saveFilm(order);
     QTRY_VERIFY(done > 0);
     const double whole = static_cast<double>(clock.restart()) / done;
     task.cancel();
@@ -238,26 +238,26 @@ void FilmTest::aFilmBlendsItsKeys()
     Animation animation;
     animation.kind = Animation::Kind::KeyFrames;
     animation.framesPerSecond = 1;
-    FilmFrame first = window_->workbench.presentFrame(window_->viewport().camera());
+    FilmFrame first = frameOf(session().view());
     FilmFrame last = first;
     first.error = 4;
     last.error = 1;
     last.isovalues.front().value += 20;
     animation = withKey(withKey(animation, first), last);
     session().setAnimation(animation);
-    QCOMPARE(frameCount(session().view().animation()), 3);
-    const FilmFrame middle = frameOf(session().view().animation(), first, 1);
+    QCOMPARE(frameCount(session().view().animation), 3);
+    const FilmFrame middle = frameOf(session().view().animation, first, 1);
     QCOMPARE(middle.error, 2.5);
     QCOMPARE(middle.isovalues.front().value, first.isovalues.front().value + 10);
-    QVERIFY(frameOf(session().view().animation(), {}, 0) == first);
-    QVERIFY(frameOf(session().view().animation(), {}, 2) == last);
+    QVERIFY(frameOf(session().view().animation, {}, 0) == first);
+    QVERIFY(frameOf(session().view().animation, {}, 2) == last);
     FilmOrder order = filmOrder(window_->workbench, window_->viewport(), settings({120, 90}));
     order.target = window_->folder.filePath("keys.png").toStdString();
     const Status written = writeFilm(order, {});
     QVERIFY2(written, written ? "" : written.error().text().c_str());
     QVERIFY(QImage(window_->folder.filePath("keys_0001.png")) != QImage(window_->folder.filePath("keys_0003.png")));
     animation.keys.pop_back();
-    order.animation = animation;
+    order.view.animation = animation;
     QVERIFY(!writeFilm(order, {}));
 }
 

@@ -123,7 +123,7 @@ void FirstLookTest::trigger(const QString& action) const
 void FirstLookTest::theIsovalueLiesOnASurface()
 {
     open(ballWithSpeck(33), 0);
-    const double value = session().view().isovalues().front().value;
+    const double value = session().view().isovalues.front().value;
     QVERIFY2(value > 200 && value < 800, qPrintable(QString::number(value)));
 }
 
@@ -152,7 +152,7 @@ void FirstLookTest::theIsovalueOfRealData()
     const auto dataset = openDataset(*window_->host, path.toStdString());
     QVERIFY(dataset.ok());
     open(*dataset, error);
-    const double value = session().view().isovalues().front().value;
+    const double value = session().view().isovalues.front().value;
     QVERIFY2(value > least && value < largest, qPrintable(QString::number(value)));
 }
 
@@ -160,42 +160,42 @@ void FirstLookTest::theIsovalueOfRealData()
 void FirstLookTest::coloursFollowTheFinishedModel()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QSignalSpy grown(&session(), &Session::modelGrown);
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
     trigger("action.mode.volume"); // looking at it otherwise is no choice of colours
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
-    QTRY_VERIFY(!window_->workbench.showsBuild() && !grown.isEmpty());
-    const Look built = session().view().look();
-    const auto isovalues = session().view().isovalues();
+    QTRY_VERIFY(!window_->workbench.building().showsBuild() && !grown.isEmpty());
+    const Appearance built = session().view().appearance;
+    const auto isovalues = session().view().isovalues;
 
     const std::filesystem::path model = session().model()->path();
     WindowFixture fresh;
-    fresh.workbench.views().forget(model);
+    fresh.workbench.opening().views().forget(model);
     fresh.window.open(QString::fromStdString(model.string()));
     QTRY_VERIFY(fresh.workbench.session().model() != nullptr);
-    QVERIFY(built.transfer == fresh.workbench.startingView().look.transfer);
-    QVERIFY(isovalues == fresh.workbench.startingView().isovalues);
+    QVERIFY(built.transfer == fresh.workbench.scenes().startingView().appearance.transfer);
+    QVERIFY(isovalues == fresh.workbench.scenes().startingView().isovalues);
     QCOMPARE(built.mode, std::string("volume"));
 }
 
 void FirstLookTest::whatWasChosenWhileItGrewStays()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(session().model() != nullptr);
-    TransferFunction chosen = session().view().look().transfer;
+    TransferFunction chosen = session().view().appearance.transfer;
     chosen.opacities.front().opacity = 0.7F;
     session().setTransfer(chosen);
-    Isovalue isovalue = session().view().isovalues().front();
+    Isovalue isovalue = session().view().isovalues.front();
     isovalue.value = 11;
     session().setIsovalue(0, isovalue);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
-    QTRY_VERIFY(!window_->workbench.showsBuild());
-    QVERIFY(session().view().look().transfer == chosen);
-    QCOMPARE(session().view().isovalues().front().value, 11.0);
+    QTRY_VERIFY(!window_->workbench.building().showsBuild());
+    QVERIFY(session().view().appearance.transfer == chosen);
+    QCOMPARE(session().view().isovalues.front().value, 11.0);
 }
 
 void FirstLookTest::fitFillsTheFrame_data()
@@ -290,7 +290,7 @@ void FirstLookTest::theOrientationIsKeptInTheSession()
     QTest::keyClick(&window_->viewport(), Qt::Key_Up);
     const Camera camera = window_->viewport().camera();
     const QString file = window_->folder.filePath("head.tansession");
-    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    QSignalSpy saved(&window_->workbench.opening(), &Opening::sessionSaved);
     trigger("action.saveSessionAs");
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(file);

@@ -213,7 +213,7 @@ void FitTest::open()
     window_->window.open(model_);
     QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
     window_->window.open(volume_);
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
 }
 
 void FitTest::theWindowFits()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's mode that blends a focus (R24).
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 
 #include <tan/query.h>
@@ -54,36 +55,37 @@ void FocusModeTest::cleanup()
 void FocusModeTest::aFocusIsBlendedInItsMode()
 {
     window_->find<QAction>("action.mode.focus").trigger();
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->volume);
-    QVERIFY(!window_->viewport().scene()->focus);
-    FocusState focus = session().view().query().focus;
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
+    QVERIFY(!testing::partsOf(*window_->viewport().scene()).focus);
+    FocusState focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     focus.falloff = 1.5;
     session().setFocus(focus);
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->focus);
-    const FocusVolume& shown = *window_->viewport().scene()->focus;
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).focus);
+    const testing::FinePart shown = *testing::partsOf(*window_->viewport().scene()).focus;
     QCOMPARE(shown.border, 1.5);
-    QCOMPARE(std::get<Sphere>(shown.region).radius, session().view().query().focus.radius);
-    focus = session().view().query().focus;
+    QCOMPARE(std::get<Sphere>(shown.region).radius, session().view().query.focus.radius);
+    focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Box;
     session().setFocus(focus);
-    QTRY_VERIFY(window_->settled() && std::holds_alternative<Box>(window_->viewport().scene()->focus->region));
+    QTRY_VERIFY(window_->settled() &&
+                std::holds_alternative<Box>(testing::partsOf(*window_->viewport().scene()).focus->region));
     window_->find<QAction>("action.mode.volume").trigger();
-    QTRY_VERIFY(window_->settled() && !window_->viewport().scene()->focus);
+    QTRY_VERIFY(window_->settled() && !testing::partsOf(*window_->viewport().scene()).focus);
 }
 
 void FocusModeTest::aBlendedFocusIsSavedAsOneMesh()
 {
     window_->find<QAction>("action.mode.focus").trigger();
-    FocusState focus = session().view().query().focus;
+    FocusState focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     session().setFocus(focus);
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->focus);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).focus);
     const auto asked = MeshExtractor(session().model()).extract(session().shown()->query);
     QVERIFY(asked.ok());
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
     const QString path = folder_.filePath("focus.vtu");
-    window_->workbench.saveMesh(path.toStdString());
+    window_->workbench.exporting().saveMesh(path.toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));

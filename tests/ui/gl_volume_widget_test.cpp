@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A volume in a widget's own OpenGL context and framebuffer, as the window's canvas draws it. Needs an X display.
 #include "core/render/gl/scene_painter.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/render/gl_volume_scenes.h"
 #include "tests/render/same_picture.h"
 
@@ -98,7 +99,7 @@ private slots:
         if (QGuiApplication::platformName() != "xcb")
             QSKIP("skipped: needs an X display");
         QFETCH(QString, surfaces);
-        Scene scene = sceneNamed("refined lattice", "ramps");
+        SceneParts scene = sceneNamed("refined lattice", "ramps");
         addSurfaces(scene, surfaces);
         const Camera camera = cameraFor(scene, true);
         SceneWidget widget(scene, camera);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_files.h"
 #include "ui/viewport/viewport.h"
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace tetra;
@@ -20,8 +22,14 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     constexpr float width = 3;
     auto scene = std::make_shared<Scene>();
     scene->bounds = {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
-    scene->lines.push_back({{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width});
-    Viewport viewport(BackendChoice::Cpu);
+    scene->drawables.push_back({.id = "line", .shape = LineSet{{{-1, 0, 0}, {1, 0, 0}}, {{0, 1}}, {1, 0, 0}, width}});
+    const QTemporaryDir folder;
+    const auto host = hostOfThisBuild();
+    const auto model = Model::open(buildSampleModel(*host, sampleDataset(8), folder.path().toStdString()));
+    QVERIFY(model.ok());
+    Session session;
+    session.open(*model, {});
+    Viewport viewport(session, BackendChoice::Cpu);
     viewport.resize(200, 160);
     static_cast<QWidget&>(viewport).show();
     QCOMPARE(viewport.devicePixelRatioF(), 2.0);
@@ -29,7 +37,8 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     camera.perspective = false;
     camera.azimuth = 0;
     camera.elevation = 0;
-    viewport.startFrom(fitted(camera, scene->bounds), Colour{1, 1, 1});
+    session.setCamera(fitted(camera, scene->bounds));
+    session.setBackground(Colour{1, 1, 1});
     viewport.setScene(scene);
     QTRY_VERIFY(viewport.settled());
     const QImage image = viewport.grab().toImage();
@@ -38,7 +47,7 @@ void HighResolutionTest::linesAreAsWideAsElsewhere()
     for (int y = 0; y < image.height(); ++y)
         covered += 1 - image.pixelColor(image.width() / 2, y).blueF();
     QVERIFY2(std::abs(covered - 2 * width) < 0.7, qPrintable(QString::number(covered)));
-    QCOMPARE(viewport.scene()->lines.front().width, width); // that pictures are made of
+    QCOMPARE(shapesOf<LineSet>(*viewport.scene()).front()->width, width); // that pictures are made of
 }
 
 QTEST_MAIN(HighResolutionTest)

@@ -95,7 +95,7 @@ QString ImportDialogTest::writeChoices()
 
 void ImportDialogTest::openAndAsk(const QString& path)
 {
-    window_->workbench.openWithOptions(path);
+    window_->workbench.opening().openWithOptions(path);
     QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());
 }
 
@@ -117,8 +117,8 @@ void ImportDialogTest::aRawFileIsDescribed()
     QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes"));
     QVERIFY(window_->find<QLabel>("import.estimate").isVisible());
     click("import.read");
-    QTRY_VERIFY(window_->workbench.dataset());
-    QCOMPARE(window_->workbench.dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
     QVERIFY(!dialog()->isVisible());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
     QVERIFY(window_->find<QLabel>("build.estimate").text().contains("memory"));
@@ -188,8 +188,8 @@ void ImportDialogTest::choicesAreThoseOfTheFile()
     choose("import.option.time", "3: t = 1.25");
     choose("import.option.part", "stator");
     click("import.read");
-    QTRY_VERIFY(window_->workbench.dataset());
-    QCOMPARE(window_->workbench.dataset()->source.name, std::string("velocity/1/3/stator"));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->workbench.opening().dataset()->source.name, std::string("velocity/1/3/stator"));
 }
 
 void ImportDialogTest::aPartIsReadBuiltAndVerified()
@@ -208,8 +208,8 @@ void ImportDialogTest::aPartIsReadBuiltAndVerified()
     QVERIFY(!window_->find<QPushButton>("import.read").isEnabled());
     window_->find<QSpinBox>("import.region.last.x").setValue(15);
     click("import.read");
-    QTRY_VERIFY(window_->workbench.dataset());
-    QCOMPARE(window_->workbench.dataset()->lattice.size, (std::array<std::uint32_t, 3>{12, 12, 6}));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{12, 12, 6}));
 
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("part.tan"));
     click("build.start");
@@ -254,7 +254,7 @@ void ImportDialogTest::lastChoicesAreRemembered()
     choose("import.option.time", "2: t = 0.5");
     window_->find<QSpinBox>("import.region.last.x").setValue(3);
     click("import.read");
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     openAndAsk(path);
     QTRY_COMPARE(window_->find<QComboBox>("import.option.time").currentText(), QString("2: t = 0.5"));
     QCOMPARE(window_->find<QSpinBox>("import.region.last.x").value(), 3);
@@ -277,13 +277,13 @@ void ImportDialogTest::readingIsCancelled()
     QVERIFY(!window_->find<QLabel>("import.reason").isVisible()); // who cancels knows
     QTest::keyClick(dialog(), Qt::Key_Escape);
     QVERIFY(!dialog()->isVisible());
-    QVERIFY(!window_->workbench.dataset());
+    QVERIFY(!window_->workbench.opening().dataset());
 }
 
 void ImportDialogTest::filesWithoutChoicesAreOpenedAtOnce()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QVERIFY(dialog() == nullptr);
     click("build.differently");
     QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());

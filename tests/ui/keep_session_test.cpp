@@ -116,15 +116,15 @@ void KeepSessionTest::edit() const
     Camera camera = window_->viewport().camera();
     camera.azimuth = 123;
     window_->viewport().setCamera(camera);
-    window_->viewport().setBackground(Colour{0, 0.5F, 0});
+    session().setBackground(Colour{0, 0.5F, 0});
 }
 
 bool KeepSessionTest::showsEdits() const
 {
-    const ViewState& view = session().view();
-    return session().model() && view.error() == 3.5 && view.isovalueCount() > 1 && view.look().mode == "hybrid" &&
-           view.look().transfer.unitDistance == 2 && window_->viewport().camera().azimuth == 123 &&
-           window_->viewport().background() == Colour{0, 0.5F, 0};
+    const ViewValue& view = session().view();
+    return session().model() && view.query.error == 3.5 && view.isovalues.size() > 1 &&
+           view.appearance.mode == "hybrid" && view.appearance.transfer.unitDistance == 2 &&
+           view.camera.azimuth == 123 && view.background == Colour{0, 0.5F, 0};
 }
 
 SessionDocument KeepSessionTest::ofModel(const QString& path)
@@ -161,8 +161,8 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
     window_->find<QAction>("action.saveSession").trigger();
     choose(path);
     QTRY_VERIFY(QFile::exists(path));
-    QTRY_COMPARE(window_->workbench.sessionFile(), filePath(path));
-    const int isovalues = session().view().isovalueCount();
+    QTRY_COMPARE(window_->workbench.opening().sessionFile(), filePath(path));
+    const auto isovalues = session().view().isovalues.size();
 
     // The next time there is nothing to ask.
     session().setError(7);
@@ -179,7 +179,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
     QVERIFY(!showsEdits());
     open(path);
     QTRY_VERIFY(showsEdits());
-    QCOMPARE(session().view().isovalueCount(), isovalues);
+    QCOMPARE(session().view().isovalues.size(), isovalues);
     QCOMPARE(session().undoStack().count(), 0);
     QCOMPARE(window_->messages(), QStringList());
 }
@@ -187,7 +187,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
 void KeepSessionTest::aModelThatWasReplacedIsTold()
 {
     open(model_);
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
     document->identity ^= 1;
     const std::filesystem::path path = filePath(window_->folder.filePath("other.tansession"));
@@ -213,10 +213,8 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
 {
     open(model_);
     edit();
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
-    document->camera = window_->viewport().camera();
-    document->background = window_->viewport().background();
     window_.reset();
     const std::filesystem::path left = leave(*document);
 
@@ -231,7 +229,7 @@ void KeepSessionTest::whatAProgramLeftBehindIsOffered()
     QVERIFY(!std::filesystem::exists(left));
     QVERIFY(!window_->find<QWidget>("lost").isVisible());
     QCoreApplication::processEvents();
-    QVERIFY(window_->workbench.sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().empty());
     QCOMPARE(window_->messages(), QStringList());
 }
 
@@ -327,7 +325,7 @@ void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
     const KeptViews kept(viewFolder());
     const auto keptError = [&] {
         const auto view = kept.find(filePath(model_));
-        return view ? view->query.error : -1;
+        return view ? view->view.query.error : -1;
     };
     QTRY_COMPARE_WITH_TIMEOUT(keptError(), errorBeforeTheKill, 60'000);
     constexpr qint64 slack = isInstrumented ? 20'000 : 4000; // milliseconds, for two programs on a machine that is busy
@@ -338,10 +336,10 @@ void KeepSessionTest::aKilledProgramLosesAtMostTenSeconds()
     window_->window.show();
     QVERIFY(window_->find<QWidget>("lost").isVisible());
     open(model_);
-    QVERIFY(session().view().error() != errorBeforeTheKill && session().view().look().mode != "hybrid");
+    QVERIFY(session().view().query.error != errorBeforeTheKill && session().view().appearance.mode != "hybrid");
     QTRY_COMPARE(window_->messages().size(), 1);
     window_->find<QPushButton>("message.answer").click();
-    QTRY_COMPARE_WITH_TIMEOUT(session().view().error(), errorBeforeTheKill, 30'000);
+    QTRY_COMPARE_WITH_TIMEOUT(session().view().query.error, errorBeforeTheKill, 30'000);
     session().setError(3.5);
     QVERIFY(showsEdits()); // all the rest
     QCOMPARE(session().model()->path(), filePath(model_));
@@ -366,12 +364,12 @@ void KeepSessionTest::theProgramThatIsKilled()
 void KeepSessionTest::aKilledSessionIsModified()
 {
     open(model_);
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
     const std::filesystem::path file = filePath(window_->folder.filePath("work.tansession"));
     QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
     document->file = file;
-    document->query.error = 3.5;
+    document->view.query.error = 3.5;
     leave(*document);
     auto next = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     next->window.show();
@@ -379,8 +377,8 @@ void KeepSessionTest::aKilledSessionIsModified()
              qPrintable(next->find<QLabel>("lost.text").text()));
     next->find<QPushButton>("lost.restore").click();
     QTRY_VERIFY_WITH_TIMEOUT(next->workbench.session().model() != nullptr, 30'000);
-    QCOMPARE(next->workbench.session().view().error(), 3.5);
-    QCOMPARE(next->workbench.sessionFile(), file);
+    QCOMPARE(next->workbench.session().view().query.error, 3.5);
+    QCOMPARE(next->workbench.opening().sessionFile(), file);
     QVERIFY(next->window.isWindowModified());
 }
 
@@ -402,14 +400,14 @@ void KeepSessionTest::aViewIsBackAfterAQuit()
 {
     open(model_);
     edit();
-    const auto isovalues = session().view().isovalues();
+    const auto isovalues = session().view().isovalues;
     startAnew();
     QVERIFY(!window_->find<QWidget>("lost").isVisible()); // it has ended as it should
     open(model_);
     QVERIFY(showsEdits());
-    QCOMPARE(session().view().isovalues(), isovalues);
+    QCOMPARE(session().view().isovalues, isovalues);
     QCOMPARE(session().undoStack().count(), 0);
-    QVERIFY(window_->workbench.sessionFile().empty());
+    QVERIFY(window_->workbench.opening().sessionFile().empty());
     QVERIFY(!window_->window.isWindowModified());
     QCOMPARE(window_->messages(), QStringList());
     startAnew(); // without a change
@@ -473,24 +471,24 @@ void KeepSessionTest::anotherModelOfThatNameIsSeenAsFarAsItFits()
 {
     const QString fresh = modelIn("fresh", 20);
     open(fresh);
-    const std::vector<Isovalue> isovalues = session().view().isovalues();
-    const TransferFunction transfer = session().view().look().transfer;
+    const std::vector<Isovalue> isovalues = session().view().isovalues;
+    const TransferFunction transfer = session().view().appearance.transfer;
     const Camera camera = window_->viewport().camera();
     startAnew();
     const QString path = modelIn("replaced", 12);
     open(path);
     edit();
-    QueryState query = session().view().query();
+    QueryState query = session().view().query;
     query.window.enabled = true;
     session().setQuery(query);
     startAnew();
     modelIn("replaced", 20);
     open(path);
-    QCOMPARE(session().view().look().mode, std::string("hybrid"));
+    QCOMPARE(session().view().appearance.mode, std::string("hybrid"));
     QVERIFY(window_->viewport().background() == (Colour{0, 0.5F, 0}));
-    QCOMPARE(session().view().isovalues(), isovalues);
-    QVERIFY(session().view().look().transfer == transfer);
-    QVERIFY(!session().view().query().window.enabled);
+    QCOMPARE(session().view().isovalues, isovalues);
+    QVERIFY(session().view().appearance.transfer == transfer);
+    QVERIFY(!session().view().query.window.enabled);
     QCOMPARE(window_->viewport().camera().distance, camera.distance);
     QCOMPARE(window_->messages(), QStringList());
 }
@@ -499,13 +497,13 @@ void KeepSessionTest::aSessionLeavesTheViewOfItsModelAlone()
 {
     open(model_);
     edit();
-    auto document = window_->workbench.sessionDocument();
+    auto document = window_->workbench.opening().sessionDocument();
     QVERIFY(document.has_value());
-    document->query.error = 8;
+    document->view.query.error = 8;
     const std::filesystem::path file = filePath(window_->folder.filePath("other.tansession"));
     QVERIFY(writeTextFile(file, sessionToText(*document, file.parent_path())));
     open(pathText(file));
-    QTRY_COMPARE(session().view().error(), 8.0);
+    QTRY_COMPARE(session().view().query.error, 8.0);
     window_->find<QAction>("action.mode.volume").trigger();
     session().undoStack().undo(); // nothing to be asked about
     startAnew();
@@ -519,7 +517,7 @@ void KeepSessionTest::aLongFilmIsSavedAndOpened()
     open(model_);
     Animation animation;
     animation.kind = Animation::Kind::KeyFrames;
-    FilmFrame frame = window_->workbench.presentFrame(window_->viewport().camera());
+    FilmFrame frame = frameOf(session().view());
     std::vector<TransferPoint> points;
     for (int point = 0; point < 64; ++point)
         points.push_back({session().range().minimum + point * session().range().extent() / 63, {1, 0, 0}, 0.5F});
@@ -531,24 +529,21 @@ void KeepSessionTest::aLongFilmIsSavedAndOpened()
     session().setAnimation(animation);
     const std::filesystem::path file = filePath(folder_.filePath("long.tansession"));
     bool isSaved = false;
-    window_->workbench.saveSession(file, *window_->workbench.sessionDocument(), [&](bool saved) { isSaved = saved; });
+    window_->workbench.opening().saveSession(file, *window_->workbench.opening().sessionDocument(),
+                                             [&](bool saved) { isSaved = saved; });
     QTRY_VERIFY(isSaved);
     QVERIFY(std::filesystem::file_size(file) > 1 << 20);
     startAnew();
     window_->window.open(pathText(file));
     QTRY_VERIFY_WITH_TIMEOUT(session().model() || !window_->messages().isEmpty(), 30'000);
     QVERIFY2(window_->messages().isEmpty(), qPrintable(window_->messages().join('\n')));
-    QCOMPARE(session().view().animation().keys.size(), std::size_t(300));
+    QCOMPARE(session().view().animation.keys.size(), std::size_t(300));
 }
 
 void KeepSessionTest::theViewIsResetByOneStep()
 {
     open(model_);
-    const ViewState& view = session().view();
-    const QueryState query = view.query();
-    const Look look = view.look();
-    const auto isovalues = view.isovalues();
-    const Camera camera = window_->viewport().camera();
+    const ViewValue start = session().view();
     auto& reset = window_->find<QAction>("action.resetView");
     reset.trigger();
     QCOMPARE(session().undoStack().count(), 0); // it is so already
@@ -562,16 +557,14 @@ void KeepSessionTest::theViewIsResetByOneStep()
     auto& resetNow = window_->find<QAction>("action.resetView");
     resetNow.trigger();
     QCOMPARE(session().undoStack().count(), 1);
-    QVERIFY(session().view().query() == query && session().view().look() == look &&
-            session().view().isovalues() == isovalues && session().view().annotations() == AnnotationState());
-    QVERIFY(window_->viewport().camera() == camera && !window_->viewport().chosenBackground());
+    QVERIFY(session().view() == start);
     window_->find<QAction>("action.undo").trigger();
-    QVERIFY(showsEdits() && session().view().annotations() == annotations);
+    QVERIFY(showsEdits() && session().view().annotations == annotations);
     window_->find<QAction>("action.redo").trigger();
-    QVERIFY(session().view().look() == look && window_->viewport().camera() == camera);
+    QVERIFY(session().view() == start);
     startAnew();
     open(model_);
-    QVERIFY(session().view().look() == look);
+    QVERIFY(session().view().appearance == look);
 }
 
 void KeepSessionTest::aPictureWhoseSessionIsDamagedIsNamed()
@@ -584,7 +577,7 @@ void KeepSessionTest::aPictureWhoseSessionIsDamagedIsNamed()
     window_->window.open(path);
     QTRY_COMPARE(window_->messages().size(), 1);
     window_->find<QPushButton>("message.answer").click();
-    QTRY_VERIFY(!window_->workbench.reading().running() && window_->messages().size() == 1);
+    QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->messages().size() == 1);
     QVERIFY2(window_->messages().first().contains("old.png: The session cannot be read"),
              qPrintable(window_->messages().first()));
 }

@@ -63,7 +63,7 @@ private:
     void startFilm() const;
     QString saveSession() const;
     void editWhatCannotBeSaved();
-    void edit() const { session().setError(session().view().error() == 3.5 ? 4.5 : 3.5); }
+    void edit() const { session().setError(session().view().query.error == 3.5 ? 4.5 : 3.5); }
 
     std::unique_ptr<WindowFixture> window_;
     QString target_; ///< of the build
@@ -123,7 +123,7 @@ void LeavingTest::open(const QString& path) const
 void LeavingTest::startBuild(std::uint32_t size)
 {
     window_->window.open(pathText(writeNrrd(sampleDataset(size), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     auto& target = window_->find<QLineEdit>("build.target");
     target_ = window_->folder.filePath("into/built.tan");
     QVERIFY(QDir().mkpath(window_->folder.filePath("into")));
@@ -141,8 +141,8 @@ void LeavingTest::startFilm() const
     FilmOrder order =
         filmOrder(window_->workbench, window_->viewport(), {QSize(320, 240), 0, false, AnnotationState()});
     order.target = filePath(window_->folder.filePath("film.png"));
-    window_->workbench.saveFilm(order);
-    QVERIFY(window_->workbench.savingFilm().running());
+    window_->workbench.exporting().saveFilm(order);
+    QVERIFY(window_->workbench.exporting().savingFilm().running());
 }
 
 QString LeavingTest::saveSession() const
@@ -152,7 +152,7 @@ QString LeavingTest::saveSession() const
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path);
     dialog.reject();
-    if (!waitFor([&] { return window_->workbench.sessionFile() == filePath(path) && QFile::exists(path); }))
+    if (!waitFor([&] { return window_->workbench.opening().sessionFile() == filePath(path) && QFile::exists(path); }))
         qFatal("the session is not saved");
     return path;
 }
@@ -232,7 +232,7 @@ void LeavingTest::openingDuringABuildAsksOnce()
     QTRY_COMPARE(pathText(session().model()->path()), other);
     QVERIFY(window_->workbench.building().running());
     window_->window.open(other);
-    QTRY_VERIFY(!window_->workbench.reading().running());
+    QTRY_VERIFY(!window_->workbench.opening().reading().running());
     QVERIFY(!isAsked("leaving.build"));
 
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
@@ -276,7 +276,7 @@ void LeavingTest::anOpeningCanBeTakenBack()
     answer("leaving.build", "leaving.cancel");
     QVERIFY(window_->workbench.building().running());
     QVERIFY(pathText(session().model()->path()) != other);
-    window_->workbench.stopBuild(true);
+    window_->workbench.building().stopBuild(true);
     QTRY_COMPARE_WITH_TIMEOUT(pathText(session().model()->path()), target_, 30'000); // it is watched to its end
 }
 
@@ -305,7 +305,7 @@ void LeavingTest::quittingDuringAFilmAsks()
     QVERIFY2(isAsked("leaving.film"), "it is not asked about");
     QCOMPARE(box("leaving.film")->defaultButton()->objectName(), QString("leaving.goOn"));
     answer("leaving.film", "leaving.goOn");
-    QVERIFY(window_->window.isVisible() && window_->workbench.savingFilm().running());
+    QVERIFY(window_->window.isVisible() && window_->workbench.exporting().savingFilm().running());
     window_->window.close();
     answer("leaving.film", "leaving.discard");
     QTRY_VERIFY(!window_->window.isVisible());
@@ -322,8 +322,8 @@ void LeavingTest::openingDuringAFilmAsks()
     QVERIFY(session().model() == before);
     answer("leaving.film", "leaving.goOn");
     QTRY_VERIFY(session().model() != before);
-    QVERIFY(window_->workbench.savingFilm().running());
-    window_->workbench.savingFilm().cancel();
+    QVERIFY(window_->workbench.exporting().savingFilm().running());
+    window_->workbench.exporting().savingFilm().cancel();
 }
 
 void LeavingTest::aSessionIsMarkedAsModified()
@@ -393,7 +393,7 @@ void LeavingTest::aModifiedSessionIsAskedAbout()
         QTRY_VERIFY(!window_->window.isVisible());
     } else {
         QTRY_VERIFY(session().model() != edited);
-        QVERIFY(window_->workbench.sessionFile().empty());
+        QVERIFY(window_->workbench.opening().sessionFile().empty());
     }
     QCOMPARE(contentOf(file) != before, button == "save");
     QCOMPARE(window_->messages(), QStringList());
@@ -421,7 +421,7 @@ void LeavingTest::editWhatCannotBeSaved()
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path);
     dialog.reject();
-    QTRY_COMPARE(window_->workbench.sessionFile(), filePath(path));
+    QTRY_COMPARE(window_->workbench.opening().sessionFile(), filePath(path));
     edit();
     QVERIFY(QDir(window_->folder.filePath("gone")).removeRecursively());
 }
@@ -441,7 +441,7 @@ void LeavingTest::aSessionBeingSavedIsWaitedFor()
     const auto edited = session().model();
     window_->find<QAction>("action.close").trigger();
     QTRY_VERIFY(isAsked("leaving.session"));
-    emit window_->workbench.savingPicture().finished(); // told while the session is being written
+    emit window_->workbench.exporting().savingPicture().finished(); // told while the session is being written
     answer("leaving.session", "leaving.save");
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(session().model() == edited && window_->window.isWindowModified());
@@ -453,8 +453,9 @@ void LeavingTest::quittingWaitsForFilesBeingWritten()
     const Viewport& viewport = window_->viewport();
     const std::filesystem::path picture = window_->folderPath() + "/large.png";
     for (int i = 0; i < 2; ++i)
-        window_->workbench.savePicture({viewport.scene(), viewport.camera(), viewport.background(), 1600, 1200,
-                                        i == 0 ? picture : std::filesystem::path("/no/such/folder/a.png")});
+        window_->workbench.exporting().savePicture({viewport.scene(), viewport.camera(), viewport.background(), 1600,
+                                                    1200,
+                                                    i == 0 ? picture : std::filesystem::path("/no/such/folder/a.png")});
     window_->window.close();
     QTRY_COMPARE_WITH_TIMEOUT(window_->messages().size(), 1, 60'000); // it failed, so that it has to be told
     QVERIFY(window_->window.isVisible());
@@ -463,7 +464,8 @@ void LeavingTest::quittingWaitsForFilesBeingWritten()
 
     window_->window.show();
     const std::filesystem::path second = window_->folderPath() + "/second.png";
-    window_->workbench.savePicture({viewport.scene(), viewport.camera(), viewport.background(), 1600, 1200, second});
+    window_->workbench.exporting().savePicture(
+        {viewport.scene(), viewport.camera(), viewport.background(), 1600, 1200, second});
     window_->window.close();
     QTRY_VERIFY_WITH_TIMEOUT(!window_->window.isVisible(), 60'000);
     QCOMPARE(QImage(pathText(second)).size(), QSize(1600, 1200));
@@ -479,17 +481,17 @@ void LeavingTest::everyFailedSaveIsTold()
         return std::filesystem::path("/no/such/folder") / name;
     };
     Workbench& workbench = window_->workbench;
-    workbench.saveText(bad("a.json"), "{}");
-    workbench.saveSession(bad("b.tansession"), *workbench.sessionDocument());
-    workbench.saveStatistics(bad("c.csv"));
-    workbench.saveMesh(bad("d.vtu"));
-    workbench.saveMesh(bad("e.vtu"));
-    workbench.saveSurfaces(bad("f.stl"));
-    workbench.loadText(bad("g.json"), [](const std::string&) { return Status(); });
+    workbench.exporting().saveText(bad("a.json"), "{}");
+    workbench.opening().saveSession(bad("b.tansession"), *workbench.opening().sessionDocument());
+    workbench.exporting().saveStatistics(bad("c.csv"));
+    workbench.exporting().saveMesh(bad("d.vtu"));
+    workbench.exporting().saveMesh(bad("e.vtu"));
+    workbench.exporting().saveSurfaces(bad("f.stl"));
+    workbench.exporting().loadText(bad("g.json"), [](const std::string&) { return Status(); });
     window_->window.open(window_->folder.filePath("missing.png"));
     session().setError(7); // another mesh is on its way
-    workbench.saveMesh(bad("h.vtu"));
-    workbench.closeModel();
+    workbench.exporting().saveMesh(bad("h.vtu"));
+    workbench.opening().closeModel();
     for (const QString& file : files)
         QTRY_VERIFY2_WITH_TIMEOUT(window_->messages().join('\n').contains(file), qPrintable(file), 30'000);
 }
@@ -497,8 +499,8 @@ void LeavingTest::everyFailedSaveIsTold()
 void LeavingTest::savesDoNotStopEachOther()
 {
     open(otherModel());
-    const QSignalSpy meshes(&window_->workbench, &Workbench::meshSaved);
-    const QSignalSpy texts(&window_->workbench, &Workbench::textSaved);
+    const QSignalSpy meshes(&window_->workbench.exporting(), &Exporting::meshSaved);
+    const QSignalSpy texts(&window_->workbench.exporting(), &Exporting::textSaved);
     QStringList files;
     const auto file = [&](const QString& name) {
         files.append(window_->folder.filePath(name));
@@ -506,10 +508,10 @@ void LeavingTest::savesDoNotStopEachOther()
     };
     session().setError(6);
     for (const char* name : {"1.vtu", "2.vtu", "3.vtk"})
-        window_->workbench.saveMesh(file(name));
-    window_->workbench.saveSurfaces(file("4.stl"));
+        window_->workbench.exporting().saveMesh(file(name));
+    window_->workbench.exporting().saveSurfaces(file("4.stl"));
     for (const char* name : {"5.json", "6.json", "7.json"})
-        window_->workbench.saveText(file(name), name);
+        window_->workbench.exporting().saveText(file(name), name);
     session().setError(2);
     QTRY_COMPARE_WITH_TIMEOUT(meshes.count(), 4, 30'000);
     QTRY_COMPARE(texts.count(), 3);

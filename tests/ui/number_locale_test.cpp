@@ -62,23 +62,23 @@ void NumberLocaleTest::numbersAreTypedAndSaved()
 
     const Session& session = window.workbench.session();
     type(window, "accuracy.box", text);
-    QCOMPARE(session.view().error(), 1.5);
+    QCOMPARE(session.view().query.error, 1.5);
     type(window, "isovalue.0.value.box", text);
-    QCOMPARE(session.view().isovalues().front().value, 1.5);
+    QCOMPARE(session.view().isovalues.front().value, 1.5);
     type(window, "view.azimuth", text);
     QCOMPARE(window.viewport().camera().azimuth, 1.5);
     type(window, "view.target.x", text);
     QCOMPARE(window.viewport().camera().target.x(), 1.5);
     QVERIFY(window.find<QAbstractSpinBox>("view.target.x").text().startsWith(text));
 
-    const auto document = window.workbench.sessionDocument();
+    const auto document = window.workbench.opening().sessionDocument();
     QVERIFY(document);
     const std::string saved = sessionToText(*document, window.folderPath());
     QVERIFY2(saved.find("1.5") != std::string::npos && saved.find("1,5") == std::string::npos, saved.c_str());
     const std::string camera = cameraToText(window.viewport().camera());
     QVERIFY(camera.find("1.5") != std::string::npos && camera.find("1,5") == std::string::npos);
     const std::filesystem::path table = std::filesystem::path(window.folderPath()) / "levels.csv";
-    window.workbench.saveStatistics(table);
+    window.workbench.exporting().saveStatistics(table);
     QTRY_VERIFY(std::filesystem::exists(table));
     QFile file(table);
     QVERIFY(file.open(QIODevice::ReadOnly));

@@ -29,19 +29,19 @@ SessionDocument firstDocument()
     SessionDocument document;
     document.model = "/data/lattice.tan";
     document.identity = 0xd3fb3bdc2ab4d8b5;
-    document.query.error = 2.5;
-    document.query.budget = 250'000;
-    document.query.focus = {FocusState::Shape::Sphere, {2.5, 2, 3}, {1, 1.25, 1.5}, 1.75, 0.25, 0.5};
-    document.query.window = {true, {{{0, 0, 0.5}, {5, 3.75, 5}}, WindowBorder::Clipped}};
-    document.query.values = {false, 60, 170};
-    document.look.mode = "hybrid";
-    document.look.transfer = transferFunctionFromPoints({{40, {0.25F, 0.5F, 1}, 0},
-                                                         {90, {0.25F, 0.5F, 1}, 0.125F},
-                                                         {90, {1, 0.75F, 0}, 0.5F},
-                                                         {190, {1, 0, 0}, 0.875F}},
-                                                        0.4);
-    document.look.settings = {{"shaded", true}, {"outline", false}};
-    document.isovalues = {{64, 0.5F, 0.75F, 0.25F, 0.5F, true}, {150.5, 1, 0.5F, 0, 1, false}};
+    document.view.query.error = 2.5;
+    document.view.query.budget = 250'000;
+    document.view.query.focus = {FocusState::Shape::Sphere, {2.5, 2, 3}, {1, 1.25, 1.5}, 1.75, 0.25, 0.5};
+    document.view.query.window = {true, {{{0, 0, 0.5}, {5, 3.75, 5}}, WindowBorder::Clipped}};
+    document.view.query.values = {false, 60, 170};
+    document.view.appearance.mode = "hybrid";
+    document.view.appearance.transfer = transferFunctionFromPoints({{40, {0.25F, 0.5F, 1}, 0},
+                                                                    {90, {0.25F, 0.5F, 1}, 0.125F},
+                                                                    {90, {1, 0.75F, 0}, 0.5F},
+                                                                    {190, {1, 0, 0}, 0.875F}},
+                                                                   0.4);
+    document.view.appearance.settings = {{"shaded", true}, {"outline", false}};
+    document.view.isovalues = {{64, 0.5F, 0.75F, 0.25F, 0.5F, true}, {150.5, 1, 0.5F, 0, 1, false}};
     Camera camera;
     camera.target = {2.5, 2, 2.5};
     camera.distance = 14.25;
@@ -52,30 +52,32 @@ SessionDocument firstDocument()
     camera.roll = 0; // as it was before cameras could be rolled, and before another axis could be upright
     camera.up = UpAxis::Z;
     camera.trackball = false;
-    document.camera = camera;
-    document.background = Colour{0, 0.25F, 0.5F};
+    document.view.camera = camera;
+    document.hasCamera = true;
+    document.view.background = Colour{0, 0.25F, 0.5F};
     return document;
 }
 
 SessionDocument documentWithFilm()
 {
     SessionDocument document = firstDocument();
-    document.look.transfer.mask = TransferMask{50, 180.5};
+    document.view.appearance.transfer.mask = TransferMask{50, 180.5};
     for (const std::size_t point : {1, 2}) {
-        document.look.transfer.colours[point].group = 3;
-        document.look.transfer.opacities[point].group = 3;
+        document.view.appearance.transfer.colours[point].group = 3;
+        document.view.appearance.transfer.opacities[point].group = 3;
     }
-    document.annotations[AnnotationKind::ScaleBar] = {true, Corner::TopLeft};
-    document.annotations[AnnotationKind::Axes].shown = false;
-    document.animation.kind = Animation::Kind::KeyFrames;
-    document.animation.framesPerSecond = 12.5;
-    document.animation.turntable = {Turntable::Axis::Horizontal, 180, 90};
-    FilmFrame frame{*document.camera, document.look.transfer, document.isovalues, 5, false, 300'000};
-    document.animation.keys.push_back({0, frame});
+    document.view.annotations[AnnotationKind::ScaleBar] = {true, Corner::TopLeft};
+    document.view.annotations[AnnotationKind::Axes].shown = false;
+    document.view.animation.kind = Animation::Kind::KeyFrames;
+    document.view.animation.framesPerSecond = 12.5;
+    document.view.animation.turntable = {Turntable::Axis::Horizontal, 180, 90};
+    FilmFrame frame{
+        document.view.camera, document.view.appearance.transfer, document.view.isovalues, 5, false, 300'000};
+    document.view.animation.keys.push_back({0, frame});
     frame.camera.azimuth = 150;
     frame.byBudget = true;
     frame.budget = 4000;
-    document.animation.keys.push_back({2, frame});
+    document.view.animation.keys.push_back({2, frame});
     return document;
 }
 
@@ -96,14 +98,9 @@ void compareDocuments(const SessionDocument& read, const SessionDocument& expect
     QCOMPARE(read.range.has_value(), expected.range.has_value());
     QVERIFY(!read.range ||
             (read.range->minimum == expected.range->minimum && read.range->maximum == expected.range->maximum));
-    QVERIFY(read.query == expected.query);
-    QVERIFY(read.look == expected.look);
-    QVERIFY(read.isovalues == expected.isovalues);
-    QVERIFY(read.camera == expected.camera);
-    QVERIFY(read.background == expected.background);
+    QVERIFY(read.view == expected.view);
+    QCOMPARE(read.hasCamera, expected.hasCamera);
     QVERIFY(read.viewSize == expected.viewSize);
-    QVERIFY(read.annotations == expected.annotations);
-    QVERIFY(read.animation == expected.animation);
     QVERIFY(read.file.empty());
 }
 

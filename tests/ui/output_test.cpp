@@ -62,13 +62,13 @@ void OutputTest::cleanup()
 
 PictureSettings OutputTest::settings(QSize size) const
 {
-    return {size, 0, false, session().view().annotations()};
+    return {size, 0, false, session().view().annotations};
 }
 
 /// As the user does, by the dialogs.
 void OutputTest::savePictureTo(const QString& path) const
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     window_->find<QPushButton>("picture.save").click();
     auto& file = window_->find<QFileDialog>("pictureDialog");
     file.selectFile(path);
@@ -79,19 +79,19 @@ void OutputTest::savePictureTo(const QString& path) const
 
 void OutputTest::annotationsAreUndoable()
 {
-    const AnnotationState before = session().view().annotations();
+    const AnnotationState before = session().view().annotations;
     window_->find<QCheckBox>("view.annotation.scaleBar").click();
-    QVERIFY(session().view().annotations()[AnnotationKind::ScaleBar].shown);
+    QVERIFY(session().view().annotations[AnnotationKind::ScaleBar].shown);
     QVERIFY(window_->find<QAction>("action.annotation.scaleBar").isChecked());
     window_->find<QAction>("action.annotation.axes").trigger();
     QVERIFY(!window_->find<QCheckBox>("view.annotation.axes").isChecked());
     auto& corner = window_->find<QComboBox>("view.annotation.scaleBar.corner");
     corner.setCurrentIndex(static_cast<int>(Corner::TopLeft));
     emit corner.activated(corner.currentIndex());
-    QCOMPARE(session().view().annotations()[AnnotationKind::ScaleBar].corner, Corner::TopLeft);
+    QCOMPARE(session().view().annotations[AnnotationKind::ScaleBar].corner, Corner::TopLeft);
     for (int i = 0; i < 3; ++i)
         session().undoStack().undo();
-    QVERIFY(session().view().annotations() == before);
+    QVERIFY(session().view().annotations == before);
     QVERIFY(window_->find<QAction>("action.annotation.axes").isChecked());
 }
 
@@ -100,7 +100,7 @@ void OutputTest::thePictureShowsItsAnnotations()
     QWidget& viewport = window_->viewport();
     const QImage with = viewport.grab().toImage();
     session().setAnnotations({});
-    AnnotationState none = session().view().annotations();
+    AnnotationState none = session().view().annotations;
     for (AnnotationPlace& place : none.places)
         place.shown = false;
     session().setAnnotations(none);
@@ -152,10 +152,7 @@ void OutputTest::aPictureSaysHowItWasMade()
     const auto document = sessionFromText(sessionInPicture(path.toStdString()), window_->folderPath());
     QVERIFY(document);
     QCOMPARE(document->identity, modelIdentity(*session().model()));
-    QVERIFY(document->isovalues == session().view().isovalues());
-    QVERIFY(document->look == session().view().look());
-    QVERIFY(document->camera == window_->viewport().camera());
-    QVERIFY(document->query == session().view().query());
+    QVERIFY(document->view == session().view());
     SessionDocument blanks = *document; // such as a folder may have
     blanks.model = "/a   folder  of models/c60.tan";
     QImage picture(2, 2, QImage::Format_RGB32);
@@ -188,10 +185,10 @@ void OutputTest::aPictureRestoresItsView()
     window_->window.open(path);
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->messages().first().contains("view.png"));
-    QSignalSpy opened(&window_->workbench, &Workbench::viewRestored);
+    QSignalSpy opened(&window_->workbench.opening(), &Opening::viewRestored);
     window_->find<QPushButton>("message.answer").click();
     QTRY_COMPARE(opened.count(), 1);
-    QCOMPARE(session().view().error(), 3.0);
+    QCOMPARE(session().view().query.error, 3.0);
     QCOMPARE(window_->viewport().camera().azimuth, 77.0);
 }
 
@@ -210,13 +207,13 @@ void OutputTest::backgroundsCanBeTransparent()
 
 void OutputTest::picturesWaitForEachOther()
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     for (int i = 0; i < 4; ++i) {
         PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings({400, 300}));
         order.target = window_->folder.filePath(QString("p%1.png").arg(i)).toStdString();
-        window_->workbench.savePicture(order);
+        window_->workbench.exporting().savePicture(order);
     }
-    QCOMPARE(window_->workbench.savingPicture().waiting(), 3);
+    QCOMPARE(window_->workbench.exporting().savingPicture().waiting(), 3);
     QTRY_COMPARE(saved.count(), 4);
     for (int i = 0; i < 4; ++i)
         QVERIFY(saved[i].first().toString().endsWith(QString("p%1.png").arg(i)));

@@ -136,11 +136,11 @@ void PaletteTest::panelsAndAccuraciesAreFound()
     openPalette();
     search().setText("accuracy 0.2 %");
     QTest::keyClick(&search(), Qt::Key_Return);
-    QCOMPARE(window_->workbench.session().view().error(), 0.2);
+    QCOMPARE(window_->workbench.session().view().query.error, 0.2);
     openPalette();
     search().setText("accuracy 0 %"); // not 0.5 %
     QTest::keyClick(&search(), Qt::Key_Return);
-    QCOMPARE(window_->workbench.session().view().error(), 0.0);
+    QCOMPARE(window_->workbench.session().view().query.error, 0.0);
 }
 
 void PaletteTest::escapeGivesTheKeysBack()

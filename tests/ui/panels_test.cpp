@@ -3,6 +3,7 @@
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/value_box.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/parameter_form.h"
@@ -56,7 +57,7 @@ private slots:
 
 private:
     const Session& session() const { return window_->workbench.session(); }
-    const Isovalue& isovalue(std::size_t index) const { return session().view().isovalues()[index]; }
+    const Isovalue& isovalue(std::size_t index) const { return session().view().isovalues[index]; }
     void open(double finalErrorPercent = 0);
 
     std::unique_ptr<WindowFixture> window_;
@@ -110,7 +111,7 @@ void PanelsTest::allInputsOfTheAccuracyAgree()
     open();
     auto& box = window_->find<QDoubleSpinBox>("accuracy.box");
     box.setValue(percent);
-    QCOMPARE(session().view().error(), percent);
+    QCOMPARE(session().view().query.error, percent);
     const auto& slider = window_->find<QSlider>("accuracy.slider");
     QCOMPARE(slider.value(), static_cast<int>(std::lround(accuracyPosition(percent) * slider.maximum())));
     for (const double preset : accuracyPresets)
@@ -125,15 +126,15 @@ void PanelsTest::theCurveIsChosenByMouseKeyAndWheel()
     const int axis = curve.width() - curve.leftMargin() - curve.rightMargin();
     const QPoint at(curve.leftMargin() + static_cast<int>(accuracyPosition(0.2) * axis), curve.height() / 2);
     QTest::mouseClick(&curve, Qt::LeftButton, {}, at);
-    QVERIFY(std::abs(session().view().error() - 0.2) < 0.02);
+    QVERIFY(std::abs(session().view().query.error - 0.2) < 0.02);
     window_->find<QDoubleSpinBox>("accuracy.box").setValue(1);
     QTest::keyClick(&curve, Qt::Key_Right);
-    QCOMPARE(session().view().error(), 0.8);
+    QCOMPARE(session().view().query.error, 0.8);
     QTest::keyClick(&curve, Qt::Key_End);
-    QCOMPARE(session().view().error(), 0.0);
+    QCOMPARE(session().view().query.error, 0.0);
     QWheelEvent down(at, curve.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&curve, &down);
-    QCOMPARE(session().view().error(), finestOnScale);
+    QCOMPARE(session().view().query.error, finestOnScale);
 }
 
 void PanelsTest::theSliderLiesAlongTheCurve()
@@ -157,7 +158,7 @@ void PanelsTest::aHeldKeyIsOneStep()
     }
     QKeyEvent release(QEvent::KeyRelease, Qt::Key_Right, Qt::NoModifier);
     QCoreApplication::sendEvent(&slider, &release);
-    QCOMPARE(session().view().error(), 0.4);
+    QCOMPARE(session().view().query.error, 0.4);
     QCOMPARE(window_->workbench.session().undoStack().count(), 1);
     QTest::keyClick(&slider, Qt::Key_Right);
     QCOMPARE(window_->workbench.session().undoStack().count(), 2);
@@ -205,7 +206,7 @@ void PanelsTest::isovaluesAreAddedEditedAndRemoved()
 {
     open();
     QTest::mouseClick(&window_->find<QPushButton>("isovalues.add"), Qt::LeftButton);
-    QCOMPARE(session().view().isovalueCount(), 2);
+    QCOMPARE(session().view().isovalues.size(), std::size_t(2));
     window_->find<QDoubleSpinBox>("isovalue.1.value.box").setValue(42);
     QCOMPARE(isovalue(1).value, 42.0);
     auto& slider = window_->find<QSlider>("isovalue.1.value.slider");
@@ -219,10 +220,10 @@ void PanelsTest::isovaluesAreAddedEditedAndRemoved()
     QVERIFY(!isovalue(1).visible);
     const Isovalue last = isovalue(1);
     QTest::mouseClick(&window_->find<QWidget>("isovalue.0.remove"), Qt::LeftButton);
-    QCOMPARE(session().view().isovalues(), std::vector{last});
+    QCOMPARE(session().view().isovalues, std::vector{last});
     QTest::mouseClick(&window_->find<QWidget>("isovalue.0.remove"), Qt::LeftButton);
     QVERIFY(window_->find<QLabel>("isovalues.hint").isVisible());
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->surfaces.empty());
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).surfaces.empty());
 }
 
 void PanelsTest::theColourMenuOffersThePalette()
@@ -256,7 +257,7 @@ void PanelsTest::deleteRemovesTheRow()
 {
     open();
     QTest::keyClick(&window_->find<QCheckBox>("isovalue.0.visible"), Qt::Key_Delete);
-    QCOMPARE(session().view().isovalueCount(), 0);
+    QCOMPARE(session().view().isovalues.size(), std::size_t(0));
 }
 
 void PanelsTest::isovalueRowsFollowUndo()
@@ -370,8 +371,8 @@ void PanelsTest::theDetailStaysWithAnotherBuilder()
 {
     const auto read = [this](const Dataset& dataset) {
         window_->window.open(QString::fromStdString(writeNrrd(dataset, window_->folderPath())));
-        QTRY_VERIFY(!window_->workbench.reading().running() && window_->workbench.dataset());
-        QTRY_COMPARE(window_->workbench.dataset()->pointCount(), dataset.pointCount());
+        QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->workbench.opening().dataset());
+        QTRY_COMPARE(window_->workbench.opening().dataset()->pointCount(), dataset.pointCount());
     };
     const auto chosen = [this] {
         QStringList names;
@@ -458,11 +459,11 @@ void PanelsTest::lengthsOfATinyDomainAreEdited()
     window_->window.open(
         QString::fromStdString(buildSampleModel(*window_->host, tiny, window_->folderPath()).string()));
     QTRY_VERIFY(session().model() && window_->settled());
-    const double unit = session().view().look().transfer.unitDistance;
+    const double unit = session().view().appearance.transfer.unitDistance;
     auto& unitDistance = window_->find<QDoubleSpinBox>("transfer.unitDistance");
     QCOMPARE(unitDistance.value() / unit, 1.0);
     unitDistance.setValue(2 * unit);
-    QCOMPARE(session().view().look().transfer.unitDistance / unit, 2.0);
+    QCOMPARE(session().view().appearance.transfer.unitDistance / unit, 2.0);
     auto& distance = window_->find<QDoubleSpinBox>("view.distance");
     QCOMPARE(distance.value() / window_->viewport().camera().distance, 1.0);
 }

@@ -48,8 +48,8 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const QueryState& query() const { return session().view().query(); }
-    std::shared_ptr<const ExtractedMesh> mesh() const { return window_->workbench.sceneBuilder().mesh(); }
+    const QueryState& query() const { return session().view().query; }
+    std::shared_ptr<const ExtractedMesh> mesh() const { return window_->workbench.scenes().sceneBuilder().mesh(); }
     bool upToDate() const { return window_->settled() && session().showsQuery(); }
     void trigger(const char* action) const { window_->find<QAction>(action).trigger(); }
 
@@ -117,7 +117,7 @@ void QueryPanelsTest::theFocusGoesToTheViewAndBack()
 {
     trigger("action.focusSphere");
     const FocusState first = query().focus;
-    window_->viewport().fit({session().model()->description().bounds.min(), first.centre});
+    session().setCamera(fitted(session().view().camera, {session().model()->description().bounds.min(), first.centre}));
     QTest::mouseClick(&window_->find<QPushButton>("focus.toView"), Qt::LeftButton);
     QCOMPARE(query().focus.centre, window_->viewport().camera().target);
     QTest::mouseClick(&window_->find<QPushButton>("focus.reset"), Qt::LeftButton);
@@ -288,10 +288,10 @@ void QueryPanelsTest::valuesChooseTetrahedra()
 void QueryPanelsTest::theMeshIsSaved()
 {
     trigger("action.focusSphere");
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
     for (const char* name : {"mesh.vtu", "mesh.vtk", "mesh.ply"}) {
         const QString path = window_->folder.filePath(name);
-        window_->workbench.saveMesh(path.toStdString()); // the first while the picture is still on its way
+        window_->workbench.exporting().saveMesh(path.toStdString()); // the first while the picture is still on its way
         QTRY_COMPARE(saved.count(), 1);
         QCOMPARE(saved.takeFirst()[0].toString(), path);
         QVERIFY(static_cast<std::size_t>(QFile(path).size()) >
@@ -308,20 +308,20 @@ void QueryPanelsTest::theMeshIsSaved()
 void QueryPanelsTest::theSurfacesAreSaved()
 {
     session().addIsovalue();
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
     const auto groups = [&](const char* name) {
         const QString path = window_->folder.filePath(name);
-        window_->workbench.saveSurfaces(path.toStdString());
+        window_->workbench.exporting().saveSurfaces(path.toStdString());
         if (!waitFor([&] { return saved.count() == 1; }))
             return qsizetype(-1);
         saved.clear();
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll().count("\ng isovalue_") : qsizetype(-1);
     };
-    const auto visible = [&] { return std::ranges::count_if(session().view().isovalues(), &Isovalue::visible); };
+    const auto visible = [&] { return std::ranges::count_if(session().view().isovalues, &Isovalue::visible); };
     QVERIFY(visible() > 1);
     QCOMPARE(groups("surfaces.obj"), visible());
-    Isovalue hidden = session().view().isovalues().front();
+    Isovalue hidden = session().view().isovalues.front();
     hidden.visible = false;
     session().setIsovalue(0, hidden);
     QCOMPARE(groups("fewer.obj"), visible());
@@ -331,9 +331,9 @@ void QueryPanelsTest::theSurfacesAreSaved()
 
 void QueryPanelsTest::theStatisticsAreSaved()
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::textSaved);
     const QString path = window_->folder.filePath("levels.csv");
-    window_->workbench.saveStatistics(path.toStdString());
+    window_->workbench.exporting().saveStatistics(path.toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -354,9 +354,9 @@ void QueryPanelsTest::noMeshOfAnotherPictureIsSaved()
     QVERIFY(others != wanted->mesh.tetrahedra.size());
     session().undoStack().undo();
     QVERIFY(session().showsQuery());
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
     const QString path = window_->folder.filePath("mesh.vtu");
-    window_->workbench.saveMesh(path.toStdString());
+    window_->workbench.exporting().saveMesh(path.toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -365,14 +365,14 @@ void QueryPanelsTest::noMeshOfAnotherPictureIsSaved()
 
 void QueryPanelsTest::aMeshThatCannotBeSavedIsTold()
 {
-    window_->workbench.saveMesh("/no/such/folder/mesh.vtu");
+    window_->workbench.exporting().saveMesh("/no/such/folder/mesh.vtu");
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(window_->messages().first().contains("/no/such/folder"));
-    window_->workbench.saveMesh(window_->folder.filePath("mesh.off").toStdString());
+    window_->workbench.exporting().saveMesh(window_->folder.filePath("mesh.off").toStdString());
     QTRY_COMPARE(window_->messages().size(), 2);
-    window_->workbench.saveSurfaces(window_->folder.filePath("surface.off").toStdString());
+    window_->workbench.exporting().saveSurfaces(window_->folder.filePath("surface.off").toStdString());
     QTRY_COMPARE(window_->messages().size(), 3);
-    window_->workbench.saveStatistics(window_->folder.filePath("levels.xls").toStdString());
+    window_->workbench.exporting().saveStatistics(window_->folder.filePath("levels.xls").toStdString());
     QTRY_COMPARE(window_->messages().size(), 4);
     QVERIFY(!window_->find<QWidget>("status.saving").isVisible());
 }
@@ -381,9 +381,9 @@ void QueryPanelsTest::savingIsCancelledAndLeavesNoFile()
 {
     const QString path = window_->folder.filePath("mesh.vtu");
     const QStringList files = QDir(window_->folderPath().c_str()).entryList(QDir::Files);
-    QSignalSpy saved(&window_->workbench, &Workbench::meshSaved);
-    LongTask& saving = window_->workbench.savingMesh();
-    window_->workbench.saveMesh(path.toStdString());
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
+    LongTask& saving = window_->workbench.exporting().savingMesh();
+    window_->workbench.exporting().saveMesh(path.toStdString());
     QVERIFY(saving.running());
     saving.cancel();
     QTRY_VERIFY(!saving.running());

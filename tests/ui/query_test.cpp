@@ -33,7 +33,7 @@ private slots:
     void aShownMeshBelongsToItsQuery();
 
 private:
-    const QueryState& query() const { return session_->view().query(); }
+    const QueryState& query() const { return session_->view().query; }
     FocusState sphereAt(const Eigen::Vector3d& centre) const;
 
     QTemporaryDir folder_;

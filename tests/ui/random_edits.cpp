@@ -16,8 +16,8 @@ namespace tetra {
 namespace {
 
 constexpr std::size_t mostPoints = 40; ///< a person's function
-constexpr int mostIsovalues = 4;
-constexpr std::size_t mostKeys = 6; ///< of a film
+constexpr std::size_t mostIsovalues = 4;
+constexpr std::size_t mostKeys = 6;
 
 TransferSelection anySelection(const JoinedFunction& function, std::mt19937& random)
 {
@@ -30,8 +30,8 @@ TransferSelection anySelection(const JoinedFunction& function, std::mt19937& ran
 
 } // namespace
 
-RandomEdits::RandomEdits(Session& session, Viewport& viewport, std::vector<std::string> modes, unsigned seed)
-    : session_(session), viewport_(viewport), modes_(std::move(modes)), random_(seed)
+RandomEdits::RandomEdits(Session& session, std::vector<std::string> modes, unsigned seed)
+    : session_(session), modes_(std::move(modes)), random_(seed), series_(session.newGesture())
 {
 }
 
@@ -57,11 +57,11 @@ void RandomEdits::editOnce()
     case 0: return editQuery();
     case 1: return editLook();
     case 2: return editIsovalues();
-    case 3: return dragOrNot();
-    case 4: return editAnnotations();
-    case 5: return editAnimation();
-    case 6: return editCamera();
-    case 7: return editBackground();
+    case 3: return editAnnotations();
+    case 4: return editAnimation();
+    case 5: return editCamera();
+    case 6: return session_.setBackground(anyBackground());
+    case 7: return dragOrNot();
     default: return editTransfer();
     }
 }
@@ -83,7 +83,7 @@ void RandomEdits::editTransfer()
 {
     const ValueRange range = session_.range();
     const TransferLimits limits{range.minimum, range.maximum};
-    const TransferFunction whole = session_.view().look().transfer;
+    const TransferFunction whole = session_.view().appearance.transfer;
     const JoinedFunction now = joined(whole);
     const TransferSelection some = anySelection(now, random_);
     const auto rule = static_cast<NeighbourRule>(below(3));
@@ -126,7 +126,7 @@ void RandomEdits::editTransfer()
 
 FocusState RandomEdits::anyFocus()
 {
-    FocusState focus = session_.view().query().focus;
+    FocusState focus = session_.view().query.focus;
     focus.shape = static_cast<FocusState::Shape>(below(3));
     const Eigen::AlignedBox3d bounds = session_.model()->description().bounds;
     for (int axis = 0; axis < 3; ++axis) {
@@ -141,7 +141,7 @@ FocusState RandomEdits::anyFocus()
 
 WindowState RandomEdits::anyWindow()
 {
-    WindowState window = session_.view().query().window;
+    WindowState window = session_.view().query.window;
     window.enabled = !window.enabled;
     window.window.border = static_cast<WindowBorder>(below(3));
     for (int axis = 0; axis < 3; ++axis)
@@ -175,8 +175,7 @@ void RandomEdits::editLook()
 
 void RandomEdits::editIsovalues()
 {
-    const int count = session_.view().isovalueCount();
-    if (count > mostIsovalues)
+    if (session_.view().isovalues.size() > mostIsovalues)
         return session_.removeIsovalue(static_cast<int>(below(mostIsovalues)));
     switch (below(5)) {
     case 0: return session_.addIsovalue();
@@ -193,65 +192,64 @@ void RandomEdits::editIsovalues()
 
 void RandomEdits::editAnnotations()
 {
-    AnnotationState annotations = session_.view().annotations();
-    AnnotationPlace& place = annotations.places[below(annotationCount)];
-    place.shown = below(2) == 0;
-    place.corner = static_cast<Corner>(below(cornerNames.size()));
+    AnnotationState annotations = session_.view().annotations;
+    annotations.places[below(annotationCount)] = {below(2) == 0, static_cast<Corner>(below(4))};
     session_.setAnnotations(annotations);
 }
 
 void RandomEdits::editAnimation()
 {
-    session_.setAnimation(anyAnimation());
-}
-
-Animation RandomEdits::anyAnimation()
-{
-    Animation animation = session_.view().animation();
-    const int key = static_cast<int>(below(mostKeys)) - 1;
-    const Moment moment = momentOf(session_, viewport_);
-    const FilmFrame frame{moment.camera,      moment.look.transfer,  moment.isovalues,
-                          moment.query.error, moment.query.byBudget, moment.query.budget};
+    Animation animation = session_.view().animation;
+    const auto key = static_cast<int>(below(mostKeys));
+    if (animation.keys.size() > mostKeys)
+        return session_.setAnimation(withoutKey(animation, key));
     switch (below(8)) {
-    case 0: animation.kind = static_cast<Animation::Kind>(below(2)); return animation;
-    case 1: animation.framesPerSecond = number(-1, 200); return animation;
+    case 0: animation.kind = static_cast<Animation::Kind>(below(2)); break;
+    case 1: animation.framesPerSecond = number(0, 130); break;
     case 2:
-        animation.turntable = {static_cast<Turntable::Axis>(below(2)), number(-720, 720), static_cast<int>(below(300))};
-        return animation;
-    case 3: return withoutKey(animation, key);
-    case 4: return withKeyAt(animation, key, number(-1, 20));
-    case 5: return withKeyMoved(animation, key, below(2) == 0 ? 1 : -1);
-    default: return animation.keys.size() < mostKeys ? withKey(animation, frame) : withoutKey(animation, 0);
+        animation.turntable = {static_cast<Turntable::Axis>(below(2)), number(-400, 400), static_cast<int>(below(500))};
+        break;
+    case 3: animation = withKeyAt(animation, key, number(0, 10)); break;
+    case 4: animation = withKeyMoved(animation, key, below(2) == 0 ? 1 : -1); break;
+    case 5: animation = withoutKey(animation, key); break;
+    case 6:
+        if (!animation.keys.empty())
+            return session_.setView(withFrame(session_.view(), animation.keys[below(animation.keys.size())].frame),
+                                    "Show Key Frame");
+        break;
+    default: animation = withKey(animation, frameOf(session_.view())); break;
     }
+    session_.setAnimation(animation);
 }
 
+/// Some of them a series of keys.
 void RandomEdits::editCamera()
 {
-    const Camera camera = viewport_.camera();
-    const auto any = [this](double least, double largest) {
-        return std::uniform_real_distribution<double>(least, largest)(random_);
-    };
-    switch (below(10)) {
-    case 0: return viewport_.setCamera(turned(camera, any(-90, 90), any(-90, 90)));
-    case 1: return viewport_.setCamera(zoomed(camera, any(0.8, 1.25)));
-    case 2: return viewport_.setCamera(panned(camera, any(-0.1, 0.1), any(-0.1, 0.1)));
-    case 3: return viewport_.glideTo(rolled(camera, 90));
-    case 4: return viewport_.glideTo(upright(camera, static_cast<UpAxis>(below(6))));
-    case 5: return viewport_.seeFrom(static_cast<NamedView>(below(7)));
-    case 6: return viewport_.setPerspective(!camera.perspective);
-    case 7: return viewport_.fit(session_.model()->description().bounds);
-    default: break;
+    Camera camera = session_.view().camera;
+    const Eigen::AlignedBox3d bounds = session_.model()->description().bounds;
+    if (below(3) == 0)
+        series_ = session_.newGesture();
+    switch (below(7)) {
+    case 0: return session_.fitCamera();
+    case 1: return session_.setCamera(upright(camera, static_cast<UpAxis>(below(6))));
+    case 2: camera.perspective = !camera.perspective; break;
+    case 3: camera.trackball = !camera.trackball; break;
+    case 4:
+        camera.target = {number(bounds.min().x(), bounds.max().x()), number(-9, 9), number(-9, 9)};
+        camera.distance = number(0.1, 2 * bounds.diagonal().norm());
+        camera.fieldOfView = number(-10, 200);
+        camera.elevation = number(-100, 100);
+        break;
+    default: return session_.setCamera(turned(camera, number(-90, 90), number(-40, 40)), series_);
     }
-    Camera other = camera;
-    other.fieldOfView = any(1, 170);
-    other.trackball = !other.trackball;
-    viewport_.setCamera(other);
+    session_.setCamera(camera);
 }
 
-void RandomEdits::editBackground()
+std::optional<Colour> RandomEdits::anyBackground()
 {
-    const auto channel = [this] { return std::uniform_real_distribution<float>(0, 1)(random_); };
-    viewport_.setBackground(below(3) == 0 ? std::nullopt : std::optional(Colour{channel(), channel(), channel()}));
+    if (below(3) == 0)
+        return std::nullopt;
+    return Colour{static_cast<float>(number(-0.2, 1.2)), static_cast<float>(number(0, 1)), 0.5F};
 }
 
 } // namespace tetra

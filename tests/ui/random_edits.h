@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/ui/moment.h"
+#include "ui/session/session.h"
 
 #include <random>
 
 namespace tetra {
 
-/// Edits a window as somebody would who tries everything: each setter of the session, all edits of transfer functions,
-/// camera and background, drags of many edits, numbers that make no sense. The same seed makes the same edits.
+/// Edits a session as somebody would who tries everything: each part of the view, all edits of transfer functions,
+/// drags of many edits, numbers that make no sense. The same seed makes the same edits.
 class RandomEdits {
 public:
     /// `modes`: ids of renderers.
-    RandomEdits(Session& session, Viewport& viewport, std::vector<std::string> modes, unsigned seed);
+    RandomEdits(Session& session, std::vector<std::string> modes, unsigned seed);
 
     /// One call of a setter; or the beginning or the end of a drag.
     void editOnce();
@@ -32,16 +32,15 @@ private:
     void editAnnotations();
     void editAnimation();
     void editCamera();
-    void editBackground();
     void dragOrNot();
     FocusState anyFocus();
     WindowState anyWindow();
-    Animation anyAnimation();
+    std::optional<Colour> anyBackground();
 
     Session& session_;
-    Viewport& viewport_;
     std::vector<std::string> modes_;
     std::mt19937 random_;
+    Gesture series_; ///< of camera moves
 };
 
 } // namespace tetra

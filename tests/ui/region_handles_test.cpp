@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "ui/viewport/region_handles.h"
 #include "ui/viewport/scene_pick.h"
 
@@ -249,7 +250,7 @@ void RegionHandlesTest::outlinesLieOnTheRegion()
 
 void RegionHandlesTest::aPixelShowsTheNearestSurface()
 {
-    Scene scene;
+    testing::SceneParts scene;
     for (const float y : {20.0F, -10.0F, 5.0F}) { // the viewer looks along y
         auto mesh = std::make_shared<TriangleMesh>();
         mesh->positions = {{-50, y, -50}, {50, y, -50}, {0, y, 70}};
@@ -271,7 +272,7 @@ void RegionHandlesTest::aPixelShowsTheNearestSurface()
         QVERIFY(found && (found->place - wanted).norm() < 1e-6);
         QVERIFY(!at(scene, {2, 2}));
         // What a clip plane cuts away is not seen.
-        Scene cut = scene;
+        testing::SceneParts cut = scene;
         cut.clipPlanes = {{{0, 1, 0}, -5}};
         const Eigen::Vector3d behind(3, 5, -7);
         const auto next = at(cut, *projection.pixelOf(behind));

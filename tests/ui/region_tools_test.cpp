@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_window.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/value_pick.h"
@@ -30,7 +31,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const QueryState& query() const { return session().view().query(); }
+    const QueryState& query() const { return session().view().query; }
     RegionTools& tools() const { return window_->find<RegionTools>("viewport.tools"); }
     bool upToDate() const { return window_->settled() && session().showsQuery(); }
     void trigger(const char* action) const { window_->find<QAction>(action).trigger(); }
@@ -282,12 +283,12 @@ void RegionToolsTest::theWindowHasHandlesToo()
 
 void RegionToolsTest::outlinesDoNotBelongToThePicture()
 {
-    const std::size_t lines = window_->viewport().scene()->lines.size();
+    const std::size_t lines = testing::partsOf(*window_->viewport().scene()).lines.size();
     const QImage without = window_->viewport().picture();
     trigger("action.focusSphere");
     trigger("action.focusBox");
     QTRY_VERIFY(upToDate());
-    QCOMPARE(window_->viewport().scene()->lines.size(), lines);
+    QCOMPARE(testing::partsOf(*window_->viewport().scene()).lines.size(), lines);
     QVERIFY(window_->viewport().picture() != without);
     QTest::keyClick(&window_->viewport(), Qt::Key_Delete);
     QTRY_VERIFY(upToDate());

@@ -71,7 +71,7 @@ void RenderedSessionTest::initTestCase()
 
 void RenderedSessionTest::saveSession(const QString& name) const
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::textSaved);
+    QSignalSpy saved(&window_->workbench.opening(), &Opening::sessionSaved);
     window_->find<QAction>("action.saveSessionAs").trigger();
     auto& dialog = window_->find<QFileDialog>("sessionDialog");
     emit dialog.fileSelected(path(name));
@@ -81,10 +81,10 @@ void RenderedSessionTest::saveSession(const QString& name) const
 
 QImage RenderedSessionTest::savedPicture(const PictureSettings& settings) const
 {
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings);
     order.target = path("window.png").toStdString();
-    window_->workbench.savePicture(order);
+    window_->workbench.exporting().savePicture(order);
     return waitFor([&] { return saved.count() == 1; }) ? QImage(path("window.png")) : QImage();
 }
 
@@ -109,7 +109,7 @@ void RenderedSessionTest::asTheWindowDrawsIt()
     if (changed) {
         session().setError(3);
         session().addIsovalue();
-        TransferFunction transfer = session().view().look().transfer;
+        TransferFunction transfer = session().view().appearance.transfer;
         transfer.opacities.back().opacity = 0.5F;
         session().setTransfer(transfer);
         session().setSetting("shaded", true);
@@ -118,22 +118,22 @@ void RenderedSessionTest::asTheWindowDrawsIt()
         camera.azimuth = 77;
         camera.distance *= 0.7;
         window_->viewport().setCamera(camera);
-        window_->viewport().setBackground(Colour{0.1F, 0.2F, 0.4F});
+        session().setBackground(Colour{0.1F, 0.2F, 0.4F});
     }
     if (region == "focus") {
-        FocusState focus = session().view().query().focus;
+        FocusState focus = session().view().query.focus;
         focus.shape = FocusState::Shape::Sphere;
         focus.falloff = 1;
         session().setFocus(focus);
     } else if (region == "window") {
-        WindowState part = session().view().query().window;
+        WindowState part = session().view().query.window;
         part.enabled = true;
         session().setWindow(part);
     }
     QTRY_VERIFY(upToDate());
     saveSession("state.tansession");
     const QImage drawn =
-        savedPicture({sizeOfPictures, 0, false, session().view().annotations()}).convertToFormat(QImage::Format_ARGB32);
+        savedPicture({sizeOfPictures, 0, false, session().view().annotations}).convertToFormat(QImage::Format_ARGB32);
     const Run run = tan({"render", "state.tansession", "--size", "333x241", "-o", "program.png"});
     QVERIFY2(run.exitCode == 0, run.messages);
     const QByteArray difference =
@@ -155,7 +155,7 @@ void RenderedSessionTest::aModelIsSeenAsAtFirst()
     QFETCH(QString, mode);
     window_->find<QAction>("action.mode." + mode).trigger();
     session().setError(4);
-    window_->viewport().setBackground(Colour{1, 1, 1});
+    session().setBackground(Colour{1, 1, 1});
     window_->viewport().setCamera(fitted(Camera(), session().model()->description().bounds,
                                          double(sizeOfPictures.width()) / sizeOfPictures.height()));
     QTRY_VERIFY(upToDate());
@@ -178,7 +178,7 @@ void RenderedSessionTest::aPictureHoldsItsSession()
     QTRY_VERIFY(upToDate());
     window_->find<QAction>("action.savePicture").trigger();
     window_->find<QAbstractButton>("picture.save").click();
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
     auto& dialog = window_->find<QFileDialog>("pictureDialog");
     emit dialog.fileSelected(path("shown.png"));
     dialog.reject();

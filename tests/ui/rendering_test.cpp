@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/widgets/colour_button.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 
 #include <tan/render.h>
@@ -37,7 +38,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const TransferFunction& function() const { return session().view().look().transfer; }
+    const TransferFunction& function() const { return session().view().appearance.transfer; }
     int undoSteps() const { return session().undoStack().index(); }
     void undo() const { window_->find<QAction>("action.undo").trigger(); }
     void showVolume() const;
@@ -80,7 +81,7 @@ void RenderingTest::cleanup()
 void RenderingTest::showVolume() const
 {
     window_->find<QAction>("action.mode.volume").trigger();
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->volume);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
 }
 
 /// What the user does in a file dialog.
@@ -94,22 +95,23 @@ void RenderingTest::choose(const char* dialog, const QString& path) const
 
 void RenderingTest::theModeChangesWithoutAnotherMesh()
 {
-    QSignalSpy scenes(&window_->workbench.sceneBuilder(), &SceneBuilder::sceneReady);
-    QCOMPARE(session().view().look().mode, std::string("isosurface"));
+    QSignalSpy scenes(&window_->workbench.scenes().sceneBuilder(), &SceneBuilder::sceneReady);
+    QCOMPARE(session().view().appearance.mode, std::string("isosurface"));
     window_->find<QAction>("action.mode.volume").trigger();
     QTRY_COMPARE(scenes.count(), 1);
-    QVERIFY(scenes.last()[0].value<BuiltScene>().scene->volume.has_value());
+    QVERIFY(testing::partsOf(*scenes.last()[0].value<BuiltScene>().scene).volume.has_value());
     QCOMPARE(scenes.last()[0].value<BuiltScene>().extractionSeconds, 0.0);
     QVERIFY(window_->find<QWidget>("transfer").isVisible());
     auto& mode = window_->find<QComboBox>("rendering.mode");
     QCOMPARE(mode.currentData().toString(), QString("volume"));
     mode.setCurrentIndex(mode.findData("hybrid"));
     emit mode.activated(mode.currentIndex());
-    QTRY_VERIFY(window_->viewport().scene()->volume && !window_->viewport().scene()->surfaces.empty());
+    QTRY_VERIFY(testing::partsOf(*window_->viewport().scene()).volume &&
+                !testing::partsOf(*window_->viewport().scene()).surfaces.empty());
     QVERIFY(window_->find<QAction>("action.mode.hybrid").isChecked());
     undo();
     undo();
-    QTRY_VERIFY(window_->settled() && !window_->viewport().scene()->volume);
+    QTRY_VERIFY(window_->settled() && !testing::partsOf(*window_->viewport().scene()).volume);
     QVERIFY(window_->find<QAction>("action.mode.isosurface").isChecked());
 }
 
@@ -117,21 +119,21 @@ void RenderingTest::settingsStayWhenTheModeChanges()
 {
     showVolume();
     window_->find<QCheckBox>("rendering.setting.shaded").click();
-    QTRY_VERIFY(window_->viewport().scene()->volume->shaded);
+    QTRY_VERIFY(testing::partsOf(*window_->viewport().scene()).volume->shaded);
     window_->find<QCheckBox>("rendering.setting.outline").click();
     window_->find<QAction>("action.mode.isosurface").trigger();
     QVERIFY(window_->window.findChild<QCheckBox*>("rendering.setting.shaded") == nullptr);
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->lines.empty());
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).lines.empty());
     window_->find<QAction>("action.mode.hybrid").trigger();
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->volume);
-    QVERIFY(window_->viewport().scene()->volume->shaded);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
+    QVERIFY(testing::partsOf(*window_->viewport().scene()).volume->shaded);
     QVERIFY(window_->find<QCheckBox>("rendering.setting.shaded").isChecked());
     auto& order = window_->find<QComboBox>("rendering.setting.order");
     order.setCurrentIndex(1);
     emit order.activated(1);
-    QTRY_COMPARE(window_->viewport().scene()->hybridOrder, HybridOrder::WithCell);
+    QTRY_VERIFY(testing::partsOf(*window_->viewport().scene()).wholeCells);
     undo();
-    QTRY_COMPARE(window_->viewport().scene()->hybridOrder, HybridOrder::Exact);
+    QTRY_VERIFY(!testing::partsOf(*window_->viewport().scene()).wholeCells);
     QCOMPARE(order.currentIndex(), 0);
 }
 
@@ -157,7 +159,7 @@ void RenderingTest::aSettingOfAnotherTypeIsLeftOut()
     choice.id = "order";
     choice.defaultValue = std::string("a");
     choice.choices = {"a", "b"};
-    Look look;
+    Appearance look;
     look.settings = {{"order", std::string("c")}};
     QVERIFY(rendererValues({choice}, look, {}).empty());
     look.settings["order"] = true;

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/renderer_guard.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
-#include "ui/session/scene_builder.h"
+#include "ui/session/draft_builder.h"
+#include "ui/session/film_file.h"
+#include "ui/session/mesh_saving.h"
 
 #include <tan/query.h>
 
+#include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
 
 using namespace tetra;
 
@@ -19,6 +28,9 @@ private slots:
     void theMeshIsExtractedOnlyWhenItChanges();
     void nothingArrivesAfterClear();
     void aFailureIsTold();
+    void onlyScenesThatDependOnTheViewAreMadeAnewForIt();
+    void whatARendererThrowsIsTold();
+    void theSurfacesOfAnotherRendererAreSaved();
 
 private:
     SceneRequest request(double percent, std::vector<Isovalue> isovalues) const;
@@ -60,7 +72,7 @@ void SceneBuilderTest::theNewestRequestIsTheLastToArrive()
     QCOMPARE(last.mesh.tetrahedra, wanted.tetrahedra);
     QCOMPARE(last.mesh.wholeTetrahedra, wanted.tetrahedra);
     QVERIFY(last.triangles > 0);
-    QCOMPARE(last.scene->surfaces.size(), std::size_t{1});
+    QCOMPARE(testing::partsOf(*last.scene).surfaces.size(), std::size_t{1});
     // The first had begun when the others came, of which only the last is of interest still.
     QVERIFY2(ready.count() <= 2, qPrintable(QString::number(ready.count())));
 }
@@ -75,7 +87,7 @@ void SceneBuilderTest::theMeshIsExtractedOnlyWhenItChanges()
     builder.request(request(1, {Isovalue{100}, Isovalue{150}}));
     QTRY_COMPARE(ready.count(), 2);
     QCOMPARE(ready.last()[0].value<BuiltScene>().extractionSeconds, 0.0);
-    QCOMPARE(ready.last()[0].value<BuiltScene>().scene->surfaces.size(), std::size_t{2});
+    QCOMPARE(testing::partsOf(*ready.last()[0].value<BuiltScene>().scene).surfaces.size(), std::size_t{2});
 }
 
 void SceneBuilderTest::nothingArrivesAfterClear()
@@ -101,6 +113,144 @@ void SceneBuilderTest::aFailureIsTold()
     QTRY_COMPARE(failed.count(), 1);
     QVERIFY(!builder.busy());
     QVERIFY(!failed.last()[0].value<Error>().text().empty());
+}
+
+namespace {
+
+/// Shows a line towards the eye, whatever the mesh, if it asks for the view.
+class LineToEye : public Renderer {
+public:
+    explicit LineToEye(bool asks) : asks_(asks) {}
+    std::vector<Parameter> parameters(const FieldExtent&) const override { return {}; }
+    RendererNeeds needs() const override { return {.view = asks_}; }
+    std::unique_ptr<RendererSession> open(const RendererMeshes&) const override
+    {
+        class Session : public RendererSession {
+            Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress&) override
+            {
+                const Eigen::Vector3f eye = eyePosition(view.camera).cast<float>();
+                const LineSet line{{{0, 0, 0}, eye}, {{0, 1}}, {}, float(view.width)};
+                return std::make_shared<const Scene>(Scene{.drawables = {{.id = "line", .shape = line}}});
+            }
+        };
+        return std::make_unique<Session>();
+    }
+
+private:
+    bool asks_;
+};
+
+} // namespace
+
+void SceneBuilderTest::onlyScenesThatDependOnTheViewAreMadeAnewForIt()
+{
+    for (const bool asks : {false, true}) {
+        const LineToEye renderer(asks);
+        ScenePipeline maker;
+        SceneRequest request{model_, &renderer, {}, {}, {.azimuth = 10}, 300, 200};
+        request.query.error = 1;
+        const auto lineOf = [&] { return *shapesOf<LineSet>(*maker.make(request, {})->scene).front(); };
+        const auto first = maker.make(request, {})->scene;
+        QCOMPARE(lineOf().width, 300.0f);
+        QCOMPARE(lineOf().points.back(), Eigen::Vector3f(eyePosition(request.camera).cast<float>()));
+        QCOMPARE(maker.make(request, {})->scene, first); // nothing has changed
+        request.camera.azimuth = 50;
+        QCOMPARE(maker.make(request, {})->scene != first, asks);
+        request.width = 400;
+        QCOMPARE(lineOf().width, asks ? 400.0f : 300.0f);
+        request.values["any"] = true;
+        QVERIFY(maker.make(request, {})->scene != first);
+        QCOMPARE(maker.make(request, {})->extractionSeconds, 0.0);
+    }
+}
+
+namespace {
+
+using Prepare = std::function<std::shared_ptr<const Scene>()>;
+
+/// A renderer of somebody else, as the host hands it on.
+class OutsideRenderer : public Renderer {
+public:
+    explicit OutsideRenderer(Prepare prepare) : prepare_(std::move(prepare)) {}
+    std::vector<Parameter> parameters(const FieldExtent&) const override { return {}; }
+    std::unique_ptr<RendererSession> open(const RendererMeshes&) const override
+    {
+        class Session : public RendererSession {
+        public:
+            explicit Session(Prepare prepare) : prepare_(std::move(prepare)) {}
+            Result<std::shared_ptr<const Scene>> prepare(const RendererView&, const Progress&) override
+            {
+                return prepare_();
+            }
+
+        private:
+            Prepare prepare_;
+        };
+        return std::make_unique<Session>(prepare_);
+    }
+
+private:
+    Prepare prepare_;
+};
+
+} // namespace
+
+/// In the window's scene, in drafts, and in a film.
+void SceneBuilderTest::whatARendererThrowsIsTold()
+{
+    const OutsideRenderer outside([]() -> std::shared_ptr<const Scene> { throw std::runtime_error("a pity"); });
+    const auto renderer = guardedRenderer("outside", outside);
+    SceneRequest wanted = request(2, {});
+    wanted.renderer = renderer.get();
+    SceneBuilder builder;
+    QSignalSpy failed(&builder, &SceneBuilder::failed);
+    builder.request(wanted);
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(failed.last()[0].value<Error>().text().find("'outside' failed: a pity") != std::string::npos);
+    QVERIFY(!builder.last());
+
+    ShownMesh shown;
+    shown.tetrahedra = shown.wholeTetrahedra = 100'000;
+    {
+        DraftBuilder drafts;
+        drafts.request(wanted, shown);
+    } // waits for its worker, which the plugin's mistake does not end
+
+    FilmOrder order;
+    order.model = model_;
+    order.renderer = renderer.get();
+    order.view.query = startingQuery(*model_, 2);
+    order.view.animation.turntable.frames = 2;
+    order.picture.width = order.picture.height = 16;
+    order.target = folder_.filePath("film.png").toStdString();
+    const Status written = writeFilm(order, {});
+    QVERIFY(!written && written.error().text().find("a pity") != std::string::npos);
+}
+
+void SceneBuilderTest::theSurfacesOfAnotherRendererAreSaved()
+{
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh->normals.assign(3, Eigen::Vector3f(0, 0, 1));
+    mesh->triangles = {{0, 1, 2}};
+    mesh->values = {1, 2, 3};
+    Scene scene;
+    scene.drawables = {{.id = "kept", .label = "my slice", .shape = Surface{mesh, {}}, .saved = true},
+                       {.id = "other", .label = "helper", .shape = Surface{mesh, {}}}};
+    const OutsideRenderer renderer([&] { return std::make_shared<const Scene>(scene); });
+    SceneRequest wanted = request(2, {});
+    wanted.renderer = &renderer;
+    const auto file = [&](const char* name) { return std::filesystem::path(folder_.filePath(name).toStdString()); };
+    QVERIFY(writeSurfaces({wanted, std::nullopt, file("surfaces.obj")}, {}).ok());
+    QFile text(folder_.filePath("surfaces.obj"));
+    QVERIFY(text.open(QIODevice::ReadOnly));
+    const QByteArray content = text.readAll();
+    QCOMPARE(content.count("\ng my_slice"), qsizetype(1));
+    QCOMPARE(content.count("\nf "), qsizetype(1));
+    QVERIFY(writeSurfaces({wanted, std::nullopt, file("surfaces.vtp")}, {}).ok()); // with the value of each vertex
+    scene.drawables.pop_back();
+    scene.drawables.front().saved = false;
+    QCOMPARE(writeSurfaces({wanted, std::nullopt, file("none.obj")}, {}).error().kind, ErrorKind::WrongUsage);
 }
 
 QTEST_GUILESS_MAIN(SceneBuilderTest)

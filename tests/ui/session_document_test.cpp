@@ -31,52 +31,53 @@ SessionDocument randomDocument(std::mt19937& random)
     SessionDocument document;
     document.model = "/data/models/one.tan";
     document.identity = (std::uint64_t(random()) << 32) + random();
-    document.query.error = 100 * unit(random);
-    document.query.byBudget = random() % 2 == 0;
-    document.query.budget = random();
-    document.query.focus = {static_cast<FocusState::Shape>(random() % 3),
-                            randomVector(random),
-                            randomVector(random),
-                            unit(random),
-                            unit(random),
-                            unit(random)};
-    document.query.window.enabled = random() % 2 == 0;
-    document.query.window.window = {{randomVector(random), randomVector(random)},
-                                    static_cast<WindowBorder>(random() % 3)};
-    document.query.values = {random() % 2 == 0, unit(random), unit(random)};
-    document.look.mode = "hybrid";
-    document.look.transfer = {{{unit(random), {channel(random), channel(random), channel(random)}},
-                               {2, {channel(random), channel(random), channel(random)}}},
-                              {{unit(random), channel(random)}, {2, channel(random)}, {3, channel(random)}},
-                              0.5 + unit(random)};
-    document.look.settings = {{"switch", random() % 2 == 0},
-                              {"count", static_cast<std::int64_t>(random())},
-                              {"share", unit(random)},
-                              {"whole", 3.0},
-                              {"name", std::string("a \"text\" with ü")}};
+    document.view.query.error = 100 * unit(random);
+    document.view.query.byBudget = random() % 2 == 0;
+    document.view.query.budget = random();
+    document.view.query.focus = {static_cast<FocusState::Shape>(random() % 3),
+                                 randomVector(random),
+                                 randomVector(random),
+                                 unit(random),
+                                 unit(random),
+                                 unit(random)};
+    document.view.query.window.enabled = random() % 2 == 0;
+    document.view.query.window.window = {{randomVector(random), randomVector(random)},
+                                         static_cast<WindowBorder>(random() % 3)};
+    document.view.query.values = {random() % 2 == 0, unit(random), unit(random)};
+    document.view.appearance.mode = "hybrid";
+    document.view.appearance.transfer = {{{unit(random), {channel(random), channel(random), channel(random)}},
+                                          {2, {channel(random), channel(random), channel(random)}}},
+                                         {{unit(random), channel(random)}, {2, channel(random)}, {3, channel(random)}},
+                                         0.5 + unit(random)};
+    document.view.appearance.settings = {{"switch", random() % 2 == 0},
+                                         {"count", static_cast<std::int64_t>(random())},
+                                         {"share", unit(random)},
+                                         {"whole", 3.0},
+                                         {"name", std::string("a \"text\" with ü")}};
     for (unsigned count = random() % 4; count > 0; --count)
-        document.isovalues.push_back(
+        document.view.isovalues.push_back(
             {unit(random), channel(random), channel(random), channel(random), channel(random), random() % 2 == 0});
+    document.hasCamera = random() % 2 == 0;
+    if (document.hasCamera)
+        document.view.camera = Camera{randomVector(random), 0.1 + unit(random), 30, 20, 10, UpAxis::MinusY, 40,
+                                      random() % 2 == 0,    random() % 3 == 0};
     if (random() % 2 == 0)
-        document.camera = Camera{randomVector(random), 0.1 + unit(random), 30, 20, 10, UpAxis::MinusY, 40,
-                                 random() % 2 == 0,    random() % 3 == 0};
-    if (random() % 2 == 0)
-        document.background = Colour{channel(random), channel(random), channel(random)};
-    for (AnnotationPlace& place : document.annotations.places)
+        document.view.background = Colour{channel(random), channel(random), channel(random)};
+    for (AnnotationPlace& place : document.view.annotations.places)
         place = {random() % 2 == 0, static_cast<Corner>(random() % 4)};
-    document.animation.kind = static_cast<Animation::Kind>(random() % 2);
-    document.animation.framesPerSecond = 1 + 100 * unit(random);
-    document.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), 360 * unit(random),
-                                    static_cast<int>(1 + random() % 999)};
+    document.view.animation.kind = static_cast<Animation::Kind>(random() % 2);
+    document.view.animation.framesPerSecond = 1 + 100 * unit(random);
+    document.view.animation.turntable = {static_cast<Turntable::Axis>(random() % 2), 360 * unit(random),
+                                         static_cast<int>(1 + random() % 999)};
     for (unsigned count = random() % 4; count > 0; --count) {
         const FilmFrame frame{{randomVector(random), 0.1 + unit(random), 30, 20, -50, UpAxis::X, 40, random() % 2 == 0,
                                random() % 3 == 0},
-                              document.look.transfer,
-                              document.isovalues,
+                              document.view.appearance.transfer,
+                              document.view.isovalues,
                               unit(random),
                               random() % 2 == 0,
                               random()};
-        document.animation = withKey(document.animation, frame);
+        document.view.animation = withKey(document.view.animation, frame);
     }
     return document;
 }
@@ -109,13 +110,8 @@ void SessionDocumentTest::aSessionComesBackTheSame()
         QVERIFY2(after, after ? "" : after.error().text().c_str());
         QCOMPARE(after->model, before.model);
         QCOMPARE(after->identity, before.identity);
-        QVERIFY(after->query == before.query);
-        QVERIFY(after->look == before.look);
-        QVERIFY(after->isovalues == before.isovalues);
-        QVERIFY(after->camera == before.camera);
-        QVERIFY(after->background == before.background);
-        QVERIFY(after->annotations == before.annotations);
-        QVERIFY(after->animation == before.animation);
+        QVERIFY(after->view == before.view);
+        QCOMPARE(after->hasCamera, before.hasCamera);
     }
 }
 
@@ -132,7 +128,7 @@ void SessionDocumentTest::whatIsNotKnownIsKept()
 {
     std::mt19937 random(2);
     SessionDocument document = randomDocument(random);
-    document.background = Colour{1, 0, 0};
+    document.view.background = Colour{1, 0, 0};
     QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(document, "/"))).object();
     root["ofTomorrow"] = QJsonValue(QJsonArray({QJsonValue(1), QJsonValue("two")}));
     QJsonObject mesh = root["mesh"].toObject();
@@ -140,8 +136,8 @@ void SessionDocumentTest::whatIsNotKnownIsKept()
     root["mesh"] = mesh;
     auto read = sessionFromText(QJsonDocument(root).toJson().toStdString(), "/");
     QVERIFY(read);
-    read->background.reset();
-    read->look.settings.clear();
+    read->view.background.reset();
+    read->view.appearance.settings.clear();
     const QJsonObject written = QJsonDocument::fromJson(QByteArray::fromStdString(sessionToText(*read, "/"))).object();
     QCOMPARE(written["ofTomorrow"], root["ofTomorrow"]);
     QCOMPARE(written["mesh"].toObject()["alsoOfTomorrow"].toBool(), true);
@@ -155,7 +151,7 @@ void SessionDocumentTest::whatIsMissingIsAsUsual()
         sessionFromText(R"({"format": "tan-session", "version": 1, "model": {"path": "a.tan"}})", "/folder");
     QVERIFY(read);
     QCOMPARE(read->model.string(), "/folder/a.tan");
-    QVERIFY(read->query == QueryState() && read->isovalues.empty() && !read->camera && read->identity == 0);
+    QVERIFY(read->view == ViewValue() && !read->hasCamera && read->identity == 0);
 }
 
 void SessionDocumentTest::badSessionsAreRefused_data()
@@ -204,19 +200,19 @@ void SessionDocumentTest::aViewIsFoundByWhatItIsOf()
         KeptViews views(folder);
         QVERIFY(!views.find(model));
         views.keep(model, first);
-        QCOMPARE(views.find(model)->query, first.query); // whether it is written or not
+        QCOMPARE(views.find(model)->view.query, first.view.query); // whether it is written or not
         views.keep(model, second);
         views.keep(filePath(home.filePath("two.tan")), first);
-        QCOMPARE(views.find(model)->query, second.query);
+        QCOMPARE(views.find(model)->view.query, second.view.query);
     }
     QVERIFY(QDir(pathText(folder)).entryList({"*.lock"}, QDir::Files).isEmpty()); // nothing is lost
     KeptViews views(folder);
     QVERIFY(views.lost().empty());
-    QCOMPARE(views.find(model)->look, second.look);
-    QCOMPARE(views.find(filePath(home.filePath("views/../one.tan")))->look, second.look);
+    QCOMPARE(views.find(model)->view.appearance, second.view.appearance);
+    QCOMPARE(views.find(filePath(home.filePath("views/../one.tan")))->view.appearance, second.view.appearance);
     QVERIFY(QFile::link(home.filePath("two.tan"), home.filePath("link.tan")));
     QVERIFY(writeTextFile(filePath(home.filePath("two.tan")), ""));
-    QCOMPARE(views.find(filePath(home.filePath("link.tan")))->look, first.look);
+    QCOMPARE(views.find(filePath(home.filePath("link.tan")))->view.appearance, first.view.appearance);
     views.forget(model);
     QVERIFY(!views.find(model));
     QTRY_VERIFY(views.idle());
@@ -252,7 +248,7 @@ void SessionDocumentTest::whatAProgramLeftIsLost()
     KeptViews views(folder);
     const std::vector<LostView> lost = views.lost();
     QCOMPARE(lost.size(), std::size_t(1));
-    QCOMPARE(lost.front().document.query, document.query);
+    QCOMPARE(lost.front().document.view.query, document.view.query);
     QVERIFY(!views.find(model)); // it does not come back by itself
     QCOMPARE(KeptViews(folder).lost().size(), std::size_t(1));
     views.removeLost(model);

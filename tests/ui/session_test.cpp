@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <limits>
+
 using namespace tetra;
 
 /// What the window's logic says without any window: accuracy (R14, R26), isovalues (R19), undo.
@@ -21,6 +23,9 @@ private slots:
     void aDragIsOneStep();
     void aDragThatEndsWhereItBeganIsNoStep();
     void twoDragsAreTwoSteps();
+    void aDragOfSeveralPartsIsOneStep();
+    void changesTellTheirParts();
+    void aCameraThatNobodyMovedFollowsTheShape();
     void nothingIsAcceptedOutsideTheRange();
     void newIsovaluesFillTheWidestGapInFreeColours();
     void openingAnotherModelForgetsTheEdits();
@@ -62,7 +67,7 @@ void SessionTest::sizeFollowsTheAccuracyAndNeedsNoExtraction()
 
 void SessionTest::opensAtAnAccuracyThatIsQuickToDraw()
 {
-    QCOMPARE(session_->view().error(), 1.0);
+    QCOMPARE(session_->view().query.error, 1.0);
     QVERIFY(session_->meshSize().tetrahedra <= 1'000'000);
 }
 
@@ -71,26 +76,26 @@ void SessionTest::everyEditIsOneStepAndUndoRestoresIt()
     QUndoStack& stack = session_->undoStack();
     session_->setError(2);
     session_->addIsovalue(50);
-    Isovalue changed = session_->view().isovalues()[1];
+    Isovalue changed = session_->view().isovalues[1];
     changed.opacity = 0.25F;
     session_->setIsovalue(1, changed);
     session_->removeIsovalue(0);
     QCOMPARE(stack.count(), 4);
-    QCOMPARE(session_->view().isovalues(), std::vector<Isovalue>{changed});
+    QCOMPARE(session_->view().isovalues, std::vector<Isovalue>{changed});
 
     stack.undo();
-    QCOMPARE(session_->view().isovalueCount(), 2);
-    QCOMPARE(session_->view().isovalues()[0], Isovalue{100});
+    QCOMPARE(session_->view().isovalues.size(), std::size_t(2));
+    QCOMPARE(session_->view().isovalues[0], Isovalue{100});
     stack.undo();
-    QCOMPARE(session_->view().isovalues()[1].opacity, 0.5F);
+    QCOMPARE(session_->view().isovalues[1].opacity, 0.5F);
     stack.undo();
-    QCOMPARE(session_->view().isovalueCount(), 1);
+    QCOMPARE(session_->view().isovalues.size(), std::size_t(1));
     stack.undo();
-    QCOMPARE(session_->view().error(), 1.0);
+    QCOMPARE(session_->view().query.error, 1.0);
     for (int i = 0; i < 4; ++i)
         stack.redo();
-    QCOMPARE(session_->view().error(), 2.0);
-    QCOMPARE(session_->view().isovalues(), std::vector<Isovalue>{changed});
+    QCOMPARE(session_->view().query.error, 2.0);
+    QCOMPARE(session_->view().isovalues, std::vector<Isovalue>{changed});
 }
 
 void SessionTest::aDragIsOneStep()
@@ -100,9 +105,9 @@ void SessionTest::aDragIsOneStep()
         session_->setError(percent);
     session_->endGesture();
     QCOMPARE(session_->undoStack().count(), 1);
-    QCOMPARE(session_->view().error(), 0.7);
+    QCOMPARE(session_->view().query.error, 0.7);
     session_->undoStack().undo();
-    QCOMPARE(session_->view().error(), 1.0);
+    QCOMPARE(session_->view().query.error, 1.0);
 
     session_->beginGesture();
     for (const double value : {101, 102, 103})
@@ -110,7 +115,7 @@ void SessionTest::aDragIsOneStep()
     session_->endGesture();
     QCOMPARE(session_->undoStack().count(), 1);
     session_->undoStack().undo();
-    QCOMPARE(session_->view().isovalues()[0].value, 100.0);
+    QCOMPARE(session_->view().isovalues[0].value, 100.0);
 }
 
 void SessionTest::aDragThatEndsWhereItBeganIsNoStep()
@@ -135,21 +140,73 @@ void SessionTest::twoDragsAreTwoSteps()
     QCOMPARE(session_->undoStack().count(), 4);
 }
 
+void SessionTest::aDragOfSeveralPartsIsOneStep()
+{
+    const ViewValue before = session_->view();
+    session_->beginGesture();
+    for (const double value : {101, 102, 103}) {
+        session_->setError(value / 100);
+        session_->setIsovalue(0, Isovalue{value});
+        session_->setCamera(turned(session_->view().camera, 3, 0));
+    }
+    session_->endGesture();
+    const ViewValue after = session_->view();
+    QCOMPARE(session_->undoStack().count(), 1);
+    session_->undoStack().undo();
+    QVERIFY(session_->view() == before);
+    session_->undoStack().redo();
+    QVERIFY(session_->view() == after);
+}
+
+void SessionTest::changesTellTheirParts()
+{
+    std::vector<ViewParts> told;
+    connect(session_.get(), &Session::viewChanged, this, [&](ViewParts parts) { told.push_back(parts); });
+    session_->setError(0.5);
+    session_->setSetting("shaded", true);
+    ViewValue both = session_->view();
+    both.background = Colour{1, 0, 0};
+    both.annotations[AnnotationKind::Title].shown = true;
+    session_->setView(both, "Both");
+    QCOMPARE(session_->undoStack().undoText(), QString("Both"));
+    session_->setView(both);
+    Camera none = both.camera;
+    none.azimuth = std::numeric_limits<double>::quiet_NaN();
+    session_->setCamera(none);
+    session_->undoStack().undo();
+    const ViewParts pair = ViewPart::Annotations | ViewPart::Background;
+    QCOMPARE(told, (std::vector<ViewParts>{ViewPart::Query, ViewPart::Settings, pair, pair}));
+}
+
+void SessionTest::aCameraThatNobodyMovedFollowsTheShape()
+{
+    const Eigen::AlignedBox3d bounds = model_->description().bounds;
+    session_->setShape(3);
+    QVERIFY(session_->view().camera == fitted(session_->view().camera, bounds, 3));
+    session_->setCamera(turned(session_->view().camera, 50, 0));
+    const Camera moved = session_->view().camera;
+    session_->setShape(0.2);
+    QVERIFY(session_->view().camera == moved);
+    QCOMPARE(session_->undoStack().count(), 1);
+    session_->fitCamera();
+    QVERIFY(session_->view().camera == fitted(moved, bounds, 0.2));
+}
+
 void SessionTest::nothingIsAcceptedOutsideTheRange()
 {
     session_->setError(-1);
-    QCOMPARE(session_->view().error(), 0.0);
+    QCOMPARE(session_->view().query.error, 0.0);
     session_->setError(1000);
-    QCOMPARE(session_->view().error(), 100.0);
+    QCOMPARE(session_->view().query.error, 100.0);
     Isovalue isovalue;
     isovalue.value = 1e9;
     isovalue.opacity = 0;
     session_->setIsovalue(0, isovalue);
-    QCOMPARE(session_->view().isovalues()[0].value, session_->range().maximum);
-    QCOMPARE(session_->view().isovalues()[0].opacity, 0.01F);
+    QCOMPARE(session_->view().isovalues[0].value, session_->range().maximum);
+    QCOMPARE(session_->view().isovalues[0].opacity, 0.01F);
     session_->removeIsovalue(7);
     session_->setIsovalue(-1, isovalue);
-    QCOMPARE(session_->view().isovalueCount(), 1);
+    QCOMPARE(session_->view().isovalues.size(), std::size_t(1));
 }
 
 void SessionTest::newIsovaluesFillTheWidestGapInFreeColours()
@@ -158,7 +215,7 @@ void SessionTest::newIsovaluesFillTheWidestGapInFreeColours()
     const ValueRange range = session_->range();
     for (int i = 0; i < 9; ++i)
         session_->addIsovalue();
-    const auto& isovalues = session_->view().isovalues();
+    const auto& isovalues = session_->view().isovalues;
     QCOMPARE(isovalues[0].value, (range.minimum + range.maximum) / 2);
     for (std::size_t i = 0; i < isovalues.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -169,10 +226,10 @@ void SessionTest::newIsovaluesFillTheWidestGapInFreeColours()
         }
     // A colour that becomes free is taken again.
     session_->removeIsovalue(0);
-    while (session_->view().isovalueCount() > 3)
+    while (session_->view().isovalues.size() > 3)
         session_->removeIsovalue(3);
     session_->addIsovalue();
-    QCOMPARE(session_->view().isovalues()[3].red, distinctColour(0).red);
+    QCOMPARE(session_->view().isovalues[3].red, distinctColour(0).red);
 }
 
 void SessionTest::openingAnotherModelForgetsTheEdits()
@@ -180,7 +237,7 @@ void SessionTest::openingAnotherModelForgetsTheEdits()
     session_->setError(2);
     session_->open(model_, {});
     QCOMPARE(session_->undoStack().count(), 0);
-    QCOMPARE(session_->view().isovalueCount(), 0);
+    QCOMPARE(session_->view().isovalues.size(), std::size_t(0));
 }
 
 void SessionTest::withoutAModelNothingCanBeEdited()

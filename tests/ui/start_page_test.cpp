@@ -150,7 +150,7 @@ void StartPageTest::samplesHavePictures()
     for (const SampleKind& kind : sampleKinds())
         QVERIFY(isBlank(window_->find<QToolButton>("empty.sample." + QString::fromStdString(std::string(kind.name)))));
     std::map<std::string, QImage> drawn;
-    connect(&window_->workbench, &Workbench::thumbnailDrawn, this,
+    connect(&window_->workbench.opening(), &Opening::thumbnailDrawn, this,
             [&](const std::string& sample, const QImage& picture) { drawn[sample] = picture; });
     QTRY_COMPARE_WITH_TIMEOUT(drawn.size(), sampleKinds().size(), 60'000);
     for (const auto& [sample, picture] : drawn) {
@@ -179,11 +179,11 @@ void StartPageTest::picturesWaitForTheFileThatIsRead()
 {
     window_ = std::make_unique<WindowFixture>();
     std::latch goOn(1);
-    window_->workbench.reading().start([&goOn](const Progress&) {
+    window_->workbench.opening().reading().start([&goOn](const Progress&) {
         goOn.wait();
         return [] {};
     });
-    const QSignalSpy drawing(&window_->workbench.thumbnails(), &LongTask::started);
+    const QSignalSpy drawing(&window_->workbench.opening().thumbnails(), &LongTask::started);
     window_->window.show();
     QCoreApplication::processEvents();
     const auto begunEarly = drawing.count();
@@ -197,10 +197,10 @@ void StartPageTest::picturesWaitForTheFileThatIsRead()
 
 void StartPageTest::makingASampleIsCancelled()
 {
-    window_->workbench.openSample("hydrogen");
+    window_->workbench.opening().openSample("hydrogen");
     QTRY_VERIFY_WITH_TIMEOUT(window_->find<QWidget>("status.sampling").isVisible(), 20'000);
     window_->find<QToolButton>("status.sampling.cancel").click();
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.sampling().running(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.opening().sampling().running(), 20'000);
     QTRY_VERIFY(window_->find<QToolButton>("empty.sample.hydrogen").isEnabled());
     QVERIFY(!window_->workbench.session().model());
     QVERIFY(window_->messages().isEmpty());
@@ -209,7 +209,7 @@ void StartPageTest::makingASampleIsCancelled()
 
 void StartPageTest::anUnknownSampleIsRefused()
 {
-    window_->workbench.openSample("nothing");
+    window_->workbench.opening().openSample("nothing");
     QTRY_COMPARE(window_->messages().size(), 1);
 }
 
@@ -232,13 +232,13 @@ void StartPageTest::recentFilesSayWhereTheyLie()
 /// Their folder may be emptied at any time: it is none to save in, nor to look for files in.
 void StartPageTest::samplesLieWhereNobodyLooks()
 {
-    window_->workbench.openSample("c60");
+    window_->workbench.opening().openSample("c60");
     QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.session().model() != nullptr, 60'000);
     QCOMPARE(recentFiles(), QStringList());
     const auto isOutside = [](const QString& folder) {
         return !folder.startsWith(QString::fromStdString(sampleFolder().string()));
     };
-    const QString proposed = window_->workbench.proposedPath(".png");
+    const QString proposed = window_->workbench.opening().proposedPath(".png");
     QVERIFY2(isOutside(proposed) && QFileInfo(proposed).dir().exists(), qPrintable(proposed));
     window_->find<QAction>("action.open").trigger();
     auto& dialog = window_->find<QFileDialog>("openDialog");
@@ -257,7 +257,7 @@ void StartPageTest::aPluginThatFailsIsToldOnce()
     QCOMPARE(window_->messages(), QStringList()); // it was not needed yet
     for (int time = 0; time < 2; ++time) {
         window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-        QTRY_VERIFY(!window_->workbench.reading().running() && window_->workbench.dataset());
+        QTRY_VERIFY(!window_->workbench.opening().reading().running() && window_->workbench.opening().dataset());
         QTRY_COMPARE(window_->messages().size(), 1);
         QVERIFY2(window_->messages().first().contains("no luck"), qPrintable(window_->messages().first()));
         QVERIFY(window_->find<QLabel>("message.count").text().isEmpty());

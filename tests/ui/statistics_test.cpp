@@ -78,10 +78,10 @@ void StatisticsTest::choosingALineChoosesItsAccuracy()
 {
     const int steps = session().undoStack().count();
     table().setCurrentItem(table().topLevelItem(1));
-    QCOMPARE(session().view().error(), accuracyPresets[1]);
+    QCOMPARE(session().view().query.error, accuracyPresets[1]);
     table().setFocus();
     QTest::keyClick(&table(), Qt::Key_Down);
-    QCOMPARE(session().view().error(), accuracyPresets[2]);
+    QCOMPARE(session().view().query.error, accuracyPresets[2]);
     QCOMPARE(session().undoStack().count(), steps + 2);
     window_->find<QAction>("action.undo").trigger();
     QVERIFY(table().currentItem() == table().topLevelItem(1));
@@ -93,7 +93,7 @@ void StatisticsTest::theTableFollowsTheSession()
     QVERIFY(table().currentItem() == table().topLevelItem(4));
     session().setError(7.5);
     QVERIFY(table().currentItem() == nullptr);
-    QCOMPARE(session().view().error(), 7.5);
+    QCOMPARE(session().view().query.error, 7.5);
     session().setBudget(100);
     QVERIFY(table().currentItem() == nullptr);
 }
@@ -107,7 +107,8 @@ void StatisticsTest::allOfItIsCopied()
     QVERIFY2(text.contains('\t' + QLocale().toString(static_cast<qulonglong>(last.tetrahedra)) + '\t'),
              qPrintable(text));
     QVERIFY(text.contains("Triangles\t"));
-    QVERIFY2(text.contains("\nGuaranteed\terror " + percentText(session().view().error()) + '\n'), qPrintable(text));
+    QVERIFY2(text.contains("\nGuaranteed\terror " + percentText(session().view().query.error) + '\n'),
+             qPrintable(text));
     QVERIFY(text.contains("A frame\t"));
     QCOMPARE(text.count('\n', Qt::CaseSensitive) > 12, true);
 }
@@ -164,7 +165,8 @@ std::shared_ptr<const Scene> cyclicScene()
     auto scene = std::make_shared<Scene>();
     for (const Eigen::Vector3f& place : mesh->positions)
         scene->bounds.extend(place.cast<double>());
-    scene->volume = *VolumeCache(mesh).update(sequentialTransferFunction(0, 1, 1), false);
+    scene->drawables.push_back(
+        {.id = "volume", .shape = *VolumeCache(mesh).update(sequentialTransferFunction(0, 1, 1), false)});
     return scene;
 }
 

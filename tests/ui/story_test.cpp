@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
 
@@ -65,7 +66,7 @@ void StoryTest::dragAccuracy(const WindowFixture& window)
     for (int percent = 42; percent <= 70; percent += 2)
         QTest::mouseMove(&slider, {slider.width() * percent / 100, middle.y()});
     QTest::mouseRelease(&slider, Qt::LeftButton, {}, {slider.width() * 70 / 100, middle.y()});
-    QVERIFY(session.view().error() < 1);
+    QVERIFY(session.view().query.error < 1);
     QVERIFY(session.meshSize().sites > sitesBefore);
     QCOMPARE(window.find<QLabel>("accuracy.sites").text(), QLocale().toString(session.meshSize().sites));
     QTRY_VERIFY_WITH_TIMEOUT(window.settled(), 20000);
@@ -73,7 +74,7 @@ void StoryTest::dragAccuracy(const WindowFixture& window)
              QString("%1 vertices").arg(QLocale().toString(session.meshSize().sites)));
     QCOMPARE(window.workbench.session().undoStack().count(), 1); // one drag, one step
     QTest::mouseClick(&window.find<QWidget>("accuracy.preset.1"), Qt::LeftButton);
-    QCOMPARE(session.view().error(), 1.0);
+    QCOMPARE(session.view().query.error, 1.0);
 }
 
 void StoryTest::addTwoIsovalues(const WindowFixture& window)
@@ -85,13 +86,13 @@ void StoryTest::addTwoIsovalues(const WindowFixture& window)
     window.find<QDoubleSpinBox>("isovalue.1.value.box").setValue(90);
     window.find<QDoubleSpinBox>("isovalue.1.opacity.box").setValue(35);
     window.find<QCheckBox>("isovalue.2.visible").click();
-    const auto& isovalues = window.workbench.session().view().isovalues();
+    const auto& isovalues = window.workbench.session().view().isovalues;
     QCOMPARE(isovalues.size(), std::size_t{3});
     QCOMPARE(isovalues[0].value, 200.0);
     QCOMPARE(isovalues[1].opacity, 0.35F);
     QVERIFY(!isovalues[2].visible);
     QTRY_VERIFY_WITH_TIMEOUT(window.settled(), 20000);
-    QCOMPARE(window.viewport().scene()->surfaces.size(), std::size_t{2});
+    QCOMPARE(testing::partsOf(*window.viewport().scene()).surfaces.size(), std::size_t{2});
 }
 
 void StoryTest::openBuildLook()
@@ -115,7 +116,7 @@ void StoryTest::openBuildLook()
     const int steps = stack.count();
     while (stack.canUndo())
         window.find<QAction>("action.undo").trigger();
-    QCOMPARE(window.workbench.session().view().isovalueCount(), 1);
+    QCOMPARE(window.workbench.session().view().isovalues.size(), std::size_t(1));
     QTRY_VERIFY_WITH_TIMEOUT(window.settled(), 20000);
     QVERIFY(difference(window.viewport().picture(), withTwo).meanChannel > 1);
     for (int step = 0; step < steps; ++step)
@@ -154,8 +155,8 @@ void StoryTest::scatteredPoints()
     const QString facts = window.find<QLabel>("build.facts").text();
     QVERIFY2(facts.contains("1001 scattered points"), qPrintable(facts));
     QVERIFY2(facts.contains("1 point on the place of another one was merged with it."), qPrintable(facts));
-    QVERIFY(!window.viewport().scene()->surfaces.empty());
-    QVERIFY(window.viewport().scene()->surfaces[0].mesh->triangles.size() > 100);
+    QVERIFY(!testing::partsOf(*window.viewport().scene()).surfaces.empty());
+    QVERIFY(testing::partsOf(*window.viewport().scene()).surfaces[0].mesh->triangles.size() > 100);
     dragAccuracy(window);
 }
 
@@ -176,23 +177,23 @@ void StoryTest::aDetailInFocusWithABudget()
     QVERIFY(window.find<QWidget>("focus.radius").isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
     const QPoint detail = window.viewport().rect().center() + QPoint(30, 20);
-    const Eigen::Vector3d elsewhere = session.view().query().focus.centre;
+    const Eigen::Vector3d elsewhere = session.view().query.focus.centre;
     QTest::mouseDClick(&window.viewport(), Qt::LeftButton, {}, detail);
-    QTRY_VERIFY(session.view().query().focus.centre != elsewhere);
-    const Eigen::Vector3d there = session.view().query().focus.centre;
+    QTRY_VERIFY(session.view().query.focus.centre != elsewhere);
+    const Eigen::Vector3d there = session.view().query.focus.centre;
     QTest::mousePress(&window.viewport(), Qt::LeftButton, {}, detail);
     for (int i = 1; i <= 10; ++i)
         QTest::mouseMove(&window.viewport(), detail - QPoint(5 * i, 3 * i));
     QTest::mouseRelease(&window.viewport(), Qt::LeftButton, {}, detail - QPoint(50, 30));
-    QVERIFY((session.view().query().focus.centre - there).norm() > 1);
+    QVERIFY((session.view().query.focus.centre - there).norm() > 1);
     QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
     QVERIFY(difference(window.viewport().picture(), before).meanChannel > 0.05);
 
     window.find<QSpinBox>("accuracy.budget").setValue(20'000);
     QTRY_VERIFY_WITH_TIMEOUT(upToDate(), 20000);
     QVERIFY(session.shown()->tetrahedra <= 20'000 && session.shown()->tetrahedra > 15'000);
-    QSignalSpy saved(&window.workbench, &Workbench::meshSaved);
-    window.workbench.saveMesh(window.folder.filePath("detail.vtu").toStdString());
+    QSignalSpy saved(&window.workbench.exporting(), &Exporting::meshSaved);
+    window.workbench.exporting().saveMesh(window.folder.filePath("detail.vtu").toStdString());
     QTRY_COMPARE(saved.count(), 1);
     QCOMPARE(window.messages(), QStringList());
 }

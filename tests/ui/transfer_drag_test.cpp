@@ -72,28 +72,28 @@ void TransferDragTest::aDragIsOneStepAndTurnsNothing()
     WindowFixture window;
     open(window, "volume");
     Session& session = window.workbench.session();
-    const TransferFunction before = session.view().look().transfer;
+    const TransferFunction before = session.view().appearance.transfer;
     const Camera camera = window.viewport().camera();
     const int steps = session.undoStack().index();
     drag(window.viewport(), {60, -20}, Qt::ControlModifier);
-    const TransferFunction& after = session.view().look().transfer;
+    const TransferFunction& after = session.view().appearance.transfer;
     QCOMPARE(after, draggedTransfer(before, {60, -20}, window.viewport().size(), session.range()));
     QVERIFY(after != before);
     QCOMPARE(session.undoStack().index(), steps + 1);
     QCOMPARE(window.viewport().camera(), camera);
     QVERIFY(!session.inGesture());
     window.find<QAction>("action.undo").trigger();
-    QCOMPARE(session.view().look().transfer, before);
+    QCOMPARE(session.view().appearance.transfer, before);
 }
 
 void TransferDragTest::withoutTheKeyTheCameraTurns()
 {
     WindowFixture window;
     open(window, "volume");
-    const TransferFunction before = window.workbench.session().view().look().transfer;
+    const TransferFunction before = window.workbench.session().view().appearance.transfer;
     const Camera camera = window.viewport().camera();
     drag(window.viewport(), {60, -20}, {});
-    QCOMPARE(window.workbench.session().view().look().transfer, before);
+    QCOMPARE(window.workbench.session().view().appearance.transfer, before);
     QVERIFY(!(window.viewport().camera() == camera));
 }
 
@@ -101,9 +101,9 @@ void TransferDragTest::isosurfacesHaveNoFunctionToDrag()
 {
     WindowFixture window;
     open(window, "isosurface");
-    const TransferFunction before = window.workbench.session().view().look().transfer;
+    const TransferFunction before = window.workbench.session().view().appearance.transfer;
     drag(window.viewport(), {60, -20}, Qt::ControlModifier);
-    QCOMPARE(window.workbench.session().view().look().transfer, before);
+    QCOMPARE(window.workbench.session().view().appearance.transfer, before);
 }
 
 QTEST_MAIN(TransferDragTest)

@@ -75,7 +75,7 @@ void ValuePickTest::cleanup()
 
 void ValuePickTest::aClickOnASurfaceFindsItsIsovalue()
 {
-    Isovalue isovalue = session().view().isovalues().front();
+    Isovalue isovalue = session().view().isovalues.front();
     isovalue.value = session().range().minimum + 0.6 * session().range().extent();
     session().setIsovalue(0, isovalue);
     QTRY_VERIFY(window_->settled());
@@ -120,7 +120,7 @@ void ValuePickTest::bothTogether()
     click(middle());
     QTRY_VERIFY(picked().has_value());
     QVERIFY(picked()->onSurface);
-    const auto& isovalues = session().view().isovalues();
+    const auto& isovalues = session().view().isovalues;
     QVERIFY(std::ranges::any_of(isovalues, [this](const Isovalue& one) { return one.value == picked()->value; }));
 }
 
@@ -171,20 +171,21 @@ void ValuePickTest::keysPickAndMakeIsovaluesAndPoints()
     window_->find<QAction>("action.pickValue").trigger();
     QTRY_VERIFY(picked().has_value());
     const double value = picked()->value;
-    const int steps = session().undoStack().index(), isovalues = session().view().isovalueCount();
-    const TransferFunction before = session().view().look().transfer;
+    const int steps = session().undoStack().index();
+    const auto isovalues = session().view().isovalues.size();
+    const TransferFunction before = session().view().appearance.transfer;
     isovalueHere.trigger();
-    QCOMPARE(session().view().isovalueCount(), isovalues + 1);
-    QCOMPARE(session().view().isovalues().back().value, value);
+    QCOMPARE(session().view().isovalues.size(), isovalues + 1);
+    QCOMPARE(session().view().isovalues.back().value, value);
     pointHere.trigger();
-    const auto points = transferPoints(session().view().look().transfer);
+    const auto points = transferPoints(session().view().appearance.transfer);
     QCOMPARE(points.size(), transferPoints(before).size() + 1);
     QVERIFY(std::ranges::find(points, value, &TransferPoint::value) != points.end());
     QCOMPARE(session().undoStack().index(), steps + 2);
     window_->find<QAction>("action.undo").trigger();
-    QCOMPARE(session().view().look().transfer, before);
+    QCOMPARE(session().view().appearance.transfer, before);
     window_->find<QAction>("action.undo").trigger();
-    QCOMPARE(session().view().isovalueCount(), isovalues);
+    QCOMPARE(session().view().isovalues.size(), isovalues);
     window_->find<QAction>("action.forgetPicked").trigger();
     QVERIFY(!picked());
 }
@@ -204,9 +205,9 @@ void ValuePickTest::aRightClickOffersWhatCanBeDone()
         auto& action = window_->find<QAction>(QString("action.") + name);
         QVERIFY2(menu.actions().contains(&action) && action.isEnabled(), name);
     }
-    const std::size_t before = session().view().isovalues().size();
+    const std::size_t before = session().view().isovalues.size();
     window_->find<QAction>("action.isovalueHere").trigger();
-    QCOMPARE(session().view().isovalues().size(), before + 1);
+    QCOMPARE(session().view().isovalues.size(), before + 1);
     menu.close();
     window_->find<QAction>("action.close").trigger();
     rightClick();
@@ -215,10 +216,10 @@ void ValuePickTest::aRightClickOffersWhatCanBeDone()
 
 void ValuePickTest::aPickWaitsForThePicture()
 {
-    Isovalue isovalue = session().view().isovalues().front();
+    Isovalue isovalue = session().view().isovalues.front();
     isovalue.value = session().range().minimum + 0.7 * session().range().extent();
     session().setIsovalue(0, isovalue);
-    QVERIFY(window_->workbench.sceneBuilder().busy());
+    QVERIFY(window_->workbench.scenes().sceneBuilder().busy());
     click(middle()); // the picture shows another isovalue yet
     QTRY_VERIFY(picked().has_value());
     QCOMPARE(picked()->value, isovalue.value);

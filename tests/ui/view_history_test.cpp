@@ -34,7 +34,8 @@ private slots:
     void aPenIsLeftToBeAMouse();
 
 private:
-    QUndoStack& stack() const { return window_->workbench.session().undoStack(); }
+    Session& session() const { return window_->workbench.session(); }
+    QUndoStack& stack() const { return session().undoStack(); }
     void drag(QPoint by) const;
     void turnWheel(int angle) const;
 
@@ -88,12 +89,12 @@ void ViewHistoryTest::openingIsNoStep()
 {
     QCOMPARE(stack().count(), 0);
     window_->find<QAction>("action.view.top").trigger();
-    window_->viewport().setBackground(Colour{1, 0, 0});
+    session().setBackground(Colour{1, 0, 0});
     QCOMPARE(stack().count(), 2);
     const auto path = window_->workbench.session().model()->path();
     window_->window.open(QString::fromStdString(path));
     QTRY_COMPARE(stack().count(), 0);
-    QVERIFY(window_->viewport().chosenBackground() == (Colour{1, 0, 0})); // as it was seen last
+    QVERIFY(session().view().background == (Colour{1, 0, 0})); // as it was seen last
 }
 
 void ViewHistoryTest::aDragIsOneStep()
@@ -120,7 +121,7 @@ void ViewHistoryTest::aLongDragCostsNothingButThePictures()
 {
     Viewport& viewport = window_->viewport();
     const Camera before = viewport.camera();
-    const QSignalSpy scenes(&window_->workbench.sceneBuilder(), &SceneBuilder::busyChanged);
+    const QSignalSpy scenes(&window_->workbench.scenes().sceneBuilder(), &SceneBuilder::busyChanged);
     QTest::mousePress(&viewport, Qt::LeftButton, {}, {100, 100});
     constexpr int moves = 300;
     for (int part = 1; part <= moves; ++part) {
@@ -176,7 +177,7 @@ void ViewHistoryTest::theBackgroundIsUndone()
 {
     Viewport& viewport = window_->viewport();
     const Colour usual = viewport.background();
-    viewport.setBackground(Colour{0, 0.5F, 0});
+    session().setBackground(Colour{0, 0.5F, 0});
     QVERIFY(window_->find<QToolButton>("view.usualBackground").isEnabled());
     QCOMPARE(stack().undoText(), QString("Change Background"));
     window_->find<QToolButton>("view.usualBackground").click();
@@ -190,50 +191,48 @@ void ViewHistoryTest::theBackgroundIsUndone()
 
 void ViewHistoryTest::editsBetweenStayInOrder()
 {
-    Session& session = window_->workbench.session();
-    const double error = session.view().error();
+    const double error = session().view().query.error;
     turnWheel(120);
     const Camera camera = window_->viewport().camera();
-    session.setError(7);
+    session().setError(7);
     turnWheel(120); // the same series, but something was done between
     QCOMPARE(stack().count(), 3);
     stack().undo();
     QVERIFY(window_->viewport().camera() == camera);
-    QCOMPARE(session.view().error(), 7.0);
+    QCOMPARE(session().view().query.error, 7.0);
     stack().undo();
-    QCOMPARE(session.view().error(), error);
+    QCOMPARE(session().view().query.error, error);
     QVERIFY(window_->viewport().camera() == camera);
 }
 
 void ViewHistoryTest::manyStepsEndWhereTheyBegan()
 {
     Viewport& viewport = window_->viewport();
-    Session& session = window_->workbench.session();
     const Camera first = viewport.camera();
-    const QueryState query = session.view().query();
+    const QueryState query = session().view().query;
     QRandomGenerator random(20);
     for (int step = 0; step < 1000; ++step) {
         switch (random.bounded(6)) {
         case 0:
             viewport.setCamera(turned(viewport.camera(), random.bounded(90.0) - 45, random.bounded(40.0) - 20));
             break;
-        case 1: viewport.seeFrom(static_cast<NamedView>(random.bounded(7))); break;
+        case 1: session().setCamera(seenFrom(viewport.camera(), static_cast<NamedView>(random.bounded(7)))); break;
         case 2: turnWheel(random.bounded(2) == 0 ? 120 : -120); break;
-        case 3: session.setError(random.bounded(10.0)); break;
-        case 4: viewport.setBackground(Colour{static_cast<float>(random.bounded(1.0)), 0, 0}); break;
+        case 3: session().setError(random.bounded(10.0)); break;
+        case 4: session().setBackground(Colour{static_cast<float>(random.bounded(1.0)), 0, 0}); break;
         case 5: stack().canUndo() ? stack().undo() : stack().redo(); break;
         }
     }
     const Camera last = viewport.camera();
-    const auto background = viewport.chosenBackground();
+    const auto background = session().view().background;
     const int end = stack().index();
     stack().setIndex(0);
     QVERIFY(viewport.camera() == first);
-    QVERIFY(session.view().query() == query);
-    QVERIFY(!viewport.chosenBackground());
+    QVERIFY(session().view().query == query);
+    QVERIFY(!session().view().background);
     stack().setIndex(end);
     QVERIFY(viewport.camera() == last);
-    QVERIFY(viewport.chosenBackground() == background);
+    QVERIFY(session().view().background == background);
 }
 
 void ViewHistoryTest::undoGlidesUnlessMotionIsReduced()

@@ -37,7 +37,10 @@ public:
     std::string folderPath() const { return folder.path().toStdString(); }
     QStringList messages() const { return find<MessageBar>("messages").texts(); }
     /// The scene of the last request is shown, finely.
-    bool settled() const { return !workbench.sceneBuilder().busy() && viewport().scene() && viewport().settled(); }
+    bool settled() const
+    {
+        return !workbench.scenes().sceneBuilder().busy() && viewport().scene() && viewport().settled();
+    }
     Viewport& viewport() const { return find<Viewport>("viewport"); }
 
     QTemporaryDir folder;

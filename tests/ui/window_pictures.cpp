@@ -137,13 +137,13 @@ void takePanelsAtWork(Sitting& sitting)
     sitting.trigger("focusBox");
     sitting.takePanel("focus", "focus-box");
     sitting.trigger("focusBox"); // off again
-    QueryState query = session.view().query();
+    QueryState query = session.view().query;
     query.window.enabled = true;
     query.values.enabled = true;
     session.setQuery(query);
     sitting.takePanel("region", "region-on");
     session.undoStack().undo();
-    session.setAnimation(keyFrames(sitting.workbench().presentFrame(sitting.fixture().viewport().camera())));
+    session.setAnimation(keyFrames(frameOf(session.view())));
     sitting.takePanel("animation", "animation-keys");
     sitting.trigger("mode.volume");
     sitting.takePanel("rendering", "rendering-volume");
@@ -202,9 +202,10 @@ QStringList takeOfSample(const QDir& folder, bool dark)
     QApplication::style()->polish(palette);
     QApplication::setPalette(palette);
     Sitting sitting(folder, dark ? "dark-" : "light-");
-    sitting.waitUntil([&] { return !sitting.workbench().thumbnails().running(); }, "the samples have no pictures");
+    sitting.waitUntil([&] { return !sitting.workbench().opening().thumbnails().running(); },
+                      "the samples have no pictures");
     sitting.take("start", sitting.window());
-    sitting.workbench().openSample("c60");
+    sitting.workbench().opening().openSample("c60");
     sitting.settle();
     sitting.take("window", sitting.window());
     takeMessages(sitting);
@@ -213,7 +214,7 @@ QStringList takeOfSample(const QDir& folder, bool dark)
     const QString described = pathText(sampleFolder() / "c60.nrrd");
     takeDialogs(sitting, described);
     sitting.window().open(described);
-    sitting.waitUntil([&] { return sitting.workbench().dataset() != nullptr; }, "the dataset did not open");
+    sitting.waitUntil([&] { return sitting.workbench().opening().dataset() != nullptr; }, "the dataset did not open");
     sitting.takePanel("build", "build-dataset");
     sitting.take("window-build", sitting.window());
     return sitting.failures();
@@ -251,7 +252,7 @@ void volume(Sitting& sitting)
 void moving(Sitting& sitting)
 {
     volume(sitting);
-    const TransferFunction before = sitting.session().view().look().transfer;
+    const TransferFunction before = sitting.session().view().appearance.transfer;
     const std::size_t point = before.opacities.size() / 2;
     sitting.session().beginGesture();
     QElapsedTimer clock;
@@ -264,7 +265,7 @@ void moving(Sitting& sitting)
 
 void focus(Sitting& sitting)
 {
-    FocusState focus = sitting.session().view().query().focus;
+    FocusState focus = sitting.session().view().query.focus;
     focus.shape = FocusState::Shape::Sphere;
     focus.centre = {110, 28, 60};
     focus.radius = 30;

@@ -111,7 +111,7 @@ void WindowTest::droppedFilesAreOpened()
     QVERIFY(enter.isAccepted());
     QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window_->window, &drop);
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
     QCOMPARE(window_->find<QLabel>("build.facts").text(), QString("8 × 8 × 8 samples, uint8, values 0 to 192"));
 
@@ -183,7 +183,7 @@ void WindowTest::messagesOfAnotherFileGo()
     window_->window.open(window_->folder.filePath("missing, too.nrrd"));
     QTRY_COMPARE(window_->messages().size(), 2); // nothing else was opened
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QCOMPARE(window_->messages(), QStringList());
     window_->window.open(missing);
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -191,10 +191,10 @@ void WindowTest::messagesOfAnotherFileGo()
     QCOMPARE(window_->messages(), QStringList());
     // What is lost unless somebody does something stays.
     openSample();
-    window_->workbench.saveText("/no/such/folder/text.json", "{}");
+    window_->workbench.exporting().saveText("/no/such/folder/text.json", "{}");
     QTRY_COMPARE(window_->messages().size(), 1);
     openSample();
-    QTRY_VERIFY(!window_->workbench.reading().running());
+    QTRY_VERIFY(!window_->workbench.opening().reading().running());
     QCOMPARE(window_->messages().size(), 1);
 }
 
@@ -230,7 +230,7 @@ void WindowTest::allMessagesAreShownAndClosed()
 void WindowTest::aBuildIsCancelledAndLeavesNoFile()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QVERIFY(window_->find<QWidget>("build.progress").isVisible());
@@ -247,7 +247,7 @@ void WindowTest::aBuildIsCancelledAndLeavesNoFile()
 void WindowTest::aBuildIsWatchedWhileItGrows()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     std::vector<std::uint32_t> sites;
     const Session& session = window_->workbench.session();
@@ -270,7 +270,7 @@ void WindowTest::aBuildIsWatchedWhileItGrows()
 void WindowTest::aBuildIsStoppedAndKept()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(window_->workbench.session().model() != nullptr);
@@ -286,13 +286,13 @@ void WindowTest::aBuildIsStoppedAndKept()
 void WindowTest::aBuildWithNothingToKeepSaysSo()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(64), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     auto& builder = window_->find<QComboBox>("build.builder");
     builder.setCurrentIndex(builder.findData("decimation"));
     const QString target = window_->find<QLineEdit>("build.target").text();
     window_->find<QPushButton>("build.start").click();
     QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
-    QVERIFY(!window_->workbench.canKeepBuild());
+    QVERIFY(!window_->workbench.building().canKeepBuild());
     window_->find<QPushButton>("build.keep").click();
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -303,7 +303,7 @@ void WindowTest::aBuildWithNothingToKeepSaysSo()
 void WindowTest::aBuildThatCannotWriteSaysSo()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("no/such/folder/model.tan"));
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_COMPARE(window_->messages().size(), 1);
@@ -315,7 +315,7 @@ void WindowTest::anExistingModelIsReplacedOnlyWithAWord()
 {
     buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     QVERIFY(window_->find<QLabel>("build.targetHint").isVisible());
     QCOMPARE(window_->find<QPushButton>("build.start").text(), QString("&Build and Replace"));
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("other.tan"));
@@ -380,12 +380,12 @@ void WindowTest::aPictureIsSaved()
     openSample();
     const Viewport& viewport = window_->viewport();
     const QString path = window_->folder.filePath("picture.png");
-    QSignalSpy saved(&window_->workbench, &Workbench::pictureSaved);
-    window_->workbench.savePicture(
+    QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
+    window_->workbench.exporting().savePicture(
         {viewport.scene(), viewport.camera(), viewport.background(), 320, 200, path.toStdString()});
     QTRY_COMPARE(saved.count(), 1);
     QCOMPARE(QImage(path).size(), QSize(320, 200));
-    window_->workbench.savePicture(
+    window_->workbench.exporting().savePicture(
         {viewport.scene(), viewport.camera(), viewport.background(), 320, 200, "/no/such/folder/picture.png"});
     QTRY_COMPARE(window_->messages().size(), 1);
 }
@@ -438,7 +438,7 @@ void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
 {
     openSample();
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
-    QTRY_VERIFY(window_->workbench.dataset());
+    QTRY_VERIFY(window_->workbench.opening().dataset());
     window_->find<QAction>("action.dock.build").trigger(); // away, to see more of the model
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
     window_->find<QAction>("action.close").trigger();
@@ -508,7 +508,7 @@ void WindowTest::aPictureOfAnotherStateIsMarked()
 {
     openSample();
     const auto& notice = window_->find<QWidget>("viewport.notice");
-    emit window_->workbench.sceneBuilder().failed({ErrorKind::OutOfResource, "There is not enough memory."});
+    emit window_->workbench.scenes().sceneBuilder().failed({ErrorKind::OutOfResource, "There is not enough memory."});
     QTRY_VERIFY(notice.isVisible());
     QVERIFY2(notice.accessibleName().contains("not of the present settings"), qPrintable(notice.accessibleName()));
     window_->workbench.session().setError(5);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/annotation_content.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
-#include "ui/session/look.h"
 #include "ui/session/mesh_text.h"
 #include "ui/session/target_path.h"
 
@@ -28,32 +28,34 @@ QString accuracyText(const ShownMesh& mesh)
 
 } // namespace
 
-AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters,
-                                    const TransferFunction& transfer, const std::vector<Isovalue>& isovalues,
+AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters, const ViewValue& view,
                                     const ShownMesh* mesh)
 {
     AnnotationContent content;
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr) // else no text will be painted
         content.font = QGuiApplication::font();
     content.range = model.description().range;
-    if (hasParameter<TransferFunction>(parameters))
-        content.transfer = transfer;
-    if (hasParameter<std::vector<Isovalue>>(parameters))
-        content.isovalues = seenOnes(isovalues);
+    if (hasParameter(parameters, transferId))
+        content.transfer = view.appearance.transfer;
+    if (hasParameter(parameters, isovaluesId))
+        content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
     content.title = QFileInfo(pathText(model.path())).completeBaseName();
     if (mesh != nullptr)
         content.accuracy = accuracyText(*mesh);
+    content.state = view.annotations;
+    content.camera = view.camera;
+    content.background = view.background.value_or(content.background);
     return content;
 }
 
-AnnotationContent atFrame(AnnotationContent content, const FilmFrame& frame, const ShownMesh& mesh)
+AnnotationContent inView(AnnotationContent content, const ViewValue& view, const ShownMesh& mesh)
 {
-    content.camera = frame.camera;
+    content.camera = view.camera;
     if (content.transfer)
-        content.transfer = frame.transfer;
+        content.transfer = view.appearance.transfer;
     if (content.isovalues)
-        content.isovalues = seenOnes(frame.isovalues);
+        content.isovalues = seenOnes(view.isovalues);
     content.accuracy = accuracyText(mesh);
     return content;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/animation.h"
-#include "ui/session/annotation_state.h"
+#include "ui/session/view_value.h"
 
 #include <tan/data.h>
 #include <tan/render.h>
@@ -16,31 +15,29 @@
 
 namespace tetra {
 
-struct Parameter;
 class Model;
 struct ShownMesh;
 
 /// What the annotations of a picture say: a value, painted in any thread.
 struct AnnotationContent {
-    AnnotationState state;
-    ValueRange range;                               ///< of the colour bar's axis
-    std::optional<TransferFunction> transfer;       ///< none where the picture does not follow one
-    std::optional<std::vector<Isovalue>> isovalues; ///< that are seen; none where the picture has no surfaces
-    QString field;                                  ///< name of the values
-    QString title;
-    QString accuracy; ///< empty if nothing is known
-    Camera camera;
-    Colour background; ///< the ink is dark or light after it
-    QFont font;        ///< the window's
+    AnnotationState state{};
+    ValueRange range{};                               ///< of the colour bar's axis
+    std::optional<TransferFunction> transfer{};       ///< none where the picture does not follow one
+    std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces
+    QString field{};                                  ///< name of the values
+    QString title{};
+    QString accuracy{}; ///< empty if nothing is known
+    Camera camera{};
+    Colour background{}; ///< the ink is dark or light after it
+    QFont font{};        ///< the window's
 };
 
-/// Of a picture of a model. `parameters`: those of its renderer that matter as they are set. `mesh`: that is shown;
-/// none if that is not known yet.
-AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters,
-                                    const TransferFunction& transfer, const std::vector<Isovalue>& isovalues,
+/// Of a picture of a model, seen by this view. `parameters`: those of its renderer that matter as they are set. `mesh`:
+/// that is shown; none if that is not known yet. The background is that of the view if it has one.
+AnnotationContent annotationContent(const Model& model, const std::vector<Parameter>& parameters, const ViewValue& view,
                                     const ShownMesh* mesh);
 
-/// The same picture's at a frame of a film; the accuracy is that of `mesh`.
-AnnotationContent atFrame(AnnotationContent content, const FilmFrame& frame, const ShownMesh& mesh);
+/// The same picture's in another view, as of a film; the accuracy is that of `mesh`.
+AnnotationContent inView(AnnotationContent content, const ViewValue& view, const ShownMesh& mesh);
 
 } // namespace tetra

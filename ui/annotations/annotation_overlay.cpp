@@ -20,17 +20,13 @@ AnnotationOverlay::AnnotationOverlay(Workbench& workbench, Viewport& viewport)
     viewport.installEventFilter(this);
     const auto repaint = qOverload<>(&QWidget::update);
     const Session* session = &workbench.session();
-    const ViewState* view = &session->view();
     connect(&viewport, &Viewport::cameraChanged, this, repaint);
     connect(&viewport, &Viewport::previewChanged, this, repaint);
     connect(&viewport, &Viewport::backgroundChanged, this, repaint);
     connect(session, &Session::modelChanged, this, repaint);
     connect(session, &Session::shownChanged, this, repaint);
-    connect(view, &ViewState::lookChanged, this, repaint);
-    connect(view, &ViewState::annotationsChanged, this, repaint);
-    connect(view, &ViewState::isovalueInserted, this, repaint);
-    connect(view, &ViewState::isovalueRemoved, this, repaint);
-    connect(view, &ViewState::isovalueChanged, this, repaint);
+    session->whenChanged(ViewPart::Appearance | ViewPart::Annotations | ViewPart::Isovalues, this,
+                         [this] { update(); });
 }
 
 bool AnnotationOverlay::eventFilter(QObject* watched, QEvent* event)
@@ -46,7 +42,7 @@ void AnnotationOverlay::paintEvent(QPaintEvent* event)
     if (!workbench_.session().model())
         return;
     QPainter painter(this);
-    paintAnnotations(painter, workbench_.annotations(viewport_.shownCamera(), viewport_.background()), size());
+    paintAnnotations(painter, workbench_.scenes().annotations(viewport_.shownCamera(), viewport_.background()), size());
 }
 
 } // namespace tetra

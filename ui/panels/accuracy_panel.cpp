@@ -101,7 +101,7 @@ void AccuracyPanel::connectInputs()
     connect(&session_, &Session::modelChanged, this, &AccuracyPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &AccuracyPanel::showModel);
     connect(&session_, &Session::shownChanged, this, &AccuracyPanel::showSize);
-    connect(&session_.view(), &ViewState::queryChanged, this, &AccuracyPanel::showQuery);
+    session_.whenChanged(ViewPart::Query, this, &AccuracyPanel::showQuery);
 }
 
 /// Whichever is touched holds from then on.
@@ -183,7 +183,7 @@ void AccuracyPanel::showModel()
 
 void AccuracyPanel::showQuery()
 {
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     budget_->setBudget(query.budget);
     (query.byBudget ? byBudget_ : byError_)->setChecked(true);
     curve_->setBudget(query.byBudget ? std::optional(query.budget) : std::nullopt);
@@ -193,7 +193,7 @@ void AccuracyPanel::showQuery()
 /// The error that is asked for, or that the budget allows; outside the focus. Nothing as long as it is not known.
 std::optional<double> AccuracyPanel::errorOfMesh() const
 {
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     if (!query.byBudget || !session_.model())
         return query.error;
     if (session_.showsQuery()) {
@@ -208,7 +208,7 @@ void AccuracyPanel::showError(double error)
 {
     slider_->setAccuracy(error);
     box_->setAccuracy(error);
-    const bool isAskedFor = session_.model() && !session_.view().query().byBudget;
+    const bool isAskedFor = session_.model() && !session_.view().query.byBudget;
     for (std::size_t i = 0; i < presets_.size(); ++i)
         showChecked(*presets_[i], isAskedFor && accuracyPresets[i] == error);
     const auto& model = session_.model();
@@ -234,7 +234,7 @@ void AccuracyPanel::showSize()
         label->clear();
     if (!model)
         return;
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     const auto& shown = session_.shown();
     const MeshSize planned = session_.meshSize();
     const bool isPlanned = !session_.showsQuery() && query.isUniform();

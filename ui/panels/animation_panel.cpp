@@ -59,7 +59,7 @@ QWidget* AnimationPanel::makeContent()
     rate_->setSuffix(tr(" frames/s"));
     rate_->setToolTip(tr("Frames per second of the film"));
     pages_->addWidget(makeTurntable());
-    pages_->addWidget(new KeyFrameList(workbench_, viewport_));
+    pages_->addWidget(new KeyFrameList(workbench_.session()));
     summary_->setObjectName("animation.summary");
     write_->setObjectName("animation.save");
     write_->setToolTip(tr("Write it as pictures or a video"));
@@ -147,16 +147,15 @@ void AnimationPanel::connectControls()
         if (!on)
             stop(); // the camera was moved
     });
-    const Session* session = &workbench_.session();
-    connect(session, &Session::modelChanged, this, &AnimationPanel::showModel);
-    connect(&session->view(), &ViewState::animationChanged, this, &AnimationPanel::showAnimation);
-    connect(&session->view(), &ViewState::queryChanged, this, &AnimationPanel::stop);
-    connect(&session->view(), &ViewState::lookChanged, this, &AnimationPanel::stop);
+    const Session& session = workbench_.session();
+    connect(&session, &Session::modelChanged, this, &AnimationPanel::showModel);
+    session.whenChanged(ViewPart::Animation, this, &AnimationPanel::showAnimation);
+    session.whenChanged(ViewPart::Scene, this, &AnimationPanel::stop);
 }
 
 template <class Change> void AnimationPanel::edit(Change change)
 {
-    Animation animation = workbench_.session().view().animation();
+    Animation animation = workbench_.session().view().animation;
     change(animation);
     workbench_.session().setAnimation(animation);
 }
@@ -170,7 +169,7 @@ void AnimationPanel::showModel()
 void AnimationPanel::showAnimation()
 {
     stop();
-    const Animation& animation = workbench_.session().view().animation();
+    const Animation& animation = workbench_.session().view().animation;
     kind_->setCurrentIndex(static_cast<int>(animation.kind));
     pages_->setCurrentIndex(static_cast<int>(animation.kind));
     axis_->setCurrentIndex(static_cast<int>(animation.turntable.axis));
@@ -200,7 +199,7 @@ void AnimationPanel::play()
 void AnimationPanel::playOn()
 {
     const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
-    const double rate = workbench_.session().view().animation().framesPerSecond;
+    const double rate = workbench_.session().view().animation.framesPerSecond;
     const int frame = static_cast<int>(seconds * rate);
     if (frame > position_->maximum())
         return stop();
@@ -209,12 +208,12 @@ void AnimationPanel::playOn()
 
 void AnimationPanel::showFrame(int frame)
 {
-    const Animation& animation = workbench_.session().view().animation();
+    const Animation& animation = workbench_.session().view().animation;
     if (!workbench_.session().model() || frameCount(animation) == 0)
         return;
-    const FilmFrame shown = frameOf(animation, workbench_.presentFrame(viewport_.camera()), frame);
+    const ViewValue shown = viewAtFrame(workbench_.session().view(), frame);
     if (animation.kind == Animation::Kind::KeyFrames)
-        workbench_.previewFrame(shown);
+        workbench_.scenes().previewView(shown);
     viewport_.setPreview(shown.camera);
     play_->setText(tr("Stop"));
 }
@@ -224,7 +223,7 @@ void AnimationPanel::stop()
     playing_.stop();
     play_->setText(tr("Play"));
     viewport_.setPreview(std::nullopt);
-    workbench_.previewFrame(std::nullopt);
+    workbench_.scenes().previewView(std::nullopt);
     const QSignalBlocker blocker(position_);
     position_->setValue(0);
 }

@@ -69,8 +69,10 @@ AnnotationRows::AnnotationRows(Session& session, QWidget* parent) : QWidget(pare
         connect(shown_[i], &QCheckBox::clicked, this, [this, i] { edit(i); });
         connect(corners_[i], &QComboBox::activated, this, [this, i] { edit(i); });
     }
-    connect(&session_.view(), &ViewState::annotationsChanged, this, [this] { show(session_.view().annotations()); });
-    show(session_.view().annotations());
+    const auto follow = [this] { show(session_.view().annotations); };
+    connect(&session_, &Session::modelChanged, this, follow);
+    session_.whenChanged(ViewPart::Annotations, this, follow);
+    show(session_.view().annotations);
 }
 
 void AnnotationRows::show(const AnnotationState& state)
@@ -84,7 +86,7 @@ void AnnotationRows::show(const AnnotationState& state)
 
 void AnnotationRows::edit(std::size_t index)
 {
-    AnnotationState state = session_.view().annotations();
+    AnnotationState state = session_.view().annotations;
     state.places[index] = {shown_[index]->isChecked(), static_cast<Corner>(corners_[index]->currentIndex())};
     session_.setAnnotations(state);
 }

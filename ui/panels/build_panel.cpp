@@ -120,7 +120,7 @@ QWidget* BuildPanel::makeBuildPage()
     differently_ = new QPushButton(tr("&Import Options…"));
     differently_->setObjectName("build.differently");
     differently_->setToolTip(tr("Read the file again with other options: other values, a part of it, fewer points"));
-    connect(differently_, &QPushButton::clicked, this, [this] { workbench_.readDifferently(); });
+    connect(differently_, &QPushButton::clicked, this, [this] { workbench_.opening().readDifferently(); });
     builder_ = new QComboBox;
     builder_->setObjectName("build.builder");
     builder_->setAccessibleName(tr("Builder"));
@@ -247,11 +247,11 @@ QWidget* BuildPanel::makeProgress()
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
     cancel_->setToolTip(tr("Stop the build and discard the result"));
-    connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(false); });
+    connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(false); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
     keep_->setToolTip(tr("Stop the build and keep what is finished as the model, with the accuracy reached so far"));
-    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.stopBuild(true); });
+    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(true); });
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
     layout->setContentsMargins({});
@@ -266,10 +266,10 @@ QWidget* BuildPanel::makeProgress()
 
 void BuildPanel::connectWorkbench()
 {
-    connect(&workbench_, &Workbench::datasetOpened, this, &BuildPanel::showDataset);
-    connect(&workbench_, &Workbench::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
-    connect(&workbench_, &Workbench::buildStopping, this, &BuildPanel::showStopping);
-    LongTask& building = workbench_.building();
+    connect(&workbench_.opening(), &Opening::datasetOpened, this, &BuildPanel::showDataset);
+    connect(&workbench_.opening(), &Opening::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
+    connect(&workbench_.building(), &Building::buildStopping, this, &BuildPanel::showStopping);
+    LongTask& building = workbench_.building().task();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
     connect(&building, &LongTask::finished, this, [this] { showRunning(false); });
@@ -277,7 +277,7 @@ void BuildPanel::connectWorkbench()
 
 void BuildPanel::showDataset()
 {
-    const Dataset& dataset = *workbench_.dataset();
+    const Dataset& dataset = *workbench_.opening().dataset();
     name_->setText(QString::fromStdString(dataset.source.name));
     QStringList facts = {factsOf(dataset)};
     for (const Message& remark : dataset.remarks)
@@ -306,7 +306,7 @@ void BuildPanel::showBuilder(int detail)
 {
     reason_->setText(builder_->currentData(Qt::ToolTipRole).toString());
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const auto& dataset = workbench_.dataset();
+    const auto& dataset = workbench_.opening().dataset();
     options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
     if (dataset)
         options_->setSurroundings({{domainId, std::string(domainClassName(dataset->domain))}});
@@ -321,7 +321,7 @@ void BuildPanel::showBuilder(int detail)
 void BuildPanel::chooseDetail(int index)
 {
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const auto& dataset = workbench_.dataset();
+    const auto& dataset = workbench_.opening().dataset();
     if (!builder || !dataset)
         return;
     const double error = detailErrors[static_cast<std::size_t>(index)];
@@ -332,7 +332,8 @@ void BuildPanel::chooseDetail(int index)
 std::optional<BuildEstimate> BuildPanel::estimateOf(const ParameterValues& values) const
 {
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    return builder ? builder->plugin->estimate(workbench_.buildSize(), values, usableThreads()) : std::nullopt;
+    return builder ? builder->plugin->estimate(workbench_.opening().buildSize(), values, usableThreads())
+                   : std::nullopt;
 }
 
 /// Which choice the options are, and what each takes.
@@ -342,9 +343,9 @@ void BuildPanel::showDetail()
     const auto estimate = estimateOf(options_->matteringValues());
     estimate_->setVisible(estimate.has_value());
     if (estimate)
-        estimate_->setText(estimateText(workbench_.buildSize(), *estimate));
+        estimate_->setText(estimateText(workbench_.opening().buildSize(), *estimate));
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    const auto& dataset = workbench_.dataset();
+    const auto& dataset = workbench_.opening().dataset();
     if (!builder || !dataset)
         return;
     detail_->setExclusive(false); // so that none may be checked
@@ -388,8 +389,8 @@ void BuildPanel::showProgress(const TaskProgress& progress)
     const QString present = translatedMessage(progress.activity);
     const QString activity =
         progress.remainingSeconds ? tr("%1, %2 left").arg(present, durationText(*progress.remainingSeconds)) : present;
-    const bool isOfOther = workbench_.buildName() != name_->text(); // another dataset was opened since
-    activity_->setText(isOfOther ? tr("%1: %2").arg(workbench_.buildName(), activity) : activity);
+    const bool isOfOther = workbench_.building().buildName() != name_->text(); // another dataset was opened since
+    activity_->setText(isOfOther ? tr("%1: %2").arg(workbench_.building().buildName(), activity) : activity);
 }
 
 void BuildPanel::browse()
@@ -414,7 +415,7 @@ void BuildPanel::showStopping(bool keep)
 
 void BuildPanel::build()
 {
-    workbench_.build(
+    workbench_.building().build(
         {builder_->currentData().toString().toStdString(), options_->matteringValues(), filePath(target_->text())});
 }
 

@@ -76,7 +76,7 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     connectInputs();
     connect(&session_, &Session::modelChanged, this, &FocusPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &FocusPanel::showFocus);
-    connect(&session_.view(), &ViewState::queryChanged, this, &FocusPanel::showFocus);
+    session_.whenChanged(ViewPart::Query, this, &FocusPanel::showFocus);
     showModel();
 }
 
@@ -177,7 +177,7 @@ QLayout* FocusPanel::makeButtons()
     reset->setObjectName("focus.reset");
     reset->setToolTip(tr("Reset place, size, error and fall-off"));
     connect(reset, &QPushButton::clicked, this, [this] {
-        const FocusState first = startingQuery(*session_.model(), session_.view().error()).focus;
+        const FocusState first = startingQuery(*session_.model(), session_.view().query.error).focus;
         edit([&first](FocusState& changed) {
             const FocusState::Shape shape = changed.shape;
             changed = first;
@@ -240,7 +240,7 @@ void FocusPanel::showExpectation()
     outside_->clear();
     expectation_->clear();
     const auto& model = session_.model();
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     const double inner = focusErrorOf(query);
     clamped_->setVisible(query.focus.isOn() && inner < query.focus.error);
     if (!model || !query.focus.isOn())

@@ -36,7 +36,7 @@ private:
     QLayout* makeInputs();
     void connectInputs();
     QLayout* makeButtons();
-    const FocusState& focus() const { return session_.view().query().focus; }
+    const FocusState& focus() const { return session_.view().query.focus; }
     template <class Change> void edit(Change change);
     void showModel();
     void showFocus();

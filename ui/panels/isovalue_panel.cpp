@@ -43,48 +43,39 @@ IsovaluePanel::IsovaluePanel(Session& session, QWidget* parent)
     layout->addWidget(scroll, 1);
     layout->addWidget(add_);
 
-    const ViewState* view = &session_.view();
-    connect(&session_, &Session::modelChanged, this, &IsovaluePanel::rebuild);
-    connect(view, &ViewState::isovalueInserted, this, &IsovaluePanel::insertRow);
-    connect(view, &ViewState::isovalueRemoved, this, &IsovaluePanel::removeRow);
-    connect(view, &ViewState::isovalueChanged, this,
-            [this](int index) { rows_[static_cast<std::size_t>(index)]->refresh(); });
-    rebuild();
+    connect(&session_, &Session::modelChanged, this, &IsovaluePanel::showModel);
+    session_.whenChanged(ViewPart::Isovalues, this, &IsovaluePanel::follow);
+    showModel();
 }
 
-void IsovaluePanel::rebuild()
+/// Rows anew: they know the range of the values.
+void IsovaluePanel::showModel()
 {
-    while (!rows_.empty())
-        removeRow(static_cast<int>(rows_.size()) - 1);
-    for (int index = 0; index < session_.view().isovalueCount(); ++index)
-        insertRow(index);
     setEnabled(session_.model() != nullptr);
+    keepRows(0);
+    follow();
+}
+
+void IsovaluePanel::follow()
+{
+    const std::size_t count = session_.view().isovalues.size();
+    keepRows(count);
+    for (IsovalueRow* row : rows_)
+        row->refresh();
+    while (rows_.size() < count) {
+        rows_.push_back(new IsovalueRow(session_, static_cast<int>(rows_.size())));
+        rowsLayout_->addWidget(rows_.back());
+    }
     hint_->setVisible(session_.model() != nullptr && rows_.empty());
 }
 
-void IsovaluePanel::insertRow(int index)
+void IsovaluePanel::keepRows(std::size_t count)
 {
-    auto* row = new IsovalueRow(session_, index);
-    rows_.insert(rows_.begin() + index, row);
-    rowsLayout_->insertWidget(index, row);
-    renumber();
-}
-
-void IsovaluePanel::removeRow(int index)
-{
-    IsovalueRow* row = rows_[static_cast<std::size_t>(index)];
-    rows_.erase(rows_.begin() + index);
-    rowsLayout_->removeWidget(row);
-    row->setParent(nullptr);
-    row->deleteLater(); // later: it may be in the middle of telling that its button was clicked
-    renumber();
-}
-
-void IsovaluePanel::renumber()
-{
-    for (int index = 0; index < std::min(static_cast<int>(rows_.size()), session_.view().isovalueCount()); ++index)
-        rows_[static_cast<std::size_t>(index)]->setIndex(index);
-    hint_->setVisible(rows_.empty());
+    for (; rows_.size() > count; rows_.pop_back()) {
+        rowsLayout_->removeWidget(rows_.back());
+        rows_.back()->setParent(nullptr);
+        rows_.back()->deleteLater(); // later: it may be in the middle of telling that its button was clicked
+    }
 }
 
 } // namespace tetra

@@ -20,10 +20,9 @@ public:
     explicit IsovaluePanel(Session& session, QWidget* parent = nullptr);
 
 private:
-    void rebuild();
-    void insertRow(int index);
-    void removeRow(int index);
-    void renumber();
+    void showModel();
+    void follow();
+    void keepRows(std::size_t count);
 
     Session& session_;
     QVBoxLayout* rowsLayout_;

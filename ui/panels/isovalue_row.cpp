@@ -34,7 +34,14 @@ IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
     remove_->setToolTip(tr("Remove this isovalue (Del)"));
     remove_->setAccessibleName(tr("Remove this isovalue"));
     layOut();
-    setIndex(index);
+    const QString name = QString("isovalue.%1").arg(index);
+    setObjectName(name);
+    visible_->setObjectName(name + ".visible");
+    colour_->setObjectName(name + ".colour");
+    remove_->setObjectName(name + ".remove");
+    value_->rename(name + ".value");
+    opacity_->rename(name + ".opacity");
+    refresh();
     connectControls();
 }
 
@@ -77,19 +84,6 @@ void IsovalueRow::connectControls()
     connect(remove_, &QToolButton::clicked, this, [this] { session_.removeIsovalue(index_); });
 }
 
-void IsovalueRow::setIndex(int index)
-{
-    index_ = index;
-    const QString name = QString("isovalue.%1").arg(index);
-    setObjectName(name);
-    visible_->setObjectName(name + ".visible");
-    colour_->setObjectName(name + ".colour");
-    remove_->setObjectName(name + ".remove");
-    value_->rename(name + ".value");
-    opacity_->rename(name + ".opacity");
-    refresh();
-}
-
 void IsovalueRow::refresh()
 {
     visible_->setChecked(isovalue().visible);
@@ -114,7 +108,7 @@ void IsovalueRow::keyPressEvent(QKeyEvent* event)
 
 const Isovalue& IsovalueRow::isovalue() const
 {
-    return session_.view().isovalues()[static_cast<std::size_t>(index_)];
+    return session_.view().isovalues[static_cast<std::size_t>(index_)];
 }
 
 void IsovalueRow::edit(const std::function<void(Isovalue&)>& change)

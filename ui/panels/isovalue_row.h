@@ -22,8 +22,6 @@ class IsovalueRow : public QWidget {
 public:
     IsovalueRow(Session& session, int index, QWidget* parent = nullptr);
 
-    /// Its place in the list changed.
-    void setIndex(int index);
     /// Shows what the session has.
     void refresh();
     void focusValue();
@@ -38,7 +36,7 @@ private:
     void edit(const std::function<void(Isovalue&)>& change);
 
     Session& session_;
-    int index_;
+    int index_; ///< in the list
     QCheckBox* visible_;
     ColourButton* colour_;
     ValueSlider* value_;

@@ -2,7 +2,7 @@
 #include "ui/panels/key_frame_list.h"
 
 #include "plugins/widgets/number_text.h"
-#include "ui/viewport/viewport.h"
+#include "ui/session/session.h"
 
 #include <QGridLayout>
 #include <QHeaderView>
@@ -32,8 +32,8 @@ QString describe(const FilmFrame& frame)
 
 } // namespace
 
-KeyFrameList::KeyFrameList(Workbench& workbench, Viewport& viewport, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), viewport_(viewport), table_(new QTableWidget(0, 2))
+KeyFrameList::KeyFrameList(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), table_(new QTableWidget(0, 2))
 {
     table_->setObjectName("animation.keys");
     table_->setAccessibleName(tr("Key frames"));
@@ -70,8 +70,8 @@ KeyFrameList::KeyFrameList(Workbench& workbench, Viewport& viewport, QWidget* pa
             showKey();
     });
     connect(table_, &QTableWidget::itemSelectionChanged, this, &KeyFrameList::enableButtons);
-    connect(&workbench_.session().view(), &ViewState::animationChanged, this, &KeyFrameList::fill);
-    connect(&workbench_.session().view(), &ViewState::wasReset, this, &KeyFrameList::fill);
+    session_.whenChanged(ViewPart::Animation, this, &KeyFrameList::fill);
+    connect(&session_, &Session::modelChanged, this, &KeyFrameList::fill);
     fill();
 }
 
@@ -108,7 +108,7 @@ void KeyFrameList::fill()
 {
     const int selected = current();
     filling_ = true;
-    const auto& keys = workbench_.session().view().animation().keys;
+    const auto& keys = session_.view().animation.keys;
     table_->setRowCount(static_cast<int>(keys.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const KeyFrame& key = keys[static_cast<std::size_t>(row)];
@@ -142,47 +142,32 @@ void KeyFrameList::select(int index)
 
 void KeyFrameList::addPresent()
 {
-    Session& session = workbench_.session();
-    session.setAnimation(withKey(session.view().animation(), workbench_.presentFrame(viewport_.camera())));
+    session_.setAnimation(withKey(session_.view().animation, frameOf(session_.view())));
     select(table_->rowCount() - 1);
 }
 
 void KeyFrameList::replaceByPresent()
 {
-    Animation animation = workbench_.session().view().animation();
+    const ViewValue& view = session_.view();
     if (current() < 0)
         return;
-    animation.keys[static_cast<std::size_t>(current())].frame = workbench_.presentFrame(viewport_.camera());
-    workbench_.session().setAnimation(animation);
+    Animation animation = view.animation;
+    animation.keys[static_cast<std::size_t>(current())].frame = frameOf(view);
+    session_.setAnimation(animation);
 }
 
-/// One step of the undo stack with all that it changes; none if that is seen already.
 void KeyFrameList::showKey()
 {
-    Session& session = workbench_.session();
     if (current() < 0)
         return;
-    const FilmFrame frame = session.view().animation().keys[static_cast<std::size_t>(current())].frame;
-    if (frame == workbench_.presentFrame(viewport_.camera()))
-        return;
-    QUndoStack& stack = session.undoStack();
-    stack.beginMacro(tr("show of a key frame"));
-    session.setQuery(queryOf(frame, session.view().query()));
-    session.setTransfer(frame.transfer);
-    while (session.view().isovalueCount() > static_cast<int>(frame.isovalues.size()))
-        session.removeIsovalue(session.view().isovalueCount() - 1);
-    while (session.view().isovalueCount() < static_cast<int>(frame.isovalues.size()))
-        session.addIsovalue();
-    for (int i = 0; i < session.view().isovalueCount(); ++i)
-        session.setIsovalue(i, frame.isovalues[static_cast<std::size_t>(i)]);
-    viewport_.setCamera(frame.camera);
-    stack.endMacro();
+    const FilmFrame& frame = session_.view().animation.keys[static_cast<std::size_t>(current())].frame;
+    session_.setView(withFrame(session_.view(), frame), tr("Show Key Frame"));
 }
 
 void KeyFrameList::remove()
 {
     if (current() >= 0)
-        workbench_.session().setAnimation(withoutKey(workbench_.session().view().animation(), current()));
+        session_.setAnimation(withoutKey(session_.view().animation, current()));
 }
 
 void KeyFrameList::move(int steps)
@@ -191,7 +176,7 @@ void KeyFrameList::move(int steps)
     const int to = from + steps;
     if (from < 0 || to < 0 || to >= table_->rowCount())
         return;
-    workbench_.session().setAnimation(withKeyMoved(workbench_.session().view().animation(), from, steps));
+    session_.setAnimation(withKeyMoved(session_.view().animation, from, steps));
     select(to);
 }
 
@@ -202,9 +187,9 @@ void KeyFrameList::setTime(int row)
         return;
     bool good = false;
     const double time = QLocale().toDouble(table_->item(row, 0)->text(), &good);
-    const Animation& animation = workbench_.session().view().animation();
+    const Animation& animation = session_.view().animation;
     const Animation edited = good ? withKeyAt(animation, row, time) : animation;
-    workbench_.session().setAnimation(edited);
+    session_.setAnimation(edited);
     // In its own time: the editor is still open.
     QMetaObject::invokeMethod(this, &KeyFrameList::fill, Qt::QueuedConnection);
 }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/workbench.h"
-
 #include <QWidget>
+
+#include <vector>
 
 class QTableWidget;
 class QToolButton;
 
 namespace tetra {
 
-class Viewport;
+class Session;
 
 /// The key frames of the session's film: times to edit, and what each shows. By keyboard: Delete removes one, Alt with
 /// an arrow moves it, Enter shows it. Named animation.keys, with .add, .update, .show, .remove, .up and .down.
 class KeyFrameList : public QWidget {
     Q_OBJECT
 public:
-    KeyFrameList(Workbench& workbench, Viewport& viewport, QWidget* parent = nullptr);
+    explicit KeyFrameList(Session& session, QWidget* parent = nullptr);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -37,8 +37,7 @@ private:
     void move(int steps);
     void setTime(int row);
 
-    Workbench& workbench_;
-    Viewport& viewport_;
+    Session& session_;
     QTableWidget* table_;
     std::vector<QToolButton*> ofKeys_; ///< that need one to be selected
     bool filling_ = false;

@@ -57,14 +57,14 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     connect(values_, &QCheckBox::clicked, this,
             [this](bool on) { editValues([on](ValueFilter& values) { values.enabled = on; }); });
     connect(&session_, &Session::modelChanged, this, &RegionPanel::showModel);
-    connect(&session_.view(), &ViewState::queryChanged, this, &RegionPanel::showQuery);
+    session_.whenChanged(ViewPart::Query, this, &RegionPanel::showQuery);
     showModel();
 }
 
 /// Apply a change and show what the session made of it.
 template <class Change> void RegionPanel::editWindow(Change change)
 {
-    WindowState changed = session_.view().query().window;
+    WindowState changed = session_.view().query.window;
     change(changed);
     session_.setWindow(changed);
     showQuery();
@@ -72,7 +72,7 @@ template <class Change> void RegionPanel::editWindow(Change change)
 
 template <class Change> void RegionPanel::editValues(Change change)
 {
-    ValueFilter changed = session_.view().query().values;
+    ValueFilter changed = session_.view().query.values;
     change(changed);
     session_.setValueFilter(changed);
     showQuery();
@@ -158,7 +158,7 @@ void RegionPanel::showModel()
 
 void RegionPanel::showQuery()
 {
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     window_->setChecked(query.window.enabled);
     windowSettings_->setVisible(query.window.enabled);
     reset_->setVisible(query.window.enabled);

@@ -44,7 +44,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
     connect(settings_, &ParameterForm::edited, this, [this](const QString& id) { setSetting(id.toStdString()); });
     connect(frameRate_, &QSpinBox::valueChanged, this, &RenderingPanel::setFrameRate);
     connect(&workbench_.session(), &Session::modelChanged, this, &RenderingPanel::showModel);
-    connect(&workbench_.session().view(), &ViewState::lookChanged, this, &RenderingPanel::showLook);
+    workbench_.session().whenChanged(ViewPart::Appearance, this, &RenderingPanel::showLook);
     frameRate_->setValue(QSettings().value(frameRateKey, automatic).toInt());
     setFrameRate(frameRate_->value());
     showModel();
@@ -88,20 +88,20 @@ QWidget* RenderingPanel::makeContent()
 void RenderingPanel::chooseMode(const QString& id)
 {
     workbench_.session().setMode(id.toStdString());
-    const auto parameters = workbench_.matteringParameters();
-    if (hasParameter<TransferFunction>(parameters))
+    const auto parameters = workbench_.scenes().matteringParameters();
+    if (hasParameter(parameters, transferId))
         emit transferWanted();
-    else if (hasParameter<std::vector<Isovalue>>(parameters))
+    else if (hasParameter(parameters, isovaluesId))
         emit isovaluesWanted();
 }
 
 /// A default that is confirmed, as by Enter in a line, is no edit.
 void RenderingPanel::setSetting(const std::string& id)
 {
-    const auto parameters = workbench_.renderingParameters();
+    const auto parameters = workbench_.scenes().renderingParameters();
     const auto parameter = std::ranges::find(parameters, id, &Parameter::id);
     const ParameterValue value = settings_->value(id);
-    const bool isSet = workbench_.session().view().look().settings.contains(id);
+    const bool isSet = workbench_.session().view().appearance.settings.contains(id);
     if (isSet || parameter == parameters.end() || parameter->defaultValue != value)
         workbench_.session().setSetting(id, value);
 }
@@ -110,7 +110,7 @@ void RenderingPanel::showModel()
 {
     setEnabled(workbench_.session().model() != nullptr);
     mode_->clear();
-    for (const Provided<Renderer>& mode : workbench_.modes())
+    for (const Provided<Renderer>& mode : workbench_.scenes().modes())
         mode_->addItem(inUsersLanguage(mode.name, mode.names), QString::fromStdString(mode.id));
     shownMode_.clear();
     showLook();
@@ -118,11 +118,11 @@ void RenderingPanel::showModel()
 
 void RenderingPanel::showLook()
 {
-    const Look& look = workbench_.session().view().look();
+    const Appearance& look = workbench_.session().view().appearance;
     mode_->setCurrentIndex(mode_->findData(QString::fromStdString(look.mode)));
     explanation_->setText(explanationOf(workbench_.host(), look.mode));
     if (look.mode != shownMode_ || look.mode.empty()) {
-        settings_->setParameters(settingParameters(workbench_.renderingParameters()));
+        settings_->setParameters(settingParameters(workbench_.scenes().renderingParameters()));
         showExample();
     }
     shownMode_ = look.mode;

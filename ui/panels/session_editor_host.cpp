@@ -22,7 +22,7 @@ SessionEditorHost::~SessionEditorHost() = default;
 
 std::vector<Parameter> SessionEditorHost::parameters() const
 {
-    auto parameters = workbench_.matteringParameters();
+    auto parameters = workbench_.scenes().matteringParameters();
     std::erase_if(parameters,
                   [&](const Parameter& parameter) { return parameterTypeName(parameter.defaultValue) != type_; });
     return parameters;
@@ -31,9 +31,9 @@ std::vector<Parameter> SessionEditorHost::parameters() const
 /// What the look holds: the one transfer function for all parameters of that type, others by their ids.
 const ParameterValue& SessionEditorHost::value(const std::string& id) const
 {
-    const Look& look = session_.view().look();
+    const Appearance& look = session_.view().appearance;
     ParameterValue& given = given_[id];
-    const auto all = id == transferId ? std::vector<Parameter>() : workbench_.renderingParameters();
+    const auto all = id == transferId ? std::vector<Parameter>() : workbench_.scenes().renderingParameters();
     const auto parameter = std::ranges::find(all, id, &Parameter::id);
     const bool isTransfer = id == transferId || (parameter != all.end() &&
                                                  std::holds_alternative<TransferFunction>(parameter->defaultValue));
@@ -54,7 +54,7 @@ void SessionEditorHost::setValue(const std::string& id, const ParameterValue& va
 {
     if (const auto* function = std::get_if<TransferFunction>(&value))
         return session_.setTransfer(*function);
-    const auto all = workbench_.renderingParameters();
+    const auto all = workbench_.scenes().renderingParameters();
     const auto parameter = std::ranges::find(all, id, &Parameter::id);
     if (parameter == all.end() || !haveOneType(parameter->defaultValue, value))
         return;
@@ -90,19 +90,17 @@ std::shared_ptr<const ValueHistogram> SessionEditorHost::logarithmicHistogram() 
 
 const std::vector<Isovalue>& SessionEditorHost::isovalues() const
 {
-    return session_.view().isovalues();
+    return session_.view().isovalues;
 }
 
 void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(EditorChange)>& call)
 {
     const auto tells = [call](EditorChange change) { return [call, change] { call(change); }; };
-    const ViewState& view = session_.view();
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
-    connect(&view, &ViewState::lookChanged, receiver, tells(EditorChange::Value));
-    connect(&view, &ViewState::isovalueInserted, receiver, tells(EditorChange::Isovalues));
-    connect(&view, &ViewState::isovalueRemoved, receiver, tells(EditorChange::Isovalues));
-    connect(&view, &ViewState::isovalueChanged, receiver, tells(EditorChange::Isovalues));
+    session_.whenChanged(ViewPart::Transfer, receiver, tells(EditorChange::Value));
+    session_.whenChanged(ViewPart::Settings, receiver, tells(EditorChange::Value));
+    session_.whenChanged(ViewPart::Isovalues, receiver, tells(EditorChange::Isovalues));
     connect(pick_, &ValuePick::pickedChanged, receiver, tells(EditorChange::Picked));
 }
 
@@ -135,7 +133,7 @@ void SessionEditorHost::loadText(QWidget* parent, const EditorFile& file,
                                  const std::function<Status(const std::string& text)>& use)
 {
     askForTextFile(parent, file.dialog, file.title, file.filter,
-                   [this, use](const QString& path) { workbench_.loadText(filePath(path), use); });
+                   [this, use](const QString& path) { workbench_.exporting().loadText(filePath(path), use); });
 }
 
 void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
@@ -143,9 +141,10 @@ void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
 {
     if (!hasModel())
         return;
-    askForTextTarget(parent, file.dialog, file.title, file.filter, workbench_.proposedPath(file.ending),
+    askForTextTarget(parent, file.dialog, file.title, file.filter, workbench_.opening().proposedPath(file.ending),
                      [this, make](const QString& path) {
-                         workbench_.saveText(filePath(path), make(QFileInfo(path).completeBaseName().toStdString()));
+                         workbench_.exporting().saveText(filePath(path),
+                                                         make(QFileInfo(path).completeBaseName().toStdString()));
                      });
 }
 

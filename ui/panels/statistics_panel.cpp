@@ -50,8 +50,8 @@ void fitHeight(QTreeWidget& table)
 } // namespace
 
 StatisticsPanel::StatisticsPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
-    : QWidget(parent), session_(workbench.session()), scenes_(workbench.sceneBuilder()), curve_(new AccuracyCurve),
-      table_(makeTable()), factGrid_(new QGridLayout), histogram_(new HistogramView),
+    : QWidget(parent), session_(workbench.session()), scenes_(workbench.scenes().sceneBuilder()),
+      curve_(new AccuracyCurve), table_(makeTable()), factGrid_(new QGridLayout), histogram_(new HistogramView),
       copy_(new QPushButton(tr("Cop&y"))), save_(new QPushButton(tr("&Save…")))
 {
     setObjectName("statistics");
@@ -98,7 +98,7 @@ void StatisticsPanel::connectSources(Viewport& viewport)
     new GestureWatcher(table_, session_);
     connect(&session_, &Session::modelChanged, this, &StatisticsPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &StatisticsPanel::showLevels);
-    connect(&session_.view(), &ViewState::queryChanged, this, &StatisticsPanel::showQuery);
+    session_.whenChanged(ViewPart::Query, this, &StatisticsPanel::showQuery);
     connect(&scenes_, &SceneBuilder::sceneReady, this, &StatisticsPanel::showScene);
     connect(&viewport, &Viewport::framePainted, this, [this](const FrameReport& report) {
         const auto cycles = report.cells > 0 ? std::optional(report.brokenCycles) : std::nullopt;
@@ -142,7 +142,7 @@ void StatisticsPanel::showLevels()
 /// The line of the accuracy that is asked for, if it has one.
 void StatisticsPanel::showQuery()
 {
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     const QSignalBlocker blocker(table_);
     table_->setCurrentItem(nullptr);
     for (int index = 0; index < table_->topLevelItemCount(); ++index)

@@ -167,15 +167,16 @@ QLayout* ViewPanel::makeNamedViews()
         auto* button = new QPushButton(tr(text));
         button->setObjectName(QString("view.from.") + name);
         button->setToolTip(tr("Look from this side"));
-        connect(button, &QPushButton::clicked, &viewport_, [this, view = view] { viewport_.seeFrom(view); });
+        connect(button, &QPushButton::clicked, &viewport_, [this, view = view] {
+            workbench_.session().setCamera(seenFrom(workbench_.session().view().camera, view));
+        });
         grid->addWidget(button, index / 4, index % 4);
         ++index;
     }
     auto* fit = new QPushButton(tr("Fit"));
     fit->setObjectName("view.fit");
     fit->setToolTip(tr("Show the whole domain (Home)"));
-    connect(fit, &QPushButton::clicked, this,
-            [this] { viewport_.fit(workbench_.session().model()->description().bounds); });
+    connect(fit, &QPushButton::clicked, &workbench_.session(), &Session::fitCamera);
     grid->addWidget(fit, 1, 3);
     for (int i = 0; i < grid->count(); ++i)
         grid->itemAt(i)->widget()->setMinimumWidth(1); // as narrow as the panel
@@ -230,23 +231,26 @@ void ViewPanel::connectControls()
             [this](const Eigen::Vector3d& target) { edit([&target](Camera& camera) { camera.target = target; }); });
     connect(projection_, &QComboBox::activated, this,
             [this](int index) { edit([index](Camera& camera) { camera.perspective = index == 0; }); });
-    connect(up_, &QComboBox::activated, this,
-            [this](int index) { viewport_.glideTo(upright(viewport_.camera(), static_cast<UpAxis>(index))); });
+    connect(up_, &QComboBox::activated, this, [this](int index) {
+        workbench_.session().setCamera(upright(viewport_.camera(), static_cast<UpAxis>(index)));
+    });
     connect(turning_, &QComboBox::activated, this,
             [this](int index) { edit([index](Camera& camera) { camera.trackball = index == 1; }); });
     connect(background_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
-        viewport_.setBackground(Colour{static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
-                                       static_cast<float>(colour.blueF())});
+        workbench_.session().setBackground(Colour{static_cast<float>(colour.redF()),
+                                                  static_cast<float>(colour.greenF()),
+                                                  static_cast<float>(colour.blueF())});
     });
-    connect(usualBackground_, &QToolButton::clicked, this, [this] { viewport_.setBackground(std::nullopt); });
+    connect(usualBackground_, &QToolButton::clicked, this,
+            [this] { workbench_.session().setBackground(std::nullopt); });
     connect(load_, &QPushButton::clicked, this, [this] {
         askForTextFile(this, "cameraDialog", tr("Load Camera"), tr("Cameras (*.json)"),
                        [this](const QString& path) { load(path); });
     });
     connect(save_, &QPushButton::clicked, this, [this] {
         askForTextTarget(this, "cameraSaveDialog", tr("Save Camera"), tr("Cameras (*.json)"),
-                         workbench_.proposedPath("-camera.json"), [this](const QString& path) {
-                             workbench_.saveText(filePath(path), cameraToText(viewport_.camera()));
+                         workbench_.opening().proposedPath("-camera.json"), [this](const QString& path) {
+                             workbench_.exporting().saveText(filePath(path), cameraToText(viewport_.camera()));
                          });
     });
     connect(&viewport_, &Viewport::cameraChanged, this, &ViewPanel::showCamera);
@@ -256,14 +260,14 @@ void ViewPanel::connectControls()
 
 void ViewPanel::load(const QString& path)
 {
-    workbench_.loadText(filePath(path), [this](const std::string& text) -> Status {
-        const auto& model = workbench_.session().model();
-        if (!model)
+    workbench_.exporting().loadText(filePath(path), [this](const std::string& text) -> Status {
+        Session& session = workbench_.session();
+        if (!session.model())
             return {};
-        const auto camera = cameraFromText(text, model->description().bounds, viewport_.aspectRatio());
+        const auto camera = cameraFromText(text, session.model()->description().bounds, session.shape());
         if (!camera)
             return camera.error();
-        viewport_.glideTo(*camera);
+        session.setCamera(*camera);
         return {};
     });
 }
@@ -297,7 +301,7 @@ void ViewPanel::showCamera()
     projection_->setCurrentIndex(camera.perspective ? 0 : 1);
     turning_->setCurrentIndex(camera.trackball ? 1 : 0);
     background_->setColour(qtColour(viewport_.background()));
-    usualBackground_->setEnabled(viewport_.chosenBackground().has_value());
+    usualBackground_->setEnabled(workbench_.session().view().background.has_value());
 }
 
 } // namespace tetra

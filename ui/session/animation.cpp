@@ -3,7 +3,6 @@
 
 #include "ui/animation/blending.h"
 #include "ui/animation/camera_path.h"
-#include "ui/session/query_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,14 +82,6 @@ FilmFrame frameOf(const Animation& animation, const FilmFrame& start, int frame)
     FilmFrame turned = start;
     turned.camera = turntableCamera(start.camera, animation.turntable, frame);
     return turned;
-}
-
-QueryState queryOf(const FilmFrame& frame, QueryState query)
-{
-    query.error = frame.error;
-    query.byBudget = frame.byBudget;
-    query.budget = frame.budget;
-    return query;
 }
 
 Animation corrected(Animation animation)

@@ -11,8 +11,6 @@
 
 namespace tetra {
 
-struct QueryState;
-
 /// What of a view can move in a film.
 struct FilmFrame {
     Camera camera;
@@ -51,8 +49,6 @@ double durationOf(const Animation& animation);
 /// What the frame shows; `start` is the present view, from which a turntable starts. Cameras go a smooth path, values
 /// are linear between their keys.
 FilmFrame frameOf(const Animation& animation, const FilmFrame& start, int frame);
-/// The query of a frame: its accuracy, and the rest of `query`.
-QueryState queryOf(const FilmFrame& frame, QueryState query);
 
 /// With numbers in their ranges, keys in order and apart.
 Animation corrected(Animation animation);

@@ -41,65 +41,42 @@ MeshQuery coarserQuery(MeshQuery query, std::uint64_t budget)
 
 } // namespace
 
-/// What the worker keeps between two requests.
+/// What the worker keeps between two requests: a pipeline for each mesh.
 struct DraftBuilder::Workshop {
-    struct Rung {
-        std::shared_ptr<const ExtractedMesh> mesh;
-        std::unique_ptr<RendererSession> session;
-    };
     using Tell = std::function<void(std::vector<DraftScene>)>;
 
-    std::optional<SceneRequest> present; ///< that the rungs belong to
-    std::vector<std::uint64_t> budgets;  ///< of the rungs, the finest first
-    std::vector<Rung> rungs;             ///< the coarsest first, as far as they were made
-    std::optional<MeshExtractor> extractor;
+    std::optional<SceneRequest> present;                   ///< that the meshes belong to
+    std::vector<std::uint64_t> budgets;                    ///< of the meshes, the finest first
+    std::vector<std::unique_ptr<ScenePipeline>> pipelines; ///< the coarsest first, as far as they were made
+    std::size_t made = 0;                                  ///< of them, so many have had a scene
+    ScenePipeline::Extractor extractor = std::make_shared<std::optional<MeshExtractor>>();
 
-    bool extractNext(const Progress& progress);
-    bool prepare(Rung& rung, std::vector<DraftScene>& drafts, const Progress& progress);
     void make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress, const Tell& tell);
     void clear();
 };
-
-bool DraftBuilder::Workshop::extractNext(const Progress& progress)
-{
-    if (!extractor || extractor->model() != present->model)
-        extractor.emplace(present->model);
-    const std::uint64_t budget = budgets[budgets.size() - 1 - rungs.size()];
-    auto mesh = extractor->extract(coarserQuery(present->query, budget), progress);
-    if (!mesh || (*mesh)->mesh.tetrahedra.empty())
-        return false;
-    rungs.push_back({*std::move(mesh), nullptr});
-    return true;
-}
-
-bool DraftBuilder::Workshop::prepare(Rung& rung, std::vector<DraftScene>& drafts, const Progress& progress)
-{
-    if (!rung.session)
-        rung.session = present->renderer->open({rung.mesh, &rung.mesh->mesh}, present->model->description().bounds);
-    auto scene = rung.session->prepare(present->values, present->camera, progress);
-    if (!scene)
-        return false;
-    drafts.insert(drafts.begin(), {*std::move(scene), rung.mesh->mesh.tetrahedra.size()});
-    return true;
-}
 
 /// What fails or is cancelled leaves fewer drafts: the full scene tells what is wrong.
 void DraftBuilder::Workshop::make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress,
                                   const Tell& tell)
 try {
     if (!present || !haveSameMesh(*present, request)) {
-        rungs.clear();
+        pipelines.clear();
+        made = 0;
         budgets = budgetsFor(shown);
-    } else if (present->renderer != request.renderer) {
-        for (Rung& rung : rungs)
-            rung.session.reset();
     }
     present = request;
     std::vector<DraftScene> drafts;
     for (std::size_t i = 0; i < budgets.size(); ++i) {
-        const bool isNew = i >= rungs.size();
-        if ((isNew && !extractNext(progress)) || !prepare(rungs[i], drafts, progress))
+        if (i == pipelines.size())
+            pipelines.push_back(std::make_unique<ScenePipeline>(makeCpuBackend(), extractor));
+        SceneRequest coarser = request;
+        coarser.query = coarserQuery(request.query, budgets[budgets.size() - 1 - i]);
+        const auto built = pipelines[i]->make(coarser, progress);
+        if (!built || built->mesh.tetrahedra == 0)
             return;
+        drafts.insert(drafts.begin(), {built->scene, built->mesh.tetrahedra});
+        const bool isNew = i == made;
+        made = std::max(made, i + 1);
         if (isNew || i + 1 == budgets.size())
             tell(drafts);
     }
@@ -109,9 +86,10 @@ try {
 
 void DraftBuilder::Workshop::clear()
 {
-    rungs.clear();
+    pipelines.clear();
+    made = 0;
     present.reset();
-    extractor.reset();
+    extractor->reset();
 }
 
 DraftBuilder::DraftBuilder(QObject* parent) : QObject(parent), workshop_(std::make_shared<Workshop>()) {}
@@ -123,7 +101,7 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
     if (shown.tetrahedra == 0)
         return clear();
     const bool isSameMesh = last_ && haveSameMesh(*last_, request);
-    const bool isKnown = isSameMesh && last_->renderer == request.renderer && last_->values == request.values;
+    const bool isKnown = last_ && haveSameScene(*last_, request);
     shown_ = shown;
     if (!isSameMesh) {
         cleared_ = newest_; // drafts of another mesh, on their way yet

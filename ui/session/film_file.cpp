@@ -7,17 +7,15 @@
 #include "core/base/work_folder.h"
 #include "ui/session/target_path.h"
 #include "ui/session/video_encoding.h"
+#include "ui/session/view_picture.h"
 
-#include <QEventLoop>
 #include <QString>
-#include <QTimer>
 
 #include <algorithm>
 
 namespace tetra {
 namespace {
 
-constexpr int askEvery = 50; // milliseconds
 constexpr int leastDigits = 4;
 constexpr double drawingPart = 0.93; ///< of the time of a video
 constexpr const char* framePattern = "%06d.png";
@@ -27,59 +25,24 @@ Error cancelledError()
     return tetra::cancelledError(Message::marked("The film"));
 }
 
-/// Makes scenes one after the other, waiting for each; the last one is used again as long as it fits. Lives in the
-/// worker.
-class SceneSource {
-public:
-    Result<BuiltScene> make(const SceneRequest& request, const Progress& progress)
-    {
-        const bool isSame = made_ && request.query == last_.query && request.values == last_.values;
-        if (isSame)
-            return *made_;
-        Result<BuiltScene> result = cancelledError();
-        const auto ready = QObject::connect(&builder_, &SceneBuilder::sceneReady, &loop_, [&](const BuiltScene& scene) {
-            result = scene;
-            loop_.quit();
-        });
-        const auto failed = QObject::connect(&builder_, &SceneBuilder::failed, &loop_, [&](const Error& error) {
-            result = error;
-            loop_.quit();
-        });
-        QTimer asking;
-        QObject::connect(&asking, &QTimer::timeout, &loop_, [&] {
-            if (progress.cancelled())
-                loop_.quit();
-        });
-        asking.start(askEvery);
-        builder_.request(request);
-        loop_.exec();
-        QObject::disconnect(ready);
-        QObject::disconnect(failed);
-        if (result) {
-            made_ = *result;
-            last_ = request;
-        }
-        return result;
-    }
-
-private:
-    QEventLoop loop_; ///< first: timers need its dispatcher
-    SceneBuilder builder_;
-    SceneRequest last_;
-    std::optional<BuiltScene> made_;
-};
-
-Result<QImage> drawFrame(const FilmOrder& order, const FilmFrame& frame, SceneSource& scenes, const Progress& progress)
+Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& pipeline, const Progress& progress)
 {
-    const auto built = scenes.make(sceneOf(order, frame), progress);
+    view.query = corrected(view.query, order.view.query, *order.model); // key frames may be of another model
+    SceneRequest request = sceneOf(order.model, order.renderer, order.parameters, view);
+    request.width = order.picture.width;
+    request.height = order.picture.height;
+    const auto built = pipeline.make(request, progress);
     if (!built)
         return built.error();
     PictureOrder picture = order.picture;
     picture.scene = built->scene;
-    picture.camera = frame.camera;
+    picture.camera = view.camera;
     if (order.finish)
-        picture.finish = [&](QImage& image) { order.finish(image, frame, built->mesh); };
-    return drawPicture(picture, progress);
+        picture.finish = [&](QImage& image) { order.finish(image, view, built->mesh); };
+    const auto drawn = pipeline.draw(picture, false, progress);
+    if (!drawn)
+        return drawn.error();
+    return finishedPicture(picture, *drawn);
 }
 
 std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
@@ -89,12 +52,11 @@ std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
 
 Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
 {
-    SceneSource scenes;
-    const int count = frameCount(order.animation);
+    ScenePipeline pipeline; // what one frame leaves to the next: the scene as far as it fits, the order of its cells
+    const int count = frameCount(order.view.animation);
     for (int i = 0; i < count; ++i) {
         progress.report(static_cast<double>(i) / count, {});
-        const auto image =
-            drawFrame(order, frameOf(order.animation, order.start, i), scenes, progress.withCallback({}));
+        const auto image = drawFrame(order, viewAtFrame(order.view, i), pipeline, progress.withCallback({}));
         if (!image)
             return image.error();
         if (progress.cancelled())
@@ -117,7 +79,7 @@ Status moveTo(const std::filesystem::path& from, const std::filesystem::path& ta
 
 Status nameFrames(const FilmOrder& order, const std::filesystem::path& folder)
 {
-    const int count = frameCount(order.animation);
+    const int count = frameCount(order.view.animation);
     for (int i = 0; i < count; ++i)
         if (const Status moved = moveTo(numbered(folder, i), framePath(order.target, i, count)); !moved)
             return moved;
@@ -128,7 +90,7 @@ Status encode(const FilmOrder& order, const std::filesystem::path& folder, const
 {
     std::filesystem::path film = "film";
     film += order.target.extension();
-    const auto arguments = encoderArguments(framePattern, order.animation.framesPerSecond, pathText(film));
+    const auto arguments = encoderArguments(framePattern, order.view.animation.framesPerSecond, pathText(film));
     progress.report(0, {});
     if (const Status encoded = encodeVideo(order.encoder, arguments, folder, progress); !encoded)
         return encoded;
@@ -136,16 +98,6 @@ Status encode(const FilmOrder& order, const std::filesystem::path& folder, const
 }
 
 } // namespace
-
-SceneRequest sceneOf(const FilmOrder& order, const FilmFrame& frame)
-{
-    SceneRequest request = order.scene;
-    request.query = meshQuery(corrected(queryOf(frame, order.query), order.query, *request.model), *request.model);
-    Look look = order.look;
-    look.transfer = frame.transfer;
-    request.values = rendererValues(order.parameters, look, frame.isovalues);
-    return request;
-}
 
 std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count)
 {
@@ -176,7 +128,7 @@ std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& ta
 
 Status writeFilm(const FilmOrder& order, const Progress& progress)
 {
-    if (frameCount(order.animation) == 0)
+    if (frameCount(order.view.animation) == 0)
         return Error{ErrorKind::WrongUsage, Message::say("A film needs two key frames at least. Add another view.")};
     std::filesystem::path beside = behindLinks(order.target);
     beside += ".frames";
@@ -186,7 +138,7 @@ Status writeFilm(const FilmOrder& order, const Progress& progress)
     const bool isVideo = isVideoFile(order.target);
     if (const Status drawn = drawFrames(order, folder->path(), progress.part(0, isVideo ? drawingPart : 1)); !drawn)
         return drawn;
-    if (const Status right = order.scene.model->confirm(progress.withCallback({})); !right)
+    if (const Status right = order.model->confirm(progress.withCallback({})); !right)
         return right;
     return isVideo ? encode(order, folder->path(), progress.part(drawingPart, 1)) : nameFrames(order, folder->path());
 }

@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/animation.h"
-#include "ui/session/look.h"
 #include "ui/session/picture_file.h"
-#include "ui/session/query_state.h"
-#include "ui/session/scene_builder.h"
+#include "ui/session/shown_mesh.h"
+#include "ui/session/view_value.h"
 
 #include <vector>
 
 namespace tetra {
 
-/// A film to write.
+/// A film to write: that of a view.
 struct FilmOrder {
-    Animation animation;
-    FilmFrame start;                   ///< the present view
-    SceneRequest scene;                ///< of it
-    std::vector<Parameter> parameters; ///< of its renderer
-    Look look;
-    QueryState query;
-    PictureOrder picture; ///< size and background of each frame; the rest is the frame's
+    std::shared_ptr<const Model> model{};
+    const Renderer* renderer = nullptr;
+    std::vector<Parameter> parameters{}; ///< of the renderer
+    ViewValue view{};
+    PictureOrder picture{}; ///< size and background of each frame; the rest is the frame's
     /// Paints over a frame; called in the worker.
-    std::function<void(QImage& picture, const FilmFrame& frame, const ShownMesh& mesh)> finish{};
-    std::filesystem::path target; ///< a video, or name.png for name_0001.png and so on
-    QString encoder;              ///< of videos
+    std::function<void(QImage& picture, const ViewValue& view, const ShownMesh& mesh)> finish{};
+    std::filesystem::path target{}; ///< a video, or name.png for name_0001.png and so on
+    QString encoder{};              ///< of videos
 };
-
-/// What a frame needs of the model.
-SceneRequest sceneOf(const FilmOrder& order, const FilmFrame& frame);
 
 /// The file of a frame: NAME_0001.png, of as many digits as `count` needs, four at least.
 std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count);

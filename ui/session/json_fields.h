@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace tetra {
 
@@ -70,10 +71,24 @@ public:
             refuse(key, found, Message::marked("an object, in braces"));
         return {found.toObject(), full(key), error_};
     }
+    /// The members of each object of a list; none if it is missing.
+    std::vector<JsonFields> list(const QString& key) const
+    {
+        std::vector<JsonFields> elements;
+        const QJsonArray list = object_.value(key).toArray();
+        for (qsizetype i = 0; i < list.size(); ++i)
+            elements.emplace_back(list[i].toObject(), QString("%1[%2]").arg(full(key)).arg(i), error_);
+        return elements;
+    }
     void refuse(const QString& key, const QJsonValue& found, MarkedText wanted) const
     {
-        if (!found.isUndefined() && !error_)
-            error_ = Error{ErrorKind::BadInput, Message::say("\"%1\" must be %2.", full(key).toStdString(), wanted)};
+        if (!found.isUndefined())
+            refuse({ErrorKind::BadInput, Message::say("\"%1\" must be %2.", full(key).toStdString(), wanted)});
+    }
+    void refuse(const Error& error) const
+    {
+        if (!error_)
+            error_ = error;
     }
 
 private:

@@ -7,8 +7,8 @@
 #include <tan/query.h>
 #include <tan/render.h>
 
-#include <algorithm>
-#include <iterator>
+#include <span>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -24,24 +24,44 @@ void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& fiel
     }
 }
 
-MeshFacts factsOf(const MeshOrder& order)
+MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
 {
-    MeshFacts facts = {{"model", order.model->path().filename().string()},
-                       {"dataset", order.model->description().sourceName}};
-    addErrors(facts, "error in percent", order.query.error, order.mesh->scale);
-    if (order.model->description().warpingWeight > 0)
-        addErrors(facts, "warping in percent", order.query.warping, order.mesh->scale);
+    MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
+    addErrors(facts, "error in percent", query.error, scale);
+    if (model.description().warpingWeight > 0)
+        addErrors(facts, "warping in percent", query.warping, scale);
     return facts;
 }
 
-SurfacePart partOf(const Surface& surface, double isovalue)
+SurfacePart partOf(const Drawable& drawable, const Surface& surface)
 {
-    return {.name = "isovalue " + formatNumber(isovalue),
-            .positions = surface.mesh->positions,
-            .normals = surface.mesh->normals,
-            .triangles = surface.mesh->triangles,
-            .values = static_cast<float>(isovalue),
-            .colour = {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity}};
+    SurfacePart part{.name = drawable.label,
+                     .positions = surface.mesh->positions,
+                     .normals = surface.mesh->normals,
+                     .triangles = surface.mesh->triangles,
+                     .colour = {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity}};
+    if (drawable.value)
+        part.values = static_cast<float>(*drawable.value);
+    else if (!surface.mesh->values.empty())
+        part.values = std::span<const float>(surface.mesh->values);
+    return part;
+}
+
+/// Points into the scene.
+SurfaceContent contentOf(const Scene& scene)
+{
+    SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
+    for (const Drawable& drawable : scene.drawables) {
+        const auto* surface = std::get_if<Surface>(&drawable.shape);
+        if (surface == nullptr || !surface->mesh || !drawable.saved)
+            continue;
+        content.parts.push_back(partOf(drawable, *surface));
+        if (!drawable.value) {
+            content.title = "surfaces";
+            content.valueName = "value";
+        }
+    }
+    return content;
 }
 
 } // namespace
@@ -58,7 +78,7 @@ Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progr
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
     content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
     content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
-    content.facts = factsOf(order);
+    content.facts = factsOf(*order.model, order.query, extracted.scale);
     if (Status right = order.model->confirm(progress.withCallback({})); !right)
         return right;
     return saveMesh(host, content, order.target, {}, progress);
@@ -66,32 +86,23 @@ Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progr
 
 Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)
 {
-    constexpr double extracted = 0.4;
-    constexpr double found = 0.7;
-    if (Status writable = checkWritable(host, WrittenContent::Surface, order.mesh.target); !writable)
+    constexpr double made = 0.7;
+    if (Status writable = checkWritable(host, WrittenContent::Surface, order.target); !writable)
         return writable;
-    std::vector<Isovalue> visible;
-    std::ranges::copy_if(order.isovalues, std::back_inserter(visible), &Isovalue::visible);
-    if (visible.empty())
-        return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
-    if (!order.mesh.mesh) {
-        auto made = MeshExtractor(order.mesh.model).extract(order.mesh.query, progress.part(0, extracted));
-        if (!made)
-            return made.error();
-        SurfaceOrder whole = order;
-        whole.mesh.mesh = *made;
-        return writeSurfaces(host, whole, progress.part(extracted, 1));
+    if (!order.built) {
+        auto built = ScenePipeline().make(order.scene, progress.part(0, made));
+        if (!built)
+            return built.error();
+        return writeSurfaces(host, {order.scene, *std::move(built), order.target}, progress.part(made, 1));
     }
-    const std::shared_ptr<const TetrahedralMesh> mesh(order.mesh.mesh, &order.mesh.mesh->mesh);
-    const auto surfaces = IsosurfaceCache(mesh).update(visible, progress.part(0, found));
-    if (!surfaces)
-        return surfaces.error();
-    SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = factsOf(order.mesh)};
-    for (std::size_t index = 0; index < surfaces->size(); ++index)
-        content.parts.push_back(partOf((*surfaces)[index], visible[index].value));
-    if (Status right = order.mesh.model->confirm(progress.withCallback({})); !right)
+    SurfaceContent content = contentOf(*order.built->scene);
+    if (content.parts.empty())
+        return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
+    const Model& model = *order.scene.model;
+    content.facts = factsOf(model, order.scene.query, order.built->mesh.scale);
+    if (Status right = model.confirm(progress.withCallback({})); !right)
         return right;
-    return saveSurface(host, content, order.mesh.target, {}, progress.part(found, 1));
+    return saveSurface(host, content, order.target, {}, progress);
 }
 
 } // namespace tetra

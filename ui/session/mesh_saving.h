@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/host/plugin_host.h"
+#include "ui/session/scene_maker.h"
 
 #include <tan/base.h>
 #include <tan/model.h>
@@ -10,7 +11,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace tetra {
 
@@ -26,14 +27,15 @@ struct MeshOrder {
 /// keeps. The format is that of the file's ending. Errors as of saveMesh().
 Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress);
 
-/// Isosurfaces to save, of the mesh that is seen or is extracted first.
+/// Surfaces to save: those of a scene that say so (Drawable::saved).
 struct SurfaceOrder {
-    MeshOrder mesh;
-    std::vector<Isovalue> isovalues; ///< those that are visible are written
+    SceneRequest scene;
+    std::optional<BuiltScene> built; ///< of the request, if that is there already; else it is made
+    std::filesystem::path target;
 };
 
-/// Writes the surfaces with their colours, as far as the format has any; it is that of the file's ending. Errors as of
-/// saveSurface(), and WrongUsage if no isovalue is visible.
+/// Writes the surfaces under their labels, with their values and their colours, as far as the format has any; it is
+/// that of the file's ending. Errors as of saveSurface(), and WrongUsage if there is no surface to save.
 Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress);
 
 } // namespace tetra

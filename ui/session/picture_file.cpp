@@ -13,28 +13,7 @@ namespace {
 
 constexpr double inchesPerMetre = 1 / 0.0254;
 
-Scene withLines(Scene scene, double scale)
-{
-    for (LineSet& lines : scene.lines)
-        lines.width = static_cast<float>(lines.width * scale);
-    return scene;
-}
-
 } // namespace
-
-Result<Picture> drawScene(const PictureOrder& order, RenderBackend& backend, bool withDepth, const Progress& progress)
-{
-    PictureOptions options;
-    options.width = order.width;
-    options.height = order.height;
-    options.background = order.background;
-    options.transparentBackground = order.transparent;
-    options.samplesPerAxis = order.samplesPerAxis;
-    options.threads = order.threads;
-    options.depth = withDepth;
-    const Scene scene = withLines(order.scene ? *order.scene : Scene(), order.lineScale);
-    return backend.render(scene, order.camera, options, progress);
-}
 
 QImage finishedPicture(const PictureOrder& order, const Picture& picture)
 {
@@ -50,14 +29,6 @@ QImage finishedPicture(const PictureOrder& order, const Picture& picture)
     for (const auto& [key, text] : order.texts)
         image.setText(key, text);
     return image;
-}
-
-Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
-{
-    const auto picture = drawScene(order, *makeCpuBackend(), false, progress);
-    if (!picture)
-        return picture.error();
-    return finishedPicture(order, *picture);
 }
 
 Status writePicture(const QImage& picture, const std::filesystem::path& target)

@@ -30,14 +30,8 @@ struct PictureOrder {
     std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
 };
 
-/// The picture as `backend` draws it, with its depths if they are wanted, but nothing painted over it.
-Result<Picture> drawScene(const PictureOrder& order, RenderBackend& backend, bool withDepth, const Progress& progress);
-
-/// That picture with all else that was ordered.
+/// A drawn picture with all else that was ordered.
 QImage finishedPicture(const PictureOrder& order, const Picture& picture);
-
-/// Both, with the CPU back end.
-Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
 
 /// Writes a PNG file, whole or not at all.
 Status writePicture(const QImage& picture, const std::filesystem::path& target);

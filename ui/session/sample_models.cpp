@@ -9,12 +9,12 @@
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/appearance.h"
 #include "ui/session/field_extent.h"
-#include "ui/session/look.h"
 #include "ui/session/picture_file.h"
 #include "ui/session/query_state.h"
-#include "ui/session/scene_maker.h"
 #include "ui/session/target_path.h"
+#include "ui/session/view_picture.h"
 
 #include <tan/model.h>
 
@@ -102,18 +102,17 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
     const auto mode = std::ranges::find(modes, wantedLook.mode, &Provided<Renderer>::id);
     if (mode == modes.end())
         return Error{ErrorKind::OutOfResource, host.explainMissing(PluginKind::Renderer)};
-    Look look = startingLook(modes, field, kind.domain);
-    look.settings[outlineId] = false;
-    look.settings[boundaryId] = std::string(wantedLook.boundary ? boundaryValues : boundaryOff);
-    const auto isovalues = wantedLook.boundary ? std::vector<Isovalue>() : startingIsovalues(modes, field);
-    const Camera camera = fitted(Camera(), field.bounds, double(thumbnailWidth) / thumbnailHeight);
-    const SceneRequest wanted{*model, mode->plugin, meshQuery(startingQuery(**model, startingError(**model)), **model),
-                              rendererValues(mode->plugin->parameters(field), look, isovalues), camera};
-    const auto built = SceneMaker().make(wanted, progress.part(0.6, 0.8));
+    ViewValue view = startingView(modes, **model, field, double(thumbnailWidth) / thumbnailHeight);
+    view.appearance.settings[outlineId] = false;
+    view.appearance.settings[boundaryId] = std::string(wantedLook.boundary ? boundaryValues : boundaryOff);
+    if (wantedLook.boundary)
+        view.isovalues.clear();
+    const auto built = ScenePipeline().make(sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view),
+                                            progress.part(0.6, 0.8));
     if (!built)
         return built.error();
     return drawPicture({.scene = built->scene,
-                        .camera = camera,
+                        .camera = view.camera,
                         .background = {},
                         .width = thumbnailWidth,
                         .height = thumbnailHeight,

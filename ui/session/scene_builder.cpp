@@ -24,7 +24,7 @@ std::chrono::milliseconds patienceFor(double seconds)
 } // namespace
 
 SceneBuilder::SceneBuilder(QObject* parent)
-    : QObject(parent), patience_(leastPatience), maker_(std::make_shared<SceneMaker>())
+    : QObject(parent), patience_(leastPatience), pipeline_(std::make_shared<ScenePipeline>())
 {
 }
 
@@ -34,8 +34,8 @@ void SceneBuilder::request(SceneRequest request)
 {
     setBusy(true);
     job_.submit(
-        [this, number = ++newest_, maker = maker_, request = std::move(request)](const std::stop_token& stop) {
-            Result<BuiltScene> result = maker->make(request, Progress(stop, {}));
+        [this, number = ++newest_, pipeline = pipeline_, request = std::move(request)](const std::stop_token& stop) {
+            Result<BuiltScene> result = pipeline->make(request, Progress(stop, {}));
             QMetaObject::invokeMethod(
                 this, [this, number, result = std::move(result)] { arrived(number, result); }, Qt::QueuedConnection);
         },
@@ -44,14 +44,15 @@ void SceneBuilder::request(SceneRequest request)
 
 std::shared_ptr<const ExtractedMesh> SceneBuilder::mesh() const
 {
-    return maker_->mesh();
+    return pipeline_->mesh();
 }
 
 void SceneBuilder::clear()
 {
     cleared_ = newest_;
+    last_.reset();
     // The worker gives back the mesh, in its own time.
-    job_.submit([maker = maker_](const std::stop_token&) { maker->clear(); });
+    job_.submit([pipeline = pipeline_](const std::stop_token&) { pipeline->clear(); });
     setBusy(false);
 }
 
@@ -63,9 +64,14 @@ void SceneBuilder::arrived(quint64 number, const Result<BuiltScene>& result)
         setBusy(false);
     if (result)
         patience_ = patienceFor(result->extractionSeconds + result->sceneSeconds);
-    if (result)
+    if (result) {
+        last_ = *result;
         emit sceneReady(*result);
-    else if (result.error().kind != ErrorKind::Cancelled)
+        return;
+    }
+    if (number == newest_)
+        last_.reset();
+    if (result.error().kind != ErrorKind::Cancelled)
         emit failed(result.error());
 }
 

@@ -24,6 +24,8 @@ public:
     void clear();
     /// Whether a scene that was asked for is still to come.
     bool busy() const noexcept { return busy_; }
+    /// The last scene that arrived; none after clear().
+    const std::optional<BuiltScene>& last() const noexcept { return last_; }
     /// The mesh of the last scene; none while the worker makes the next one.
     std::shared_ptr<const ExtractedMesh> mesh() const;
 
@@ -39,8 +41,9 @@ private:
     quint64 newest_ = 0;
     quint64 cleared_ = 0; ///< requests up to this number are dropped
     bool busy_ = false;
+    std::optional<BuiltScene> last_;
     std::chrono::milliseconds patience_;
-    std::shared_ptr<SceneMaker> maker_;
+    std::shared_ptr<ScenePipeline> pipeline_;
     LatestJob job_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <new>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -23,47 +24,62 @@ Error outOfMemory()
 
 } // namespace
 
+bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
+{
+    if (one.model != other.model || one.renderer != other.renderer || !(one.query == other.query) ||
+        one.values != other.values)
+        return false;
+    return one.renderer == nullptr || !one.renderer->needs().view ||
+           (one.camera == other.camera && one.width == other.width && one.height == other.height);
+}
+
 /// The meshes that a request needs: one, or with a renderer that blends a focus two.
-struct SceneMaker::NeededMeshes {
+struct ScenePipeline::NeededMeshes {
     MeshQuery query;
     std::optional<TwoResolutions> focus; ///< then `query` is the one outside
 
     explicit NeededMeshes(const SceneRequest& request) : query(request.query)
     {
-        if (request.renderer->blendsFocus())
+        if (request.renderer->needs().focusMesh)
             focus = twoResolutions(request.query);
         if (focus)
             query = focus->outside;
     }
 };
 
-void SceneMaker::setMesh(std::shared_ptr<const ExtractedMesh> next)
+void ScenePipeline::setMesh(std::shared_ptr<const ExtractedMesh> next)
 {
     const std::lock_guard lock(mutex_);
     mesh_ = std::move(next);
 }
 
-bool SceneMaker::has(const SceneRequest& request, const NeededMeshes& needed) const
+bool ScenePipeline::has(const SceneRequest& request, const NeededMeshes& needed) const
 {
-    return mesh_ && extractor_ && extractor_->model() == request.model && query_ == needed.query;
+    return mesh_ && model_ == request.model && query_ == needed.query;
+}
+
+MeshExtractor& ScenePipeline::extractorOf(const std::shared_ptr<const Model>& model)
+{
+    if (!*extractor_ || (*extractor_)->model() != model)
+        extractor_->emplace(model);
+    return **extractor_;
 }
 
 /// Lets go of the last mesh first, so that the extractor can use its memory again.
-Status SceneMaker::extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
+Status ScenePipeline::extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
 {
     session_.reset();
     setMesh(nullptr);
     fineMesh_.reset();
     focus_.reset();
-    if (!extractor_ || extractor_->model() != request.model)
-        extractor_.emplace(request.model);
-    auto extracted = extractor_->extract(needed.query, progress);
+    auto extracted = extractorOf(request.model).extract(needed.query, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
         return intact;
     setMesh(*std::move(extracted));
     query_ = needed.query;
+    model_ = request.model;
     const ValueRange range = request.model->description().range;
     histogram_ = std::make_shared<const ValueHistogram>(
         valueHistogram(mesh_->mesh.values, range.minimum, range.maximum, histogramParts));
@@ -75,14 +91,14 @@ Status SceneMaker::extract(const SceneRequest& request, const NeededMeshes& need
 }
 
 /// The mesh in the focus, if there is one to blend.
-Status SceneMaker::extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
+Status ScenePipeline::extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
 {
     session_.reset();
     fineMesh_.reset();
     focus_.reset();
     if (!needed.focus)
         return {};
-    auto extracted = extractor_->extract(needed.focus->inside, progress);
+    auto extracted = extractorOf(request.model).extract(needed.focus->inside, progress);
     if (!extracted)
         return extracted.error();
     if (Status intact = request.model->checkIntact(); !intact)
@@ -92,18 +108,16 @@ Status SceneMaker::extractFine(const SceneRequest& request, const NeededMeshes& 
     return {};
 }
 
-void SceneMaker::open(const SceneRequest& request, const NeededMeshes& needed)
+void ScenePipeline::open(const SceneRequest& request, const NeededMeshes& needed)
 {
-    const Eigen::AlignedBox3d bounds = request.model->description().bounds;
-    const std::shared_ptr<const TetrahedralMesh> whole(mesh_, &mesh_->mesh);
-    session_ = needed.focus
-                   ? request.renderer->openWithFocus(
-                         whole, {{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border}, bounds)
-                   : request.renderer->open(whole, bounds);
+    RendererMeshes meshes{.mesh = {mesh_, &mesh_->mesh}, .bounds = request.model->description().bounds};
+    if (needed.focus)
+        meshes.focus = FocusMesh{{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border};
+    session_ = request.renderer->open(meshes);
     renderer_ = request.renderer;
 }
 
-ShownMesh SceneMaker::shownMesh(const MeshQuery& asked) const
+ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
 {
     ShownMesh shown{.query = asked,
                     .vertices = mesh_->mesh.positions.size(),
@@ -125,8 +139,11 @@ ShownMesh SceneMaker::shownMesh(const MeshQuery& asked) const
     return shown;
 }
 
-Result<BuiltScene> SceneMaker::make(const SceneRequest& request, const Progress& progress)
+Result<BuiltScene> ScenePipeline::make(const SceneRequest& request, const Progress& progress)
 try {
+    if (built_ && haveSameScene(last_, request))
+        return *built_;
+    built_.reset();
     BuiltScene built;
     built.model = request.model;
     const auto start = std::chrono::steady_clock::now();
@@ -143,33 +160,82 @@ try {
     }
     if (!session_ || renderer_ != request.renderer)
         open(request, needed);
-    auto scene = session_->prepare(request.values, request.camera, progress.part(0.5, 1));
-    if (!scene)
+    auto scene =
+        session_->prepare({request.values, request.camera, request.width, request.height}, progress.part(0.5, 1));
+    if (!scene) {
+        if (scene.error().kind == ErrorKind::OutOfResource)
+            clear();
         return scene.error();
+    }
     built.scene = *std::move(scene);
     built.mesh = shownMesh(request.query);
-    for (const Surface& surface : built.scene->surfaces)
-        built.triangles += surface.mesh->triangles.size();
+    for (const Surface* surface : shapesOf<Surface>(*built.scene))
+        if (surface->mesh)
+            built.triangles += surface->mesh->triangles.size();
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
+    last_ = request;
+    built_ = built;
+    built_->extractionSeconds = built_->sceneSeconds = 0; // if it is asked for again
     return built;
 } catch (const std::bad_alloc&) {
     clear();
     return outOfMemory();
 }
 
-std::shared_ptr<const ExtractedMesh> SceneMaker::mesh() const
+Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, const Progress& progress)
+{
+    PictureOptions options;
+    options.width = order.width;
+    options.height = order.height;
+    options.background = order.background;
+    options.transparentBackground = order.transparent;
+    options.samplesPerAxis = order.samplesPerAxis;
+    options.threads = order.threads;
+    options.depth = withDepth;
+    Scene scene = order.scene ? *order.scene : Scene();
+    for (Drawable& drawable : scene.drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width = static_cast<float>(lines->width * order.lineScale);
+    return backend_->render(scene, order.camera, options, progress);
+}
+
+std::shared_ptr<const ExtractedMesh> ScenePipeline::mesh() const
 {
     const std::lock_guard lock(mutex_);
     return mesh_;
 }
 
-void SceneMaker::clear()
+void ScenePipeline::clear()
 {
     session_.reset();
     setMesh(nullptr);
     fineMesh_.reset();
     focus_.reset();
-    extractor_.reset();
+    extractor_->reset();
+    model_.reset();
+    built_.reset();
+    last_ = {};
+}
+
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
+{
+    const auto picture = ScenePipeline().draw(order, false, progress);
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
+}
+
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
+{
+    ScenePipeline pipeline;
+    const auto built = pipeline.make(scene, progress.part(0, 0.5));
+    if (!built)
+        return built.error();
+    order.scene = built->scene;
+    const auto picture = pipeline.draw(order, false, progress.part(0.5, 1));
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
 }
 
 } // namespace tetra

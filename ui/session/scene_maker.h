@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/renderer.h"
+#include "ui/session/picture_file.h"
 #include "ui/session/shown_mesh.h"
 
 #include <tan/base.h>
@@ -22,8 +23,13 @@ struct SceneRequest {
     const Renderer* renderer = nullptr;
     MeshQuery query;
     ParameterValues values;
-    Camera camera;
+    Camera camera; ///< this and the size of the picture matter if the renderer needs them
+    int width = 1024;
+    int height = 768;
 };
+
+/// Whether the scene of one is also that of the other.
+bool haveSameScene(const SceneRequest& one, const SceneRequest& other);
 
 /// What was made of a request.
 struct BuiltScene {
@@ -35,11 +41,27 @@ struct BuiltScene {
     double sceneSeconds = 0;      ///< of the renderer
 };
 
-/// Makes scenes, for the window as for the command line: extracts the mesh from what the last extraction left, or uses
-/// the last one again, and lets the renderer prepare it. Used from one thread at a time, but for mesh().
-class SceneMaker {
+/// The way from a model to a picture of it, for the window, its drafts, films and the command line: extracts the mesh
+/// from what the last extraction left, or uses the last one again, and lets the renderer prepare it. What the last
+/// request asked for is there already. Used from one thread at a time, but for mesh().
+class ScenePipeline {
 public:
+    /// What one extraction leaves to the next: pipelines that work in turn can share it.
+    using Extractor = std::shared_ptr<std::optional<MeshExtractor>>;
+
+    /// Draws with the CPU unless it gets another back end.
+    explicit ScenePipeline(std::unique_ptr<RenderBackend> backend = makeCpuBackend(),
+                           Extractor extractor = std::make_shared<std::optional<MeshExtractor>>())
+        : backend_(std::move(backend)), extractor_(std::move(extractor))
+    {
+    }
+
     Result<BuiltScene> make(const SceneRequest& request, const Progress& progress);
+    /// The picture as the back end draws it, with its depths if they are wanted, but nothing painted over it. The order
+    /// of cells of one picture helps with the next.
+    Result<Picture> draw(const PictureOrder& order, bool withDepth, const Progress& progress);
+    /// Of the last picture.
+    RenderStatistics statistics() const { return backend_->statistics(); }
     /// The mesh of the last scene, that outside of a focus if two are blended; none while the next one is made.
     std::shared_ptr<const ExtractedMesh> mesh() const;
     /// Gives back what it keeps.
@@ -48,13 +70,18 @@ public:
 private:
     struct NeededMeshes;
     void setMesh(std::shared_ptr<const ExtractedMesh> next);
+    MeshExtractor& extractorOf(const std::shared_ptr<const Model>& model);
     bool has(const SceneRequest& request, const NeededMeshes& needed) const;
     Status extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
     Status extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
     void open(const SceneRequest& request, const NeededMeshes& needed);
     ShownMesh shownMesh(const MeshQuery& asked) const;
 
-    std::optional<MeshExtractor> extractor_;
+    std::unique_ptr<RenderBackend> backend_;
+    Extractor extractor_;
+    std::shared_ptr<const Model> model_; ///< of the mesh
+    SceneRequest last_;                  ///< that `built_` is of
+    std::optional<BuiltScene> built_;
     const Renderer* renderer_ = nullptr;
     std::optional<MeshQuery> query_;                ///< that the mesh answers
     std::optional<TwoResolutions> focus_;           ///< that the session blends; none if it does not
@@ -65,5 +92,10 @@ private:
     mutable std::mutex mutex_; ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh_;
 };
+
+/// A picture with all that was ordered, drawn by the CPU.
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress);
+/// The same of the scene of a request, in place of that of the order.
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress);
 
 } // namespace tetra

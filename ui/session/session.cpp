@@ -4,45 +4,141 @@
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/isovalue_defaults.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
 
-/// Of a step, or of one that it consists of.
-bool isTrueOfStep(const QUndoCommand& step, const std::function<bool(const QUndoCommand& step)>& what)
+double numberOr(double value, double otherwise)
 {
-    bool found = what(step);
-    for (int child = 0; child < step.childCount(); ++child)
-        found = found || isTrueOfStep(*step.child(child), what);
-    return found;
+    return std::isfinite(value) ? value : otherwise;
 }
 
-bool changesMoreThanTheView(const QUndoCommand& step)
+/// As a file of it may be.
+Camera corrected(Camera camera, const Camera& before)
 {
-    return step.childCount() == 0 && step.id() != static_cast<int>(CommandId::ChangeView);
+    struct Limits {
+        double Camera::*member;
+        double least, largest;
+    };
+    for (const auto& [member, least, largest] :
+         {Limits{&Camera::distance, 1e-30, 1e30}, Limits{&Camera::azimuth, -1e6, 1e6}, Limits{&Camera::roll, -1e6, 1e6},
+          Limits{&Camera::elevation, -90, 90}, Limits{&Camera::fieldOfView, 1, 170}})
+        camera.*member = std::clamp(numberOr(camera.*member, before.*member), least, largest);
+    for (int axis = 0; axis < 3; ++axis)
+        camera.target[axis] = numberOr(camera.target[axis], before.target[axis]);
+    return camera;
 }
 
-bool changesTransfer(const QUndoCommand& step)
+Isovalue corrected(Isovalue isovalue, const Isovalue& before, const ValueRange& range)
 {
-    const auto* look = dynamic_cast<const ChangeLook*>(&step);
-    return look != nullptr && look->changesTransfer();
+    isovalue.value = numberOr(isovalue.value, before.value);
+    isovalue.opacity = static_cast<float>(numberOr(isovalue.opacity, before.opacity));
+    return corrected(isovalue, range);
 }
 
-bool changesIsovalues(const QUndoCommand& step)
+std::optional<Colour> corrected(std::optional<Colour> colour)
 {
-    return dynamic_cast<const ChangeIsovalue*>(&step) != nullptr ||
-           dynamic_cast<const AddIsovalue*>(&step) != nullptr || dynamic_cast<const RemoveIsovalue*>(&step) != nullptr;
+    if (colour)
+        for (float Colour::*channel : {&Colour::red, &Colour::green, &Colour::blue})
+            (*colour).*channel = std::clamp(static_cast<float>(numberOr((*colour).*channel, 0)), 0.0F, 1.0F);
+    return colour;
+}
+
+/// What is as it was `before` is right.
+ViewValue corrected(ViewValue view, const ViewValue& before, const Model& model)
+{
+    const ViewParts edited = differingParts(view, before);
+    if (edited & ViewPart::Query)
+        view.query = corrected(view.query, before.query, model);
+    if (edited & ViewPart::Transfer && !checkTransferFunction(view.appearance.transfer))
+        view.appearance.transfer = before.appearance.transfer;
+    for (std::size_t i = 0; edited & ViewPart::Isovalues && i < view.isovalues.size(); ++i)
+        view.isovalues[i] = corrected(view.isovalues[i], i < before.isovalues.size() ? before.isovalues[i] : Isovalue(),
+                                      model.description().range);
+    if (edited & ViewPart::Animation)
+        view.animation = corrected(std::move(view.animation));
+    if (edited & ViewPart::Camera)
+        view.camera = corrected(view.camera, before.camera);
+    view.background = corrected(view.background);
+    return view;
 }
 
 } // namespace
+
+/// An edit: what it has changed, as it was and as it became.
+class Session::ChangeView : public QUndoCommand {
+    Q_DECLARE_TR_FUNCTIONS(ChangeView)
+public:
+    ChangeView(Session& session, const ViewValue& after, ViewParts parts, const QString& name, Gesture gesture)
+        : QUndoCommand(name.isEmpty() ? nameOf(session.view_, after, parts) : name), session_(session),
+          before_(session.view_, parts), after_(after, parts), gesture_(gesture)
+    {
+    }
+    int id() const override { return 1; } // there is no other command
+    void redo() override { session_.show(after_.putInto(session_.view_)); }
+    void undo() override { session_.show(before_.putInto(session_.view_)); }
+    bool mergeWith(const QUndoCommand* next) override
+    {
+        const auto& other = *static_cast<const ChangeView*>(next);
+        if (gesture_ == 0 || other.gesture_ != gesture_)
+            return false;
+        PartialView later = other.after_;
+        later.complete(after_);
+        after_ = std::move(later);
+        before_.complete(other.before_);
+        setObsolete(after_ == before_);
+        return true;
+    }
+    ViewParts parts() const { return before_.parts(); }
+
+private:
+    static QString nameOf(const ViewValue& before, const ViewValue& after, ViewParts parts);
+
+    Session& session_;
+    PartialView before_;
+    PartialView after_;
+    Gesture gesture_;
+};
+
+QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& after, ViewParts parts)
+{
+    if (parts & ViewPart::Query) {
+        if (before.query.focus != after.query.focus)
+            return tr("Change Focus");
+        if (before.query.window != after.query.window)
+            return tr("Change Window");
+        if (before.query.values != after.query.values)
+            return tr("Change Values");
+        return after.query.byBudget ? tr("Change Budget") : tr("Change Accuracy");
+    }
+    if (parts & ViewPart::Mode)
+        return tr("Change Rendering Mode");
+    if (parts & ViewPart::Transfer)
+        return tr("Change Transfer Function");
+    if (parts & ViewPart::Settings)
+        return tr("Change Rendering");
+    if (parts & ViewPart::Isovalues) {
+        if (before.isovalues.size() == after.isovalues.size())
+            return tr("Change Isovalue");
+        return before.isovalues.size() < after.isovalues.size() ? tr("Add Isovalue") : tr("Remove Isovalue");
+    }
+    if (parts & ViewPart::Annotations)
+        return tr("Change Annotations");
+    if (parts & ViewPart::Animation)
+        return tr("Change Animation");
+    return parts & ViewPart::Camera ? tr("Move Camera") : tr("Change Background");
+}
 
 Session::Session(QObject* parent) : QObject(parent) {}
 
 MeshSize Session::meshSize() const
 {
-    return model_ ? plannedSize(view_.query(), *model_) : MeshSize{};
+    return model_ ? plannedSize(view_.query, *model_) : MeshSize{};
 }
 
 ValueRange Session::range() const
@@ -50,51 +146,60 @@ ValueRange Session::range() const
     return model_ ? model_->description().range : ValueRange{};
 }
 
-void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look)
+void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance)
 {
-    const QueryState query = startingQuery(*model, startingError(*model));
-    open(std::move(model), std::move(isovalues), std::move(look), query);
+    ViewValue view{.query = startingQuery(*model, startingError(*model)),
+                   .appearance = std::move(appearance),
+                   .isovalues = std::move(isovalues),
+                   .annotations = view_.annotations};
     followsModel_ = true;
+    start(std::move(model), std::move(view), false);
 }
 
-void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look,
-                   const QueryState& query)
+void Session::restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera)
+{
+    followsModel_ = false;
+    start(std::move(model), std::move(view), hasCamera);
+}
+
+void Session::start(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera)
 {
     model_ = std::move(model);
-    followsModel_ = false;
     undoStack_.clear();
     shown_.reset();
-    for (Isovalue& isovalue : isovalues)
-        isovalue = tetra::corrected(isovalue, range());
-    view_.reset(corrected(query, startingQuery(*model_, startingError(*model_)), *model_), std::move(isovalues),
-                std::move(look));
+    fitted_.reset();
+    if (!hasCamera) {
+        view.camera = fitted(upright(view_.camera, UpAxis::Z), model_->description().bounds, shape_);
+        fitted_ = view.camera;
+    }
+    const ViewValue usual{
+        .query = startingQuery(*model_, startingError(*model_)), .appearance = view.appearance, .camera = view.camera};
+    view_ = corrected(std::move(view), usual, *model_);
     emit modelChanged();
 }
 
-void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Look& look)
+void Session::grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues,
+                   const Appearance& appearance)
 {
     model_ = std::move(model);
     shown_.reset();
     emit modelGrown();
     if (!followsModel_)
         return;
-    if (!edited(changesMoreThanTheView))
-        view_.setQuery(startingQuery(*model_, startingError(*model_)));
-    if (look.transfer != view_.look().transfer && !edited(changesTransfer)) {
-        Look fitting = view_.look();
-        fitting.transfer = look.transfer;
-        view_.setLook(fitting);
-    }
-    if (isovalues.size() == view_.isovalues().size() && !edited(changesIsovalues))
-        for (std::size_t index = 0; index < isovalues.size(); ++index)
-            if (isovalues[index] != view_.isovalues()[index])
-                view_.setIsovalue(static_cast<int>(index), isovalues[index]);
+    ViewValue fitting = view_;
+    if (!edited(~ViewParts(ViewPart::Camera | ViewPart::Background)))
+        fitting.query = startingQuery(*model_, startingError(*model_));
+    if (!edited(ViewPart::Transfer))
+        fitting.appearance.transfer = appearance.transfer;
+    if (isovalues.size() == view_.isovalues.size() && !edited(ViewPart::Isovalues))
+        fitting.isovalues = isovalues;
+    show(std::move(fitting));
 }
 
-bool Session::edited(const std::function<bool(const QUndoCommand& step)>& what) const
+bool Session::edited(ViewParts parts) const
 {
     for (int index = 0; index < undoStack_.count(); ++index)
-        if (isTrueOfStep(*undoStack_.command(index), what))
+        if (static_cast<const ChangeView*>(undoStack_.command(index))->parts() & parts)
             return true;
     return false;
 }
@@ -104,13 +209,25 @@ void Session::close()
     model_.reset();
     undoStack_.clear();
     shown_.reset();
-    view_.reset({}, {}, {});
+    fitted_.reset();
+    view_ = {.annotations = view_.annotations, .camera = view_.camera};
     emit modelChanged();
+}
+
+void Session::setShape(double aspectRatio)
+{
+    shape_ = aspectRatio;
+    if (!model_ || fitted_ != view_.camera)
+        return;
+    ViewValue view = view_;
+    view.camera = fitted(view.camera, model_->description().bounds, shape_);
+    fitted_ = view.camera;
+    show(std::move(view));
 }
 
 void Session::beginGesture()
 {
-    gesture_ = ++lastGesture_;
+    gesture_ = newGesture();
     emit gestureChanged(true);
 }
 
@@ -122,164 +239,150 @@ void Session::endGesture()
     emit gestureChanged(false);
 }
 
-void Session::setError(double percent)
+void Session::show(ViewValue view)
 {
-    QueryState query = view_.query();
-    query.error = percent;
-    query.byBudget = false;
-    setQuery(query);
+    const ViewParts parts = differingParts(view_, view);
+    view_ = std::move(view);
+    if (parts)
+        emit viewChanged(parts);
 }
 
-void Session::setBudget(std::uint64_t tetrahedra)
+void Session::setView(ViewValue view, const QString& name, Gesture gesture)
 {
-    QueryState query = view_.query();
-    query.budget = tetrahedra;
-    query.byBudget = true;
-    setQuery(query);
+    if (!model_)
+        return;
+    view = corrected(std::move(view), view_, *model_);
+    if (const ViewParts parts = differingParts(view_, view))
+        undoStack_.push(new ChangeView(*this, view, parts, name, gesture != 0 ? gesture : gesture_));
 }
 
-void Session::setByBudget(bool byBudget)
+template <class Change> void Session::edit(Change change)
 {
-    QueryState query = view_.query();
-    query.byBudget = byBudget;
-    setQuery(query);
-}
-
-void Session::setFocus(const FocusState& focus)
-{
-    QueryState query = view_.query();
-    query.focus = focus;
-    setQuery(query);
-}
-
-void Session::setWindow(const WindowState& window)
-{
-    QueryState query = view_.query();
-    query.window = window;
-    setQuery(query);
-}
-
-void Session::setValueFilter(const ValueFilter& values)
-{
-    QueryState query = view_.query();
-    query.values = values;
-    setQuery(query);
+    ViewValue view = view_;
+    change(view);
+    setView(std::move(view));
 }
 
 void Session::setQuery(const QueryState& query)
 {
-    if (!model_)
-        return;
-    const QueryState after = corrected(query, view_.query(), *model_);
-    if (after != view_.query())
-        undoStack_.push(new ChangeQuery(view_, after, gesture_));
+    edit([&](ViewValue& view) { view.query = query; });
+}
+
+void Session::setError(double percent)
+{
+    edit([=](ViewValue& view) {
+        view.query.error = percent;
+        view.query.byBudget = false;
+    });
+}
+
+void Session::setBudget(std::uint64_t tetrahedra)
+{
+    edit([=](ViewValue& view) {
+        view.query.budget = tetrahedra;
+        view.query.byBudget = true;
+    });
+}
+
+void Session::setByBudget(bool byBudget)
+{
+    edit([=](ViewValue& view) { view.query.byBudget = byBudget; });
+}
+
+void Session::setFocus(const FocusState& focus)
+{
+    edit([&](ViewValue& view) { view.query.focus = focus; });
+}
+
+void Session::setWindow(const WindowState& window)
+{
+    edit([&](ViewValue& view) { view.query.window = window; });
+}
+
+void Session::setValueFilter(const ValueFilter& values)
+{
+    edit([&](ViewValue& view) { view.query.values = values; });
 }
 
 void Session::setMode(const std::string& mode)
 {
-    Look look = view_.look();
-    look.mode = mode;
-    setLook(look);
+    edit([&](ViewValue& view) { view.appearance.mode = mode; });
 }
 
 void Session::setTransfer(const TransferFunction& transfer)
 {
-    if (!checkTransferFunction(transfer))
-        return;
-    Look look = view_.look();
-    look.transfer = transfer;
-    setLook(look);
+    edit([&](ViewValue& view) { view.appearance.transfer = transfer; });
 }
 
 void Session::setSetting(const std::string& id, const ParameterValue& value)
 {
-    Look look = view_.look();
-    look.settings[id] = value;
-    setLook(look);
+    edit([&](ViewValue& view) { view.appearance.settings[id] = value; });
 }
 
 void Session::setAnnotations(const AnnotationState& annotations)
 {
-    if (model_ && annotations != view_.annotations())
-        undoStack_.push(new ChangeAnnotations(view_, annotations));
+    edit([&](ViewValue& view) { view.annotations = annotations; });
 }
 
 void Session::setAnimation(const Animation& animation)
 {
-    const Animation after = corrected(animation);
-    if (model_ && after != view_.animation())
-        undoStack_.push(new ChangeAnimation(view_, after, gesture_));
+    edit([&](ViewValue& view) { view.animation = animation; });
 }
 
-void Session::setAll(const QueryState& query, const Look& look, const std::vector<Isovalue>& isovalues,
-                     const AnnotationState& annotations, const Animation& animation)
+void Session::setCamera(const Camera& camera, Gesture gesture)
 {
-    setQuery(query);
-    setLook(look);
-    if (model_ && isovalues != view_.isovalues()) {
-        while (view_.isovalueCount() > 0)
-            removeIsovalue(view_.isovalueCount() - 1);
-        for (const Isovalue& isovalue : isovalues)
-            undoStack_.push(new AddIsovalue(view_, isovalue));
-    }
-    setAnnotations(annotations);
-    setAnimation(animation);
+    ViewValue view = view_;
+    view.camera = camera;
+    setView(std::move(view), {}, gesture);
 }
 
-void Session::restore(const AnnotationState& annotations, const Animation& animation)
+void Session::fitCamera()
 {
-    view_.setAnnotations(annotations);
-    view_.setAnimation(corrected(animation));
+    if (model_)
+        setCamera(fitted(view_.camera, model_->description().bounds, shape_));
 }
 
-void Session::setLook(const Look& look)
+void Session::setBackground(const std::optional<Colour>& background)
 {
-    if (model_ && look != view_.look())
-        undoStack_.push(new ChangeLook(view_, look, gesture_));
-}
-
-bool Session::showsQuery() const
-{
-    return shown_ && model_ && shown_->query == meshQuery(view_.query(), *model_);
-}
-
-void Session::setShown(const ShownMesh& shown)
-{
-    shown_ = shown;
-    emit shownChanged();
+    edit([&](ViewValue& view) { view.background = background; });
 }
 
 void Session::addIsovalue(std::optional<double> value)
 {
     if (!model_)
         return;
-    Isovalue isovalue = nextIsovalue(view_.isovalues(), range());
+    Isovalue isovalue = nextIsovalue(view_.isovalues, range());
     if (value && std::isfinite(*value))
-        isovalue.value = std::clamp(*value, range().minimum, range().maximum);
-    undoStack_.push(new AddIsovalue(view_, isovalue));
+        isovalue.value = *value;
+    edit([&](ViewValue& view) { view.isovalues.push_back(isovalue); });
 }
 
 void Session::removeIsovalue(int index)
 {
     if (hasIsovalue(index))
-        undoStack_.push(new RemoveIsovalue(view_, index));
+        edit([=](ViewValue& view) { view.isovalues.erase(view.isovalues.begin() + index); });
 }
 
-void Session::setIsovalue(int index, Isovalue isovalue)
+void Session::setIsovalue(int index, const Isovalue& isovalue)
 {
-    if (!hasIsovalue(index))
-        return;
-    const Isovalue& before = view_.isovalues()[static_cast<std::size_t>(index)];
-    isovalue.value = std::isfinite(isovalue.value) ? isovalue.value : before.value;
-    isovalue.opacity = std::isfinite(isovalue.opacity) ? isovalue.opacity : before.opacity;
-    isovalue = tetra::corrected(isovalue, range());
-    if (isovalue != before)
-        undoStack_.push(new ChangeIsovalue(view_, index, isovalue, gesture_));
+    if (hasIsovalue(index))
+        edit([&](ViewValue& view) { view.isovalues[static_cast<std::size_t>(index)] = isovalue; });
 }
 
 bool Session::hasIsovalue(int index) const
 {
-    return model_ && index >= 0 && index < view_.isovalueCount();
+    return model_ && index >= 0 && index < std::ssize(view_.isovalues);
+}
+
+bool Session::showsQuery() const
+{
+    return shown_ && model_ && shown_->query == meshQuery(view_.query, *model_);
+}
+
+void Session::setShown(const ShownMesh& shown)
+{
+    shown_ = shown;
+    emit shownChanged();
 }
 
 } // namespace tetra

@@ -2,29 +2,32 @@
 #pragma once
 
 #include "ui/session/shown_mesh.h"
-#include "ui/session/view_commands.h"
-#include "ui/session/view_state.h"
+#include "ui/session/view_value.h"
 
 #include <tan/model.h>
 #include <tan/query.h>
 
 #include <QUndoStack>
 
-#include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 namespace tetra {
 
-/// What is open and what is seen of it: the logic between the model and the widgets, free of both. Every edit is one
-/// step of the undo stack; edits between beginGesture() and endGesture() (a drag) are one step together.
+/// The number of a gesture: edits of one gesture are one step to undo. Zero is no gesture.
+using Gesture = std::uint64_t;
+
+/// What is open and how it is seen: the logic between the model and the widgets, free of both. Every edit is one step
+/// of the undo stack; edits between beginGesture() and endGesture() (a drag) are one step together. Without a model
+/// there is nothing to edit.
 class Session : public QObject {
     Q_OBJECT
 public:
     explicit Session(QObject* parent = nullptr);
 
     const std::shared_ptr<const Model>& model() const noexcept { return model_; }
-    const ViewState& view() const noexcept { return view_; }
+    const ViewValue& view() const noexcept { return view_; }
     QUndoStack& undoStack() noexcept { return undoStack_; }
     const QUndoStack& undoStack() const noexcept { return undoStack_; }
     /// The mesh at the chosen accuracy or budget, known without extracting it, but for focus, window and values; zeros
@@ -33,50 +36,58 @@ public:
     /// The range of the model's values; empty without a model.
     ValueRange range() const;
 
-    /// Shows `model` at an accuracy that is quick to draw. The history of edits starts anew.
-    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look = {});
-    /// Shows `model` as somebody has left it; what of the query does not fit the model is brought into it.
-    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Look look, const QueryState& query);
+    /// Shows `model` at an accuracy that is quick to draw, all of it, with the annotations as they were. The history of
+    /// edits starts anew.
+    void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance = {});
+    /// Shows `model` as somebody has left it; what does not fit the model is brought into it. Unless somebody had
+    /// chosen a camera it shows all of the model.
+    void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true);
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// Unless somebody left it as it is, the accuracy follows what is quick to draw as long as nothing was edited, and
     /// isovalues and transfer function become these as long as they were not.
-    void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Look& look);
+    void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Appearance& appearance);
     void close();
+    /// The width / height of the picture. A camera that shows all of the model, as it was opened, goes on doing so
+    /// until somebody moves it.
+    void setShape(double aspectRatio);
+    double shape() const noexcept { return shape_; }
 
     void beginGesture();
     void endGesture();
     /// Whether something is being dragged: pictures that follow count more than fine ones.
     bool inGesture() const noexcept { return gesture_ != 0; }
-    /// By error from now on; outside the focus, if there is one. Clamped to [0, 100] %.
+    /// The number of a gesture of a control of its own, such as a series of keys.
+    Gesture newGesture() noexcept { return ++lastGesture_; }
+
+    /// All of it as one step, named after what differs unless it is given a name. What is not in its range is brought
+    /// into it, and what is not a number is left as it was; a transfer function that checkTransferFunction() refuses is
+    /// not taken.
+    void setView(ViewValue view, const QString& name = {}, Gesture gesture = 0);
+    void setQuery(const QueryState& query);
+    /// By error from now on; outside the focus, if there is one.
     void setError(double percent);
     /// By budget from now on; at least the coarsest mesh.
     void setBudget(std::uint64_t tetrahedra);
     void setByBudget(bool byBudget);
-    /// Any part of it. What is no error, place, size or value in the model is brought into it, see corrected().
-    void setQuery(const QueryState& query);
     void setFocus(const FocusState& focus);
     void setWindow(const WindowState& window);
     void setValueFilter(const ValueFilter& values);
     /// The id of a renderer plugin.
     void setMode(const std::string& mode);
-    /// One that checkTransferFunction() refuses changes nothing.
     void setTransfer(const TransferFunction& transfer);
     /// Of a renderer's parameter.
     void setSetting(const std::string& id, const ParameterValue& value);
     void setAnnotations(const AnnotationState& annotations);
-    /// What is not in its range is brought into it, see corrected().
     void setAnimation(const Animation& animation);
-    /// All of that at once: as many steps as there are differences.
-    void setAll(const QueryState& query, const Look& look, const std::vector<Isovalue>& isovalues,
-                const AnnotationState& annotations, const Animation& animation);
-    /// As a session has left it: no edit.
-    void restore(const AnnotationState& annotations, const Animation& animation);
+    void setCamera(const Camera& camera, Gesture gesture = 0);
+    /// All of the model, from the present direction.
+    void fitCamera();
+    void setBackground(const std::optional<Colour>& background);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
     void addIsovalue(std::optional<double> value = std::nullopt);
     /// Out of range indices are ignored.
     void removeIsovalue(int index);
-    /// The value is clamped to the model's range, the opacity to [0.01, 1]; what is not a number stays as it is.
-    void setIsovalue(int index, Isovalue isovalue);
+    void setIsovalue(int index, const Isovalue& isovalue);
 
     /// What the last picture shows; nothing before the first.
     const std::optional<ShownMesh>& shown() const noexcept { return shown_; }
@@ -84,23 +95,43 @@ public:
     bool showsQuery() const;
     void setShown(const ShownMesh& shown);
 
+    /// Calls `call`, a function or a member of `receiver`, whenever one of these parts of the view has changed.
+    template <class Receiver, class Call> void whenChanged(ViewParts parts, Receiver* receiver, Call call) const
+    {
+        connect(this, &Session::viewChanged, receiver, [parts, receiver, call](ViewParts changed) {
+            if (!(changed & parts))
+                return;
+            if constexpr (std::is_member_function_pointer_v<Call>)
+                (receiver->*call)();
+            else
+                call();
+        });
+    }
+
 signals:
+    /// Another model is open, or none; nothing is left of the view before.
     void modelChanged();
     void modelGrown();
+    void viewChanged(tetra::ViewParts parts);
     void shownChanged();
     void gestureChanged(bool on);
 
 private:
+    class ChangeView;
+    template <class Change> void edit(Change change);
     bool hasIsovalue(int index) const;
-    /// Whether the stack has steps that `what` is true of.
-    bool edited(const std::function<bool(const QUndoCommand& step)>& what) const;
-    void setLook(const Look& look);
+    /// Whether one of these parts was edited, undone or not.
+    bool edited(ViewParts parts) const;
+    void start(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera);
+    void show(ViewValue view);
 
     std::shared_ptr<const Model> model_;
-    ViewState view_;
+    ViewValue view_;
     std::optional<ShownMesh> shown_;
     QUndoStack undoStack_;
     bool followsModel_ = false; ///< what was not edited, as it was not chosen
+    double shape_ = 1;
+    std::optional<Camera> fitted_; ///< to the shape; nothing if there is a chosen one from the start
     Gesture lastGesture_ = 0;
     Gesture gesture_ = 0;
 };

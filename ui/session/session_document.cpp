@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session_document.h"
 
-#include "ui/session/stage_json.h"
 #include "ui/session/target_path.h"
 #include "ui/session/view_json.h"
 
@@ -89,14 +88,10 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     }
     if (document.range)
         model["range"] = QJsonArray{document.range->minimum, document.range->maximum};
-    QJsonObject ours = {{"format", formatName},
-                        {"version", formatVersion},
-                        {"model", model},
-                        {"mesh", toJson(document.query)},
-                        {"look", toJson(document.look)},
-                        {"isovalues", toJson(document.isovalues)},
-                        {"annotations", toJson(document.annotations)},
-                        {"animation", toJson(document.animation)}};
+    QJsonObject ours = {{"format", formatName}, {"version", formatVersion}, {"model", model}};
+    ours = over(ours, toJson(document.view));
+    if (!document.hasCamera)
+        ours.remove("camera");
     QJsonObject found = document.found;
     for (const char* ofOthers : {"background", "camera", "file", "viewSize"})
         found.remove(ofOthers);
@@ -105,14 +100,10 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     look.remove("transfer");
     look.remove("settings");
     found.insert("look", look);
-    if (document.camera)
-        ours["camera"] = toJson(*document.camera);
     if (document.viewSize[0] > 0 && document.viewSize[1] > 0)
         ours["viewSize"] = QJsonArray{document.viewSize[0], document.viewSize[1]};
     if (!document.file.empty())
         ours["file"] = pathText(document.file);
-    if (const auto& background = document.background)
-        ours["background"] = QJsonArray{background->red, background->green, background->blue};
     return QJsonDocument(over(found, ours)).toJson().toStdString();
 }
 
@@ -143,19 +134,8 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     std::string file;
     fields.read("file", file);
     document.file = filePath(QString::fromStdString(file));
-    readQuery(fields.fields("mesh"), document.query);
-    readLook(fields.fields("look"), document.look, error);
-    document.isovalues = isovaluesOf(root->value("isovalues").toArray(), error);
-    if (fields.has("camera"))
-        readCamera(root->value("camera"), document.camera.emplace(), error);
-    readAnnotations(fields.fields("annotations"), document.annotations);
-    readAnimation(fields.fields("animation"), document.animation, error);
-    if (fields.has("background")) {
-        std::array<double, 3> background{};
-        fields.readThree("background", background);
-        const auto channel = [](double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); };
-        document.background = Colour{channel(background[0]), channel(background[1]), channel(background[2])};
-    }
+    readView(fields, document.view);
+    document.hasCamera = fields.has("camera");
     if (path.empty() && !error)
         error = Error{ErrorKind::BadInput, Message::say("it names no model in \"model.path\".")};
     if (error)

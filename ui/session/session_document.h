@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/animation.h"
-#include "ui/session/annotation_state.h"
-#include "ui/session/look.h"
-#include "ui/session/query_state.h"
+#include "ui/session/view_value.h"
 
 #include <tan/data.h>
 #include <tan/render.h>
@@ -28,16 +25,11 @@ struct SessionDocument {
     std::uint64_t identity = 0;        ///< modelIdentity() of the model; 0 if the file does not say
     Eigen::AlignedBox3d bounds{};      ///< of the model; empty if the file does not say
     std::optional<ValueRange> range{}; ///< of its values, likewise
-    QueryState query;
-    Look look;
-    std::vector<Isovalue> isovalues;
-    std::optional<Camera> camera;
-    std::optional<Colour> background; ///< none: the one that fits the desktop's colours
+    ViewValue view{};
+    bool hasCamera = false; ///< else the view's is none that anybody chose
     /// Of the view, width and height in pixels: lines and texts take as much of a picture as they do of that. Zeros if
     /// the file does not say.
     std::array<int, 2> viewSize{};
-    AnnotationState annotations{};
-    Animation animation{};
     std::filesystem::path file{}; ///< of a session that was kept before it was saved: where it belongs; else empty
     QJsonObject found{};          ///< the whole text that was read: what is not known here stays in it
 };

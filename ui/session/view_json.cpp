@@ -6,6 +6,7 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,47 +15,90 @@ namespace {
 
 constexpr std::array shapeNames = {"none", "box", "sphere"};
 constexpr std::array borderNames = {"intersecting", "contained", "clipped"};
+constexpr std::array filmNames = {"turntable", "keyFrames"};
+constexpr std::array axisNames = {"vertical", "horizontal"};
+
+template <class Enumeration, std::size_t Count>
+const char* nameOf(const std::array<const char*, Count>& names, Enumeration value)
+{
+    return names[static_cast<std::size_t>(value)];
+}
 
 QJsonArray three(const Eigen::Vector3d& vector)
 {
     return {vector[0], vector[1], vector[2]};
 }
 
-QJsonObject toJson(const FocusState& focus)
+QJsonArray three(const Colour& colour)
 {
-    return {{"shape", shapeNames[static_cast<std::size_t>(focus.shape)]},
-            {"centre", three(focus.centre)},
-            {"size", three(focus.size)},
-            {"radius", focus.radius},
-            {"error", focus.error},
-            {"falloff", focus.falloff}};
+    return {colour.red, colour.green, colour.blue};
 }
 
-void readFocus(const JsonFields& fields, FocusState& focus)
+Colour readColour(const JsonFields& fields, const QString& key, const Colour& usual)
 {
-    readName(fields, "shape", shapeNames, focus.shape);
-    fields.readThree("centre", focus.centre);
-    fields.readThree("size", focus.size);
-    fields.read("radius", focus.radius);
-    fields.read("error", focus.error);
-    fields.read("falloff", focus.falloff);
+    std::array<double, 3> channels{usual.red, usual.green, usual.blue};
+    fields.readThree(key, channels);
+    const auto clamped = [](double channel) { return static_cast<float>(std::clamp(channel, 0.0, 1.0)); };
+    return {clamped(channels[0]), clamped(channels[1]), clamped(channels[2])};
 }
 
-QJsonObject toJson(const WindowState& window)
+void readBudget(const JsonFields& fields, std::uint64_t& budget)
 {
-    return {{"on", window.enabled},
-            {"least", three(window.window.box.least)},
-            {"largest", three(window.window.box.largest)},
-            {"border", borderNames[static_cast<std::size_t>(window.window.border)]}};
+    constexpr double mostTetrahedra = 1e15;
+    auto wide = static_cast<double>(budget);
+    fields.read("budget", wide);
+    budget = static_cast<std::uint64_t>(std::clamp(wide, 0.0, mostTetrahedra));
 }
 
-void readWindow(const JsonFields& fields, WindowState& window)
+QJsonObject toJson(const QueryState& query)
 {
-    fields.read("on", window.enabled);
-    fields.readThree("least", window.window.box.least);
-    fields.readThree("largest", window.window.box.largest);
-    readName(fields, "border", borderNames, window.window.border);
+    const FocusState& focus = query.focus;
+    const Window& window = query.window.window;
+    return {
+        {"error", query.error},
+        {"byBudget", query.byBudget},
+        {"budget", static_cast<qint64>(query.budget)},
+        {"focus", QJsonObject{{"shape", nameOf(shapeNames, focus.shape)},
+                              {"centre", three(focus.centre)},
+                              {"size", three(focus.size)},
+                              {"radius", focus.radius},
+                              {"error", focus.error},
+                              {"falloff", focus.falloff}}},
+        {"window", QJsonObject{{"on", query.window.enabled},
+                               {"least", three(window.box.least)},
+                               {"largest", three(window.box.largest)},
+                               {"border", nameOf(borderNames, window.border)}}},
+        {"values",
+         QJsonObject{{"on", query.values.enabled}, {"least", query.values.least}, {"largest", query.values.largest}}}};
 }
+
+void readQuery(const JsonFields& fields, QueryState& query)
+{
+    fields.read("error", query.error);
+    fields.read("byBudget", query.byBudget);
+    readBudget(fields, query.budget);
+    const JsonFields focus = fields.fields("focus");
+    readName(focus, "shape", shapeNames, query.focus.shape);
+    focus.readThree("centre", query.focus.centre);
+    focus.readThree("size", query.focus.size);
+    focus.read("radius", query.focus.radius);
+    focus.read("error", query.focus.error);
+    focus.read("falloff", query.focus.falloff);
+    const JsonFields window = fields.fields("window");
+    window.read("on", query.window.enabled);
+    window.readThree("least", query.window.window.box.least);
+    window.readThree("largest", query.window.window.box.largest);
+    readName(window, "border", borderNames, query.window.window.border);
+    const JsonFields values = fields.fields("values");
+    values.read("on", query.values.enabled);
+    values.read("least", query.values.least);
+    values.read("largest", query.values.largest);
+}
+
+QJsonArray toJson(const std::vector<Isovalue>& isovalues);
+QJsonObject parsed(const std::string& json);
+void readTransfer(const JsonFields& fields, TransferFunction& transfer);
+void readIsovalues(const JsonFields& fields, std::vector<Isovalue>& isovalues);
 
 QJsonValue toJson(const ParameterValue& value)
 {
@@ -72,7 +116,9 @@ QJsonValue toJson(const ParameterValue& value)
         return QJsonObject{{"vector", three(*vector)}};
     if (const OwnValue* own = std::get_if<OwnValue>(&value))
         return QJsonObject{{"type", QString::fromStdString(own->type)}, {"text", QString::fromStdString(own->text)}};
-    return {};
+    if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value))
+        return QJsonObject{{"isovalues", toJson(*isovalues)}};
+    return QJsonObject{{"transfer", parsed(transferFunctionToText(std::get<TransferFunction>(value)))}};
 }
 
 std::optional<ParameterValue> settingOf(const QJsonValue& value)
@@ -95,87 +141,71 @@ std::optional<ParameterValue> settingOf(const QJsonValue& value)
     if (tagged.value("type").isString() && tagged.value("text").isString())
         return ParameterValue(
             OwnValue{tagged.value("type").toString().toStdString(), tagged.value("text").toString().toStdString()});
-    return std::nullopt;
+    std::optional<Error> error;
+    const JsonFields fields(tagged, {}, error);
+    ParameterValue setting;
+    if (fields.has("isovalues"))
+        readIsovalues(fields, setting.emplace<std::vector<Isovalue>>());
+    else if (fields.has("transfer"))
+        readTransfer(fields, setting.emplace<TransferFunction>());
+    else
+        return std::nullopt;
+    return error ? std::nullopt : std::optional(setting);
 }
 
-} // namespace
-
-QJsonObject toJson(const QueryState& query)
+/// Of a text that the core writes.
+QJsonObject parsed(const std::string& json)
 {
-    return {
-        {"error", query.error},
-        {"byBudget", query.byBudget},
-        {"budget", static_cast<qint64>(query.budget)},
-        {"focus", toJson(query.focus)},
-        {"window", toJson(query.window)},
-        {"values",
-         QJsonObject{{"on", query.values.enabled}, {"least", query.values.least}, {"largest", query.values.largest}}}};
+    return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
 }
 
-void readQuery(const JsonFields& fields, QueryState& query)
+std::string textOf(const QJsonValue& value)
 {
-    fields.read("error", query.error);
-    fields.read("byBudget", query.byBudget);
-    double budget = static_cast<double>(query.budget);
-    fields.read("budget", budget);
-    constexpr double mostTetrahedra = 1e15;
-    query.budget = static_cast<std::uint64_t>(std::clamp(budget, 0.0, mostTetrahedra));
-    readFocus(fields.fields("focus"), query.focus);
-    readWindow(fields.fields("window"), query.window);
-    const JsonFields values = fields.fields("values");
-    values.read("on", query.values.enabled);
-    values.read("least", query.values.least);
-    values.read("largest", query.values.largest);
+    return QJsonDocument(value.toObject()).toJson().toStdString();
 }
 
-QJsonObject toJson(const TransferFunction& transfer)
+/// By a function of the core.
+template <class Value, class Reader>
+void readBy(const Reader& reader, const JsonFields& fields, const QString& key, Value& value)
 {
-    return QJsonDocument::fromJson(QByteArray::fromStdString(transferFunctionToText(transfer))).object();
+    if (!fields.has(key))
+        return;
+    if (const auto read = reader(textOf(fields.object().value(key))))
+        value = *read;
+    else
+        fields.refuse(read.error());
 }
 
-void readTransfer(const QJsonValue& value, TransferFunction& transfer, std::optional<Error>& error)
+void readTransfer(const JsonFields& fields, TransferFunction& transfer)
 {
-    const QByteArray text = QJsonDocument(value.toObject()).toJson();
-    const auto read = transferFunctionFromText({text.constData(), static_cast<std::size_t>(text.size())});
-    if (read)
-        transfer = *read;
-    else if (!error)
-        error = read.error();
+    readBy([](const std::string& text) { return transferFunctionFromText(text); }, fields, "transfer", transfer);
 }
 
-QJsonObject toJson(const Camera& camera)
+void readCamera(const JsonFields& fields, Camera& camera)
 {
-    return QJsonDocument::fromJson(QByteArray::fromStdString(cameraToText(camera))).object();
-}
-
-void readCamera(const QJsonValue& value, Camera& camera, std::optional<Error>& error)
-{
-    const std::string text = QJsonDocument(value.toObject()).toJson().toStdString();
     const Eigen::AlignedBox3d usual(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
-    if (const auto read = cameraFromText(text, usual))
-        camera = *read;
-    else if (!error)
-        error = read.error();
+    readBy([&](const std::string& text) { return cameraFromText(text, usual); }, fields, "camera", camera);
 }
 
-QJsonObject toJson(const Look& look)
+QJsonObject toJson(const Appearance& appearance)
 {
     QJsonObject settings;
-    for (const auto& [id, value] : look.settings)
+    for (const auto& [id, value] : appearance.settings)
         if (const QJsonValue json = toJson(value); !json.isNull())
             settings.insert(QString::fromStdString(id), json);
-    return {{"mode", QString::fromStdString(look.mode)}, {"transfer", toJson(look.transfer)}, {"settings", settings}};
+    return {{"mode", QString::fromStdString(appearance.mode)},
+            {"transfer", parsed(transferFunctionToText(appearance.transfer))},
+            {"settings", settings}};
 }
 
-void readLook(const JsonFields& fields, Look& look, std::optional<Error>& error)
+void readAppearance(const JsonFields& fields, Appearance& appearance)
 {
-    fields.read("mode", look.mode);
-    if (fields.has("transfer"))
-        readTransfer(fields.object().value("transfer"), look.transfer, error);
+    fields.read("mode", appearance.mode);
+    readTransfer(fields, appearance.transfer);
     const QJsonObject settings = fields.fields("settings").object();
     for (auto setting = settings.begin(); setting != settings.end(); ++setting)
         if (const auto value = settingOf(setting.value()))
-            look.settings[setting.key().toStdString()] = *value;
+            appearance.settings[setting.key().toStdString()] = *value;
 }
 
 QJsonArray toJson(const std::vector<Isovalue>& isovalues)
@@ -183,29 +213,123 @@ QJsonArray toJson(const std::vector<Isovalue>& isovalues)
     QJsonArray list;
     for (const Isovalue& isovalue : isovalues)
         list.append(QJsonObject{{"value", isovalue.value},
-                                {"colour", QJsonArray{isovalue.red, isovalue.green, isovalue.blue}},
+                                {"colour", three(Colour{isovalue.red, isovalue.green, isovalue.blue})},
                                 {"opacity", isovalue.opacity},
                                 {"visible", isovalue.visible}});
     return list;
 }
 
-std::vector<Isovalue> isovaluesOf(const QJsonArray& list, std::optional<Error>& error)
+void readIsovalues(const JsonFields& fields, std::vector<Isovalue>& isovalues)
 {
-    std::vector<Isovalue> isovalues;
-    for (qsizetype i = 0; i < list.size(); ++i) {
-        const JsonFields fields(list[i].toObject(), QString("isovalues[%1]").arg(i), error);
+    if (fields.has("isovalues"))
+        isovalues.clear();
+    for (const JsonFields& one : fields.list("isovalues")) {
         Isovalue isovalue;
-        std::array<double, 3> colour = {isovalue.red, isovalue.green, isovalue.blue};
-        fields.read("value", isovalue.value);
-        fields.readThree("colour", colour);
-        fields.read("opacity", isovalue.opacity);
-        fields.read("visible", isovalue.visible);
-        isovalue.red = static_cast<float>(std::clamp(colour[0], 0.0, 1.0));
-        isovalue.green = static_cast<float>(std::clamp(colour[1], 0.0, 1.0));
-        isovalue.blue = static_cast<float>(std::clamp(colour[2], 0.0, 1.0));
+        one.read("value", isovalue.value);
+        const Colour colour = readColour(one, "colour", {isovalue.red, isovalue.green, isovalue.blue});
+        isovalue.red = colour.red;
+        isovalue.green = colour.green;
+        isovalue.blue = colour.blue;
+        one.read("opacity", isovalue.opacity);
+        one.read("visible", isovalue.visible);
         isovalues.push_back(isovalue);
     }
-    return isovalues;
+}
+
+QJsonObject toJson(const AnnotationState& annotations)
+{
+    QJsonObject object;
+    for (std::size_t i = 0; i < annotationCount; ++i)
+        object[annotationNames[i]] = QJsonObject{{"shown", annotations.places[i].shown},
+                                                 {"corner", nameOf(cornerNames, annotations.places[i].corner)}};
+    return object;
+}
+
+void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
+{
+    for (std::size_t i = 0; i < annotationCount; ++i) {
+        const JsonFields place = fields.fields(annotationNames[i]);
+        place.read("shown", annotations.places[i].shown);
+        readName(place, "corner", cornerNames, annotations.places[i].corner);
+    }
+}
+
+QJsonObject toJson(const KeyFrame& key)
+{
+    return {{"time", key.time},
+            {"camera", parsed(cameraToText(key.frame.camera))},
+            {"transfer", parsed(transferFunctionToText(key.frame.transfer))},
+            {"isovalues", toJson(key.frame.isovalues)},
+            {"error", key.frame.error},
+            {"byBudget", key.frame.byBudget},
+            {"budget", static_cast<qint64>(key.frame.budget)}};
+}
+
+KeyFrame keyOf(const JsonFields& fields)
+{
+    KeyFrame key;
+    fields.read("time", key.time);
+    readCamera(fields, key.frame.camera);
+    readTransfer(fields, key.frame.transfer);
+    readIsovalues(fields, key.frame.isovalues);
+    fields.read("error", key.frame.error);
+    fields.read("byBudget", key.frame.byBudget);
+    readBudget(fields, key.frame.budget);
+    return key;
+}
+
+QJsonObject toJson(const Animation& animation)
+{
+    QJsonArray keys;
+    for (const KeyFrame& key : animation.keys)
+        keys.append(toJson(key));
+    return {{"kind", nameOf(filmNames, animation.kind)},
+            {"framesPerSecond", animation.framesPerSecond},
+            {"turntable", QJsonObject{{"axis", nameOf(axisNames, animation.turntable.axis)},
+                                      {"degrees", animation.turntable.degrees},
+                                      {"frames", animation.turntable.frames}}},
+            {"keys", keys}};
+}
+
+void readAnimation(const JsonFields& fields, Animation& animation)
+{
+    readName(fields, "kind", filmNames, animation.kind);
+    fields.read("framesPerSecond", animation.framesPerSecond);
+    const JsonFields turntable = fields.fields("turntable");
+    readName(turntable, "axis", axisNames, animation.turntable.axis);
+    turntable.read("degrees", animation.turntable.degrees);
+    double frames = animation.turntable.frames;
+    turntable.read("frames", frames);
+    animation.turntable.frames = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(mostFrames)));
+    if (fields.has("keys"))
+        animation.keys.clear();
+    for (const JsonFields& key : fields.list("keys"))
+        animation.keys.push_back(keyOf(key));
+    animation = corrected(std::move(animation));
+}
+
+} // namespace
+
+QJsonObject toJson(const ViewValue& view)
+{
+    QJsonObject object{{"mesh", toJson(view.query)},          {"look", toJson(view.appearance)},
+                       {"isovalues", toJson(view.isovalues)}, {"annotations", toJson(view.annotations)},
+                       {"animation", toJson(view.animation)}, {"camera", parsed(cameraToText(view.camera))}};
+    if (view.background)
+        object["background"] = three(*view.background);
+    return object;
+}
+
+void readView(const JsonFields& fields, ViewValue& view)
+{
+    readQuery(fields.fields("mesh"), view.query);
+    readAppearance(fields.fields("look"), view.appearance);
+    readIsovalues(fields, view.isovalues);
+    readCamera(fields, view.camera);
+    readAnnotations(fields.fields("annotations"), view.annotations);
+    readAnimation(fields.fields("animation"), view.animation);
+    if (fields.has("background"))
+        view.background = readColour(fields, "background", {});
 }
 
 } // namespace tetra

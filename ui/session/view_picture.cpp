@@ -13,51 +13,50 @@ namespace {
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
 constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
 
-/// The look of the session, where it says one that is known here; else how the model is looked at first. What settings
-/// the session does not have are the renderers' own defaults: how it was seen when it was saved.
-Look lookOf(const SessionDocument& document, const std::vector<Provided<Renderer>>& modes, Look look)
+/// The appearance of the session, where it says one that is known here; else how the model is seen at first. What
+/// settings the session does not have are the renderers' own defaults: how it was seen when it was saved.
+Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& modes, const Appearance& start)
 {
-    if (rendererOf(modes, document.look.mode) != nullptr)
-        look.mode = document.look.mode;
-    if (!document.look.transfer.opacities.empty())
-        look.transfer = document.look.transfer;
-    look.settings = document.look.settings;
-    return look;
+    if (rendererOf(modes, appearance.mode) == nullptr)
+        appearance.mode = start.mode;
+    if (appearance.transfer.opacities.empty())
+        appearance.transfer = start.transfer;
+    return appearance;
 }
 
 /// Of a view that was kept of another field: what is not a place in it nor a value of it.
-void leaveWhatFits(SessionDocument& view, const SessionDocument& start)
+void leaveWhatFits(SessionDocument& kept, const ViewValue& start)
 {
-    view.query.focus = start.query.focus;
-    view.query.window = start.query.window;
-    view.query.values = start.query.values;
-    view.look.transfer = {};
-    view.look.settings.erase(clipId);
-    view.isovalues = start.isovalues;
-    view.camera.reset();
-    view.animation = {};
+    kept.view.query.focus = start.query.focus;
+    kept.view.query.window = start.query.window;
+    kept.view.query.values = start.query.values;
+    kept.view.appearance.transfer = {};
+    kept.view.appearance.settings.erase(clipId);
+    kept.view.isovalues = start.isovalues;
+    kept.hasCamera = false;
+    kept.view.animation = {};
 }
 
 } // namespace
 
-SessionDocument startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field)
+ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
+                       double aspectRatio)
 {
-    SessionDocument view;
-    view.query = startingQuery(model, startingError(model));
-    view.look = startingLook(modes, field, model.description().domain);
-    view.isovalues = startingIsovalues(modes, field);
-    return view;
+    return {.query = startingQuery(model, startingError(model)),
+            .appearance = startingAppearance(modes, field, model.description().domain),
+            .isovalues = startingIsovalues(modes, field),
+            .camera = fitted(Camera(), model.description().bounds, aspectRatio)};
 }
 
 SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
                              const FieldExtent& field)
 {
-    const SessionDocument start = startingView(modes, model, field);
+    const ViewValue start = startingView(modes, model, field);
     if (!isOfSameField(kept, model))
         leaveWhatFits(kept, start);
-    kept.look = lookOf(kept, modes, start.look);
-    kept.query = corrected(kept.query, start.query, model);
-    for (Isovalue& isovalue : kept.isovalues)
+    kept.view.appearance = known(std::move(kept.view.appearance), modes, start.appearance);
+    kept.view.query = corrected(kept.view.query, start.query, model);
+    for (Isovalue& isovalue : kept.view.isovalues)
         isovalue = corrected(isovalue, model.description().range);
     return kept;
 }
@@ -69,10 +68,10 @@ const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const s
 }
 
 SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
-                     const std::vector<Parameter>& parameters, const QueryState& query, const Look& look,
-                     const std::vector<Isovalue>& isovalues)
+                     const std::vector<Parameter>& parameters, const ViewValue& view)
 {
-    return {model, renderer, meshQuery(query, *model), rendererValues(parameters, look, isovalues), {}};
+    return {model, renderer, meshQuery(view.query, *model), rendererValues(parameters, view.appearance, view.isovalues),
+            view.camera};
 }
 
 Colour usualBackground(bool isDark)

@@ -14,9 +14,9 @@ namespace tetra {
 // The way from how a model is seen to a picture of that: the window's and the command line's, so that both draw the
 // same.
 
-/// How a model is seen that nobody has looked at yet, but for the camera.
-SessionDocument startingView(const std::vector<Provided<Renderer>>& modes, const Model& model,
-                             const FieldExtent& field);
+/// How a model is seen that nobody has looked at yet, in a picture of this width / height.
+ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
+                       double aspectRatio = 1);
 
 /// How it is seen again: as `kept` says, as far as that fits the model and is known here; the rest is as at first.
 SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
@@ -27,8 +27,7 @@ const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const s
 
 /// The scene of a view. `parameters`: those of the renderer that fit the field.
 SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
-                     const std::vector<Parameter>& parameters, const QueryState& query, const Look& look,
-                     const std::vector<Isovalue>& isovalues);
+                     const std::vector<Parameter>& parameters, const ViewValue& view);
 
 /// The background of a view for which none was chosen.
 Colour usualBackground(bool isDark);

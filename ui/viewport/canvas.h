@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/viewport/frame_clock.h"
 #include "ui/viewport/frame_pacer.h"
+#include "ui/work/latest_job.h"
 
 #include <tan/render.h>
 
 #include <QImage>
 #include <QString>
+#include <QWidget>
 
-#include <functional>
 #include <memory>
 #include <vector>
-
-class QWidget;
 
 namespace tetra {
 
@@ -41,36 +41,89 @@ struct FrameReport {
     std::size_t brokenCycles = 0; ///< of their visibility order (S14)
 };
 
-/// The part of the viewport that draws with one back end. It takes no input: that goes on to the viewport around it.
-/// Used from the GUI thread.
-class Canvas {
+/// Which back end the viewport draws with. Automatic takes OpenGL where a graphics card does the work; OpenGL that is
+/// computed by the processor would only be slower than our own CPU back end. Gl takes it there, too. Where there is
+/// none at all, all take the CPU.
+enum class BackendChoice { Automatic, Cpu, Gl };
+
+/// The part of the viewport that draws, with a back end in a worker, so that the window never waits for a picture:
+/// while the camera moves pictures that keep up, of a coarser mesh or smaller; when it rests finer ones up to the best
+/// (R23). It takes no input: that goes on to the viewport around it.
+class Canvas : public QWidget {
+    Q_OBJECT
 public:
-    virtual ~Canvas() = default;
-    virtual QWidget* widget() = 0;
-    virtual QString backendName() const = 0;
-    virtual void show(const View& view) = 0;
+    explicit Canvas(BackendChoice choice = BackendChoice::Cpu, QWidget* parent = nullptr);
+    ~Canvas() override;
+
+    QString backendName() const;
+    void setView(const View& view);
     /// Pictures a second to hold while something moves.
-    virtual void setFrameRate(double perSecond) = 0;
+    void setFrameRate(double perSecond) { pacer_.setFrameRate(perSecond); }
     /// The rate to hold unless the user says otherwise.
-    virtual double usualFrameRate() const = 0;
+    double usualFrameRate() const { return usesGl_ ? 30 : 15; }
     /// True once the fine picture of the last view is on the screen.
-    virtual bool settled() const = 0;
+    bool settled() const { return settled_; }
     /// The picture that is on the screen, in its own pixels.
-    virtual QImage picture() = 0;
+    QImage picture() const { return shown_; }
 
-    std::function<void(const FrameReport& report)> framePainted; ///< called after each picture
-    std::function<void(const QString& text)> failed;             ///< called when a picture could not be drawn
-    std::function<void(const QString& text)> unusable; ///< called when this back end does not work here after all
+signals:
+    void framePainted(const tetra::FrameReport& report);
+    /// A picture could not be drawn.
+    void failed(const QString& text);
+    /// The back end does not work here after all.
+    void unusable(const QString& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    /// A picture to draw.
+    struct Order {
+        SceneLevel level; ///< without a scene: the background
+        std::size_t levelIndex = 0;
+        Camera camera;
+        PictureOptions options;
+        double reduction = 1;
+        bool moving = false;
+        std::size_t step = 0; ///< of the refinement, if it does not move
+        bool isLast = false;  ///< of the refinement: this is the fine picture
+        quint64 view = 0;     ///< the number of the view
+    };
+    /// What the worker made.
+    struct Drawn {
+        QImage image;
+        QString error;
+        bool cancelled = false;
+        double seconds = 0;
+        RenderStatistics statistics;
+    };
+    struct Backends;
+
+    static Drawn draw(Backends& backends, const Order& order, const std::stop_token& stop);
+    QSize pixels() const { return size() * devicePixelRatioF(); }
+    double pixelCount() const;
+    int smoothSamples() const;
+    bool bringsNothing(const View& before);
+    void render();
+    void drawMoving();
+    void refine(std::size_t step);
+    void submit(Order order);
+    void arrived(const Order& order, const Drawn& drawn);
+    void tellError(const Order& order, const QString& error);
+
+    const bool usesGl_;
+    View view_;
+    QImage shown_;
+    bool settled_ = false;
+    bool isTooSmooth_ = false; ///< the graphics card has no room for the smoothest pictures
+    quint64 newest_ = 0;       ///< the number of the last view
+    quint64 emptied_ = 0;      ///< pictures of views up to this number are not shown any more
+    FramePacer pacer_;
+    std::vector<RefinementStep> steps_; ///< of the view, while it rests
+    FrameClock clock_;
+    std::shared_ptr<Backends> backends_; ///< the worker's
+    LatestJob job_;
 };
-
-/// Whether the fine pictures of both are the same: coarser levels do not matter to them.
-bool haveSameStill(const View& first, const View& second);
-
-/// Whether a moving picture of this level of `second` would show what was seen of `first` already: its scene is not
-/// there yet.
-bool wouldShowNothingNew(const View& first, const View& second, std::size_t level);
-
-/// The levels of a view for the choice between them; one without anything if there are none.
-std::vector<FrameLevel> frameLevels(const View& view);
 
 } // namespace tetra

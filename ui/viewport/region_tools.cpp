@@ -33,7 +33,7 @@ RegionTools::RegionTools(Session& session, Viewport& viewport)
     viewport.installEventFilter(this);
     connect(&viewport, &Viewport::cameraChanged, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::modelChanged, this, &RegionTools::followQuery);
-    connect(&session.view(), &ViewState::queryChanged, this, &RegionTools::followQuery);
+    session.whenChanged(ViewPart::Query, this, &RegionTools::followQuery);
 }
 
 void RegionTools::select(RegionKind kind)

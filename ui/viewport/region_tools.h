@@ -47,7 +47,7 @@ private:
         RegionHandle handle;
     };
 
-    const QueryState& query() const { return session_.view().query(); }
+    const QueryState& query() const { return session_.view().query; }
     void place(const MovableRegion& place);
     std::vector<RegionHandle> handlesOf(RegionKind kind) const;
     std::optional<Grip> gripAt(QPointF pixel) const;

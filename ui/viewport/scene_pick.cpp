@@ -2,6 +2,7 @@
 #include "ui/viewport/scene_pick.h"
 
 #include <new>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -41,8 +42,10 @@ void ScenePick::forget()
 std::shared_ptr<const Scene> surfacesOf(const Scene& scene)
 {
     auto surfaces = std::make_shared<Scene>();
-    surfaces->surfaces = scene.surfaces;
     surfaces->clipPlanes = scene.clipPlanes;
+    for (const Drawable& drawable : scene.drawables)
+        if (std::holds_alternative<Surface>(drawable.shape))
+            surfaces->drawables.push_back(drawable);
     return surfaces;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/transfer_drag.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "plugins/widgets/curves/whole_function.h"
 #include "ui/viewport/viewport.h"
 
@@ -35,10 +36,10 @@ TransferDrag::TransferDrag(Workbench& workbench, Viewport& viewport)
 bool TransferDrag::press(const QMouseEvent& event)
 {
     if (event.button() != Qt::LeftButton || event.modifiers() != Qt::ControlModifier || !workbench_.session().model() ||
-        !hasParameter<TransferFunction>(workbench_.matteringParameters()))
+        !hasParameter(workbench_.scenes().matteringParameters(), transferId))
         return false;
     from_ = event.position();
-    function_ = workbench_.session().view().look().transfer;
+    function_ = workbench_.session().view().appearance.transfer;
     workbench_.session().beginGesture();
     return true;
 }

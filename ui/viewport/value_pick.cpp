@@ -19,37 +19,13 @@ constexpr double clickReach = 3; ///< pixels that a hand may move while it click
 constexpr double ringRadius = 6;
 constexpr double labelDistance = 10;
 
-/// Whether the surface itself says which values the field has on it.
-bool tellsValues(const Surface& surface)
+/// On an isosurface its isovalue, elsewhere what the field has there; nothing on what tells no value.
+std::optional<PickedValue> pickedOf(const SeenPlace& seen, const Scene& scene)
 {
-    return surface.mesh && !surface.mesh->values.empty();
-}
-
-/// Those of the scene's isosurfaces, which come first, in their order; nothing if the scene is one of other isovalues.
-std::vector<double> isovaluesOf(const Scene& scene, const std::vector<Isovalue>& isovalues)
-{
-    const auto count = static_cast<std::size_t>(
-        std::ranges::count_if(scene.surfaces, [](const Surface& surface) { return !tellsValues(surface); }));
-    std::vector<double> values;
-    for (const Isovalue& isovalue : isovalues) {
-        if (!isovalue.visible)
-            continue;
-        const Colour colour{isovalue.red, isovalue.green, isovalue.blue};
-        if (values.size() == count || scene.surfaces[values.size()].colour != colour)
-            return {};
-        values.push_back(isovalue.value);
-    }
-    return values.size() == count ? values : std::vector<double>();
-}
-
-/// On an isosurface its isovalue, elsewhere what the field has there; nothing on a surface that is not known.
-std::optional<PickedValue> pickedOf(const SeenPlace& seen, const Scene& scene, const std::vector<double>& isovalues)
-{
-    if (!seen.surface || tellsValues(scene.surfaces[*seen.surface]))
-        return PickedValue{seen.value, seen.place, false};
-    if (*seen.surface >= isovalues.size())
+    if (!seen.value)
         return std::nullopt;
-    return PickedValue{isovalues[*seen.surface], seen.place, true};
+    const Drawable* drawable = drawableOf(scene, seen.drawable);
+    return PickedValue{*seen.value, seen.place, drawable != nullptr && drawable->value.has_value()};
 }
 
 } // namespace
@@ -67,7 +43,8 @@ ValuePick::ValuePick(Workbench& workbench, Viewport& viewport)
     connect(&viewport, &Viewport::previewChanged, this, repaint);
     connect(&workbench.session(), &Session::modelChanged, this, &ValuePick::forget);
     // The viewport gets the scene by the same signal.
-    connect(&workbench.sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look, Qt::QueuedConnection);
+    connect(&workbench.scenes().sceneBuilder(), &SceneBuilder::sceneReady, this, &ValuePick::look,
+            Qt::QueuedConnection);
 }
 
 QString ValuePick::text() const
@@ -102,15 +79,13 @@ void ValuePick::forget()
 void ValuePick::look()
 {
     const auto scene = viewport_.scene();
-    if (!wanted_ || !scene || viewport_.previewing() || workbench_.sceneBuilder().busy())
+    if (!wanted_ || !scene || viewport_.previewing() || workbench_.scenes().sceneBuilder().busy())
         return;
     const PickingRay line = viewport_.projection().pickingRay(*wanted_);
     wanted_.reset();
-    seen_.find(scene, line,
-               [this, scene, isovalues = isovaluesOf(*scene, workbench_.session().view().isovalues())](
-                   const std::optional<SeenPlace>& seen) {
-                   setPicked(seen ? pickedOf(*seen, *scene, isovalues) : std::nullopt);
-               });
+    seen_.find(scene, line, [this, scene](const std::optional<SeenPlace>& seen) {
+        setPicked(seen ? pickedOf(*seen, *scene) : std::nullopt);
+    });
 }
 
 void ValuePick::setPicked(const std::optional<PickedValue>& picked)

@@ -2,7 +2,6 @@
 #include "ui/viewport/viewport.h"
 
 #include "ui/session/view_picture.h"
-#include "ui/viewport/make_canvas.h"
 #include "ui/widgets/motion.h"
 
 #include <QEvent>
@@ -18,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -53,7 +53,8 @@ std::optional<double> pinchFactor(const QEvent& event)
 
 } // namespace
 
-Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
+Viewport::Viewport(Session& session, BackendChoice choice, QWidget* parent)
+    : QWidget(parent), session_(session), gesture_(session.newGesture())
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
@@ -65,7 +66,7 @@ Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
     pausing_.setInterval(seriesPause);
     connect(&pausing_, &QTimer::timeout, this, [this] {
         if (QGuiApplication::mouseButtons() == Qt::NoButton)
-            ++gesture_;
+            gesture_ = session_.newGesture();
     });
     glide_.setStartValue(0.0);
     glide_.setEndValue(1.0);
@@ -76,29 +77,37 @@ Viewport::Viewport(BackendChoice choice, QWidget* parent) : QWidget(parent)
     grabGesture(Qt::PinchGesture);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
-    useCanvas(makeCanvas(choice));
-    followPalette();
+    useCanvas(new Canvas(choice));
+    followBackground();
+    connect(&session, &Session::modelChanged, this, [this] {
+        endPreview();
+        showCamera();
+        followBackground();
+    });
+    session.whenChanged(ViewPart::Camera, this, &Viewport::followCamera);
+    session.whenChanged(ViewPart::Background, this, &Viewport::followBackground);
 }
 
 void Viewport::useCanvas(Canvas* canvas)
 {
     if (canvas_ != nullptr) {
-        canvas_->widget()->hide();
-        canvas_->widget()->deleteLater();
+        canvas_->disconnect(this);
+        canvas_->hide();
+        canvas_->deleteLater();
     }
     canvas_ = canvas;
-    canvas_->widget()->setObjectName("viewport.canvas");
-    canvas_->widget()->setMouseTracking(true);
-    canvas_->framePainted = [this](const FrameReport& report) { emit framePainted(report); };
-    canvas_->failed = [this](const QString& text) { emit failed(text); };
-    canvas_->unusable = [this](const QString& text) {
+    canvas_->setObjectName("viewport.canvas");
+    canvas_->setMouseTracking(true);
+    connect(canvas_, &Canvas::framePainted, this, &Viewport::framePainted);
+    connect(canvas_, &Canvas::failed, this, &Viewport::failed);
+    connect(canvas_, &Canvas::unusable, this, [this](const QString& text) {
         emit failed(tr("OpenGL cannot be used, the picture is drawn by the processor instead. %1").arg(text));
-        useCanvas(makeCanvas(BackendChoice::Cpu));
-    };
+        useCanvas(new Canvas);
+    });
     setFrameRate(frameRate_);
-    layout()->addWidget(canvas_->widget());
-    canvas_->widget()->lower(); // below what tools draw over it
-    canvas_->show(view_);
+    layout()->addWidget(canvas_);
+    canvas_->lower(); // below what tools draw over it
+    canvas_->setView(view_);
 }
 
 void Viewport::setScene(std::shared_ptr<const Scene> scene, std::uint64_t tetrahedra)
@@ -116,7 +125,7 @@ void Viewport::setDrafts(std::vector<SceneLevel> drafts)
     for (const SceneLevel& draft : drafts_)
         if (!view_.levels.empty())
             view_.levels.push_back(withOutlines(draft));
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::setOutlines(std::vector<LineSet> outlines)
@@ -134,13 +143,14 @@ SceneLevel Viewport::withOutlines(const SceneLevel& level) const
     if (outlines_.empty() && pixelsPerUnit == 1)
         return level;
     auto scene = std::make_shared<Scene>(*level.scene);
-    for (const LineSet& outline : outlines_) {
-        for (const Eigen::Vector3f& point : outline.points)
+    for (std::size_t i = 0; i < outlines_.size(); ++i) {
+        for (const Eigen::Vector3f& point : outlines_[i].points)
             scene->bounds.extend(point.cast<double>());
-        scene->lines.push_back(outline);
+        scene->drawables.push_back({.id = "tool-outline-" + std::to_string(i + 1), .shape = outlines_[i]});
     }
-    for (LineSet& lines : scene->lines)
-        lines.width *= pixelsPerUnit;
+    for (Drawable& drawable : scene->drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width *= pixelsPerUnit;
     return {std::move(scene), level.tetrahedra};
 }
 
@@ -152,57 +162,59 @@ void Viewport::show()
         for (const SceneLevel& draft : drafts_)
             view_.levels.push_back(withOutlines(draft));
     }
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::setCamera(const Camera& camera)
 {
-    if (camera != camera_)
-        moveCamera(camera);
+    if (camera != this->camera())
+        moveByHand(camera);
 }
 
-void Viewport::startFrom(const Camera& camera, const std::optional<Colour>& background)
+void Viewport::moveByHand(const Camera& camera)
 {
     endPreview();
-    ++gesture_;
+    expectChange();
+    pausing_.start();
+    byHand_ = true;
+    session_.setCamera(camera, gesture_);
+    byHand_ = false;
+}
+
+/// By hand and where the view only takes another shape the picture is there at once, and else on its way: undone, say.
+void Viewport::followCamera()
+{
+    if (!byHand_)
+        return glide();
+    if (!previewing_)
+        showCamera();
+}
+
+void Viewport::showCamera()
+{
     glide_.stop();
-    camera_ = camera;
-    view_.camera = camera;
-    background_ = background;
-    emit started();
-    followPalette();
+    view_.camera = camera();
+    canvas_->setView(view_);
     emit cameraChanged();
 }
 
-void Viewport::startFitted(const Camera& camera, const Eigen::AlignedBox3d& bounds)
+void Viewport::glide()
 {
-    startBounds_ = bounds;
-    startFit_ = fitted(camera, bounds, aspectRatio());
-    startFrom(*startFit_, std::nullopt);
-}
-
-void Viewport::glideTo(const Camera& camera)
-{
-    endPreview();
-    if (camera == camera_)
-        return;
-    ++gesture_;
     glide_.stop();
     glideFrom_ = view_.camera;
-    camera_ = camera;
+    endPreview();
+    gesture_ = session_.newGesture(); // what follows by hand is a step of its own
     const bool glides = mayGlide(*this) && isVisible();
     if (glides)
         glide_.start();
     showGlide(glides ? 0 : 1); // tells at once: the choice is made
-    ++gesture_;
 }
 
 void Viewport::showGlide(double part)
 {
-    view_.camera = between(glideFrom_, camera_, part);
-    view_.moving = true;
-    resting_.start();
-    canvas_->show(view_);
+    view_.camera = between(glideFrom_, camera(), part);
+    expectChange();
+    canvas_->setView(view_);
     emit cameraChanged();
 }
 
@@ -213,9 +225,8 @@ void Viewport::setPreview(const std::optional<Camera>& camera)
     glide_.stop();
     previewing_ = true;
     view_.camera = *camera;
-    view_.moving = true;
-    resting_.start();
-    canvas_->show(view_);
+    expectChange();
+    canvas_->setView(view_);
     emit previewChanged(true);
 }
 
@@ -224,18 +235,9 @@ void Viewport::endPreview()
     if (!previewing_)
         return;
     previewing_ = false;
-    view_.camera = camera_;
-    canvas_->show(view_);
+    view_.camera = camera();
+    canvas_->setView(view_);
     emit previewChanged(false);
-}
-
-void Viewport::setBackground(const std::optional<Colour>& background)
-{
-    if (background == background_)
-        return;
-    ++gesture_; // each choice is a step of its own
-    background_ = background;
-    followPalette();
 }
 
 void Viewport::setFollowing(bool following)
@@ -244,7 +246,7 @@ void Viewport::setFollowing(bool following)
         return;
     following_ = following;
     view_.moving = following || resting_.isActive();
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::expectChange()
@@ -257,28 +259,6 @@ void Viewport::setFrameRate(std::optional<double> perSecond)
 {
     frameRate_ = perSecond;
     canvas_->setFrameRate(perSecond.value_or(canvas_->usualFrameRate()));
-}
-
-void Viewport::fit(const Eigen::AlignedBox3d& bounds)
-{
-    glideTo(fitted(camera_, bounds, aspectRatio()));
-}
-
-double Viewport::aspectRatio() const
-{
-    return static_cast<double>(std::max(1, width())) / std::max(1, height());
-}
-
-void Viewport::seeFrom(NamedView view)
-{
-    glideTo(seenFrom(camera_, view));
-}
-
-void Viewport::setPerspective(bool perspective)
-{
-    Camera camera = camera_;
-    camera.perspective = perspective;
-    glideTo(camera);
 }
 
 QString Viewport::backendName() const
@@ -296,35 +276,22 @@ QImage Viewport::picture() const
     return canvas_->picture();
 }
 
-void Viewport::moveCamera(const Camera& camera)
-{
-    endPreview();
-    glide_.stop();
-    camera_ = camera;
-    view_.camera = camera;
-    view_.moving = true;
-    resting_.start();
-    pausing_.start();
-    canvas_->show(view_);
-    emit cameraChanged();
-}
-
 void Viewport::rest()
 {
     view_.moving = following_;
-    canvas_->show(view_);
+    canvas_->setView(view_);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
     lastPosition_ = event->position();
-    ++gesture_;
+    gesture_ = session_.newGesture();
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
     QWidget::mouseReleaseEvent(event);
-    ++gesture_;
+    gesture_ = session_.newGesture();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -334,23 +301,23 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     const bool left = event->buttons().testFlag(Qt::LeftButton);
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->buttons().testFlag(Qt::MiddleButton) || (left && shift))
-        moveCamera(pannedByDrag(camera(), moved, size()));
+        moveByHand(pannedByDrag(camera(), moved, size()));
     else if (left)
-        moveCamera(turnedByDrag(camera(), before, lastPosition_, size()));
+        moveByHand(turnedByDrag(camera(), before, lastPosition_, size()));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
     if (isPan(*event))
-        moveCamera(pannedByDrag(camera(), event->pixelDelta(), size()));
+        moveByHand(pannedByDrag(camera(), event->pixelDelta(), size()));
     else
-        moveCamera(zoomedByWheel(camera(), event->angleDelta().y()));
+        moveByHand(zoomedByWheel(camera(), event->angleDelta().y()));
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
     if (const auto moved = movedByKey(camera(), *event))
-        moveCamera(*moved);
+        moveByHand(*moved);
     else
         QWidget::keyPressEvent(event);
 }
@@ -360,7 +327,7 @@ bool Viewport::event(QEvent* event)
     const auto factor = pinchFactor(*event);
     if (!factor)
         return QWidget::event(event);
-    moveCamera(zoomedByPinch(camera(), *factor));
+    moveByHand(zoomedByPinch(camera(), *factor));
     event->accept();
     return true;
 }
@@ -369,23 +336,23 @@ void Viewport::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
-        followPalette();
+        followBackground();
 }
 
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    if (startFit_ && camera_ == *startFit_ && !previewing_) {
-        startFit_ = fitted(camera_, startBounds_, aspectRatio());
-        startFrom(*startFit_, background_);
-    }
+    emit resized();
+    byHand_ = true;
+    session_.setShape(static_cast<double>(std::max(1, width())) / std::max(1, height()));
+    byHand_ = false;
 }
 
-void Viewport::followPalette()
+void Viewport::followBackground()
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    view_.background = background_.value_or(usualBackground(dark));
-    canvas_->show(view_);
+    view_.background = session_.view().background.value_or(usualBackground(dark));
+    canvas_->setView(view_);
     emit backgroundChanged();
 }
 

@@ -19,13 +19,14 @@ AnnotationActions::AnnotationActions(Session& session, QMenu& menu, QObject* par
         action->setShortcut(QKeySequence(QString("Ctrl+Alt+%1").arg(i + 1)));
         action->setToolTip(annotationExplanation(kind));
         connect(action, &QAction::triggered, this, [this, kind](bool on) {
-            AnnotationState state = session_.view().annotations();
+            AnnotationState state = session_.view().annotations;
             state[kind].shown = on;
             session_.setAnnotations(state);
         });
         actions_[i] = action;
     }
-    connect(&session_.view(), &ViewState::annotationsChanged, this, &AnnotationActions::follow);
+    connect(&session_, &Session::modelChanged, this, &AnnotationActions::follow);
+    session_.whenChanged(ViewPart::Annotations, this, &AnnotationActions::follow);
     connect(&session_, &Session::modelChanged, this, &AnnotationActions::follow);
     follow();
 }
@@ -33,7 +34,7 @@ AnnotationActions::AnnotationActions(Session& session, QMenu& menu, QObject* par
 void AnnotationActions::follow()
 {
     for (std::size_t i = 0; i < annotationCount; ++i)
-        actions_[i]->setChecked(session_.view().annotations().places[i].shown);
+        actions_[i]->setChecked(session_.view().annotations.places[i].shown);
     menu_.setEnabled(session_.model() != nullptr);
 }
 

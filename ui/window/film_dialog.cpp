@@ -128,25 +128,25 @@ void FilmDialog::connectControls()
     connect(target_, &QLineEdit::textChanged, this, &FilmDialog::lookAtTarget);
     connect(browse_, &QPushButton::clicked, this, &FilmDialog::browse);
     connect(save_, &QPushButton::clicked, this, &FilmDialog::save);
-    LongTask& task = workbench_.savingFilm();
+    LongTask& task = workbench_.exporting().savingFilm();
     connect(cancel_, &QPushButton::clicked, &task, &LongTask::cancel);
     connect(&task, &LongTask::started, this, &FilmDialog::showRunning);
     connect(&task, &LongTask::progressed, this, &FilmDialog::showProgress);
     connect(&task, &LongTask::finished, this, &FilmDialog::showRunning);
-    connect(&workbench_, &Workbench::filmSaved, this, [this] {
+    connect(&workbench_.exporting(), &Exporting::filmSaved, this, [this] {
         lookAtTarget();
         remaining_->setText(tr("Saved."));
         remaining_->show();
     });
-    connect(&workbench_.session().view(), &ViewState::animationChanged, this, &FilmDialog::lookAtTarget);
+    workbench_.session().whenChanged(ViewPart::Animation, this, &FilmDialog::lookAtTarget);
     connect(&workbench_.session(), &Session::modelChanged, this, &QDialog::reject);
 }
 
 void FilmDialog::ask()
 {
-    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations());
-    if (!workbench_.savingFilm().running()) {
-        target_->setText(workbench_.proposedPath("-film." + format_->currentData().toString()));
+    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
+    if (!workbench_.exporting().savingFilm().running()) {
+        target_->setText(workbench_.opening().proposedPath("-film." + format_->currentData().toString()));
         remaining_->clear();
     }
     lookAtTarget();
@@ -203,7 +203,7 @@ void FilmDialog::showSummary()
 {
     if (!workbench_.session().model())
         return;
-    const Animation& animation = workbench_.session().view().animation();
+    const Animation& animation = workbench_.session().view().animation;
     const int count = frameCount(animation);
     if (count == 0)
         return summary_->setText(tr("It has no frames yet: add at least two views in the Animation panel."));
@@ -219,7 +219,7 @@ void FilmDialog::lookAtTarget()
 {
     if (!isVisible() || !workbench_.session().model())
         return;
-    const int count = frameCount(workbench_.session().view().animation());
+    const int count = frameCount(workbench_.session().view().animation);
     looking_.start([this, target = filePath(target_->text()), count](const Progress&) -> std::function<void()> {
         return [this, found = filesInTheWay(target, count).size()] {
             inTheWay_ = found;
@@ -235,7 +235,7 @@ void FilmDialog::showTarget()
     if (!workbench_.session().model())
         return;
     showSummary();
-    const int count = frameCount(workbench_.session().view().animation());
+    const int count = frameCount(workbench_.session().view().animation);
     const std::filesystem::path target = filePath(target_->text());
     const QString first = pathText(framePath(target, 0, count).filename());
     QString hint = isVideoFile(target) ? QString() : tr("%1, …").arg(first);
@@ -244,13 +244,13 @@ void FilmDialog::showTarget()
         hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(inTheWay_));
     hint_->setText(hint);
     save_->setText(replaces ? tr("&Replace and Save") : tr("&Save"));
-    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.savingFilm().running() &&
+    save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.exporting().savingFilm().running() &&
                       !looking_.running());
 }
 
 void FilmDialog::showRunning()
 {
-    const bool running = workbench_.savingFilm().running();
+    const bool running = workbench_.exporting().savingFilm().running();
     for (QWidget* widget : std::initializer_list<QWidget*>{form_, format_, target_, browse_})
         widget->setEnabled(!running);
     cancel_->setEnabled(running);
@@ -273,13 +273,13 @@ void FilmDialog::showProgress(const TaskProgress& progress)
 
 void FilmDialog::save()
 {
-    if (!workbench_.session().model() || workbench_.savingFilm().running())
+    if (!workbench_.session().model() || workbench_.exporting().savingFilm().running())
         return;
     form_->remember();
     QSettings().setValue(formatKey, format_->currentData());
     trial_.cancel();
-    frames_ = frameCount(workbench_.session().view().animation());
-    workbench_.saveFilm(order());
+    frames_ = frameCount(workbench_.session().view().animation);
+    workbench_.exporting().saveFilm(order());
 }
 
 } // namespace tetra

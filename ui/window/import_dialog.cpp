@@ -137,20 +137,20 @@ void ImportDialog::connectAll()
     connect(read_, &QPushButton::clicked, this, &ImportDialog::read);
     connect(cancel_, &QPushButton::clicked, this, &ImportDialog::reject);
     connect(this, &QDialog::finished, preview_, [this] { preview_->setSamples({}, std::nullopt); });
-    connect(&workbench_.reading(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
+    connect(&workbench_.opening().reading(), &LongTask::progressed, this, [this](const TaskProgress& progress) {
         bar_->setValue(static_cast<int>(std::lround(progress.fraction * importBarSteps)));
     });
-    connect(&workbench_.reading(), &LongTask::started, this, [this] {
+    connect(&workbench_.opening().reading(), &LongTask::started, this, [this] {
         if (isReading()) // another file took its place
             showReading(false);
     });
-    connect(&workbench_, &Workbench::datasetOpened, this, [this] {
+    connect(&workbench_.opening(), &Opening::datasetOpened, this, [this] {
         if (isReading()) {
             showReading(false);
             accept();
         }
     });
-    connect(&workbench_, &Workbench::importFailed, this, [this](const QString& reason) {
+    connect(&workbench_.opening(), &Opening::importFailed, this, [this](const QString& reason) {
         showReading(false);
         showReason(false, reason);
     });
@@ -363,15 +363,15 @@ void ImportDialog::showReading(bool reading)
 void ImportDialog::read()
 {
     showReason(true, {});
-    workbench_.importDataset(question_.path,
-                             {.reader = question_.reader.id, .values = form_->values(), .part = region_->part()});
+    workbench_.opening().importDataset(
+        question_.path, {.reader = question_.reader.id, .values = form_->values(), .part = region_->part()});
     showReading(true);
 }
 
 void ImportDialog::reject()
 {
     if (isReading())
-        workbench_.reading().cancel(); // ends with importFailed()
+        workbench_.opening().reading().cancel(); // ends with importFailed()
     else
         QDialog::reject();
 }

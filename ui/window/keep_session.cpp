@@ -30,38 +30,29 @@ QFileInfo openedFile(const SessionDocument& document)
 KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& messages, LostOffers& offers,
                          QWidget* window)
     : QObject(window), workbench_(workbench), viewport_(viewport), messages_(messages), offers_(offers),
-      window_(window), lost_(workbench.views().lost())
+      window_(window), lost_(workbench.opening().views().lost())
 {
     waiting_.setSingleShot(true);
     waiting_.setInterval(keepAfter);
     connect(&waiting_, &QTimer::timeout, this, &KeepSession::keep);
     const Session* session = &workbench.session();
-    const ViewState* view = &session->view();
     connect(session, &Session::modelChanged, this, [this] {
         wasKept_ = false;
         changed();
     });
     connect(session, &Session::modelGrown, this, &KeepSession::changed);
-    connect(view, &ViewState::queryChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::lookChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::isovalueInserted, this, &KeepSession::changed);
-    connect(view, &ViewState::isovalueRemoved, this, &KeepSession::changed);
-    connect(view, &ViewState::isovalueChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::annotationsChanged, this, &KeepSession::changed);
-    connect(view, &ViewState::animationChanged, this, &KeepSession::changed);
-    connect(&viewport, &Viewport::cameraChanged, this, &KeepSession::changed);
-    connect(&viewport, &Viewport::backgroundChanged, this, &KeepSession::changed);
-    connect(&workbench, &Workbench::opening, this, [this] {
+    connect(session, &Session::viewChanged, this, &KeepSession::changed);
+    connect(&workbench.opening(), &Opening::aboutToRead, this, [this] {
         if (waiting_.isActive())
             keep(); // it may be opened anew
     });
-    connect(&workbench, &Workbench::leaving, this, &KeepSession::leave);
-    connect(&workbench, &Workbench::viewRestored, this, &KeepSession::restore);
-    connect(&workbench, &Workbench::pictureOpened, this, &KeepSession::offerPicture);
-    connect(&workbench.views(), &KeptViews::failed, &messages,
+    connect(&workbench.opening(), &Opening::leaving, this, &KeepSession::leave);
+    connect(&workbench.opening(), &Opening::viewRestored, this, &KeepSession::restored);
+    connect(&workbench.opening(), &Opening::pictureOpened, this, &KeepSession::offerPicture);
+    connect(&workbench.opening().views(), &KeptViews::failed, &messages,
             [&messages](const QString& text) { messages.add(text, MessageSubject::Program); });
     connect(&offers, &LostOffers::restoreClicked, this, [this](int offer) {
-        workbench_.openSession(lost_.at(static_cast<std::size_t>(offer)).path, SessionSource::Lost);
+        workbench_.opening().openSession(lost_.at(static_cast<std::size_t>(offer)).path, SessionSource::Lost);
     });
     connect(&offers, &LostOffers::discardClicked, this, [this](int offer) {
         const std::filesystem::path path = lost_.at(static_cast<std::size_t>(offer)).path;
@@ -74,40 +65,37 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
 
 std::optional<SessionDocument> KeepSession::document() const
 {
-    auto document = workbench_.sessionDocument();
-    if (document) {
-        document->camera = viewport_.camera();
-        document->background = viewport_.chosenBackground();
+    auto document = workbench_.opening().sessionDocument();
+    if (document)
         document->viewSize = {viewport_.width(), viewport_.height()};
-    }
     return document;
 }
 
 void KeepSession::save(const std::function<void(bool saved)>& then)
 {
-    if (workbench_.sessionFile().empty())
+    if (workbench_.opening().sessionFile().empty())
         return saveAs(then);
     if (const auto now = document())
-        workbench_.saveSession(workbench_.sessionFile(), *now, then);
+        workbench_.opening().saveSession(workbench_.opening().sessionFile(), *now, then);
 }
 
 void KeepSession::saveAs(const std::function<void(bool saved)>& then)
 {
     if (!workbench_.session().model())
         return;
-    const QString proposed = workbench_.sessionFile().empty() ? workbench_.proposedPath(QString(".") + sessionSuffix)
-                                                              : pathText(workbench_.sessionFile());
+    const QString proposed = workbench_.opening().sessionFile().empty()
+                                 ? workbench_.opening().proposedPath(QString(".") + sessionSuffix)
+                                 : pathText(workbench_.opening().sessionFile());
     askForTextTarget(window_, "sessionDialog", tr("Save Session"), tr("Sessions (*.tansession)"), proposed,
                      [this, then](const QString& path) {
                          if (const auto now = document())
-                             workbench_.saveSession(filePath(path), *now, then);
+                             workbench_.opening().saveSession(filePath(path), *now, then);
                      });
 }
 
-void KeepSession::restore(const SessionDocument& document, const std::filesystem::path& from)
+void KeepSession::restored(const std::filesystem::path& from)
 {
     wasKept_ = true;
-    viewport_.startFrom(document.camera.value_or(viewport_.camera()), document.background);
     removeLost(from);
 }
 
@@ -133,14 +121,14 @@ void KeepSession::offerInBar()
         messages_.ask(
             tr("TAn ended unexpectedly while %1 was open. How it was seen can be restored.")
                 .arg(openedFile(lost.document).fileName()),
-            tr("&Restore"), [this, lost] { workbench_.openSession(lost.path, SessionSource::Lost); },
+            tr("&Restore"), [this, lost] { workbench_.opening().openSession(lost.path, SessionSource::Lost); },
             [this, lost] { removeLost(lost.path); }, MessageSubject::Program);
     offerLost();
 }
 
 void KeepSession::removeLost(const std::filesystem::path& path)
 {
-    workbench_.views().removeLost(path);
+    workbench_.opening().views().removeLost(path);
     if (std::erase_if(lost_, [&](const LostView& lost) { return lost.path == path; }) > 0)
         offerLost();
 }
@@ -149,7 +137,7 @@ void KeepSession::offerPicture(const QString& path)
 {
     messages_.ask(
         tr("%1 holds the view that it shows, which can be restored.").arg(QFileInfo(path).fileName()), tr("&Restore"),
-        [this, path] { workbench_.openSession(filePath(path), SessionSource::Picture); }, [] {});
+        [this, path] { workbench_.opening().openSession(filePath(path), SessionSource::Picture); }, [] {});
 }
 
 void KeepSession::changed()
@@ -162,8 +150,8 @@ void KeepSession::keep()
 {
     waiting_.stop();
     if (auto now = document()) {
-        now->file = workbench_.sessionFile();
-        workbench_.views().keep(now->file.empty() ? now->model : now->file, *now);
+        now->file = workbench_.opening().sessionFile();
+        workbench_.opening().views().keep(now->file.empty() ? now->model : now->file, *now);
     }
 }
 
@@ -174,8 +162,8 @@ void KeepSession::leave()
     const auto now = document();
     if (!now)
         return;
-    const std::filesystem::path& session = workbench_.sessionFile();
-    KeptViews& views = workbench_.views();
+    const std::filesystem::path& session = workbench_.opening().sessionFile();
+    KeptViews& views = workbench_.opening().views();
     if (!session.empty() || !isTouched)
         return views.forget(session.empty() ? now->model : session);
     views.keep(now->model, *now);

@@ -32,7 +32,7 @@ public:
     void leave();
 
 private:
-    void restore(const SessionDocument& document, const std::filesystem::path& from);
+    void restored(const std::filesystem::path& from);
     void offerLost();
     void offerInBar();
     void removeLost(const std::filesystem::path& path);

@@ -115,20 +115,23 @@ QMessageBox* askAboutSaving(QWidget* window)
 Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
     : QObject(window), workbench_(workbench), session_(session), window_(window)
 {
-    connect(&workbench.building(), &LongTask::started, this, [this] {
+    connect(&workbench.building().task(), &LongTask::started, this, [this] {
         built_ = {};
         buildGoesOn_ = false;
     });
-    connect(&workbench.savingFilm(), &LongTask::started, this, [this] {
+    connect(&workbench.exporting().savingFilm(), &LongTask::started, this, [this] {
         filmed_ = {};
         filmGoesOn_ = false;
     });
-    connect(&workbench.building(), &LongTask::progressed, this, [this](const TaskProgress& now) { built_ = now; });
-    connect(&workbench.savingFilm(), &LongTask::progressed, this, [this](const TaskProgress& now) { filmed_ = now; });
-    connect(&workbench, &Workbench::buildEnded, this, &Leaving::next);
+    connect(&workbench.building().task(), &LongTask::progressed, this,
+            [this](const TaskProgress& now) { built_ = now; });
+    connect(&workbench.exporting().savingFilm(), &LongTask::progressed, this,
+            [this](const TaskProgress& now) { filmed_ = now; });
+    connect(&workbench.building(), &Building::buildEnded, this, &Leaving::next);
     // Not before their outcome is told.
-    for (LongTask* task :
-         {&workbench.savingFilm(), &workbench.savingPicture(), &workbench.savingMesh(), &workbench.savingText()})
+    Exporting& files = workbench.exporting();
+    for (LongTask* task : {&files.savingFilm(), &files.savingPicture(), &files.savingMesh(), &files.savingText(),
+                           &workbench.opening().savingSession()})
         connect(task, &LongTask::finished, this, &Leaving::next, Qt::QueuedConnection);
     connect(&workbench, &Workbench::saveFailed, this, &Leaving::stay);
     patience_.setSingleShot(true);
@@ -139,12 +142,12 @@ Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
 Leaving::Obstacle Leaving::obstacle(LeavingWay way) const
 {
     const bool quits = way == LeavingWay::Quit;
-    const bool endsBuild = way != LeavingWay::Close || workbench_.showsBuild();
+    const bool endsBuild = way != LeavingWay::Close || workbench_.building().showsBuild();
     if (workbench_.building().running() && endsBuild && (quits || !buildGoesOn_))
         return Obstacle::Build;
-    if (workbench_.savingFilm().running() && (quits || !filmGoesOn_))
+    if (workbench_.exporting().savingFilm().running() && (quits || !filmGoesOn_))
         return Obstacle::Film;
-    if (savesSession_ || (workbench_.sessionModified() && way != LeavingWay::OpenDataset && !discards_))
+    if (savesSession_ || (workbench_.opening().sessionModified() && way != LeavingWay::OpenDataset && !discards_))
         return Obstacle::Session;
     return quits && workbench_.saving() ? Obstacle::Saving : Obstacle::None;
 }
@@ -200,15 +203,15 @@ LeavingFacts Leaving::facts(Obstacle obstacle) const
     LeavingFacts facts;
     facts.way = wish_->way;
     if (obstacle == Obstacle::Build) {
-        facts.name = workbench_.buildName();
+        facts.name = workbench_.building().buildName();
         facts.progress = progressText(built_);
-        facts.target = nameOf(workbench_.buildTarget());
-        facts.canKeep = workbench_.canKeepBuild();
+        facts.target = nameOf(workbench_.building().buildTarget());
+        facts.canKeep = workbench_.building().canKeepBuild();
     } else if (obstacle == Obstacle::Film) {
-        facts.name = nameOf(workbench_.filmTarget());
+        facts.name = nameOf(workbench_.exporting().filmTarget());
         facts.progress = progressText(filmed_);
     } else {
-        facts.name = nameOf(workbench_.sessionFile());
+        facts.name = nameOf(workbench_.opening().sessionFile());
     }
     return facts;
 }
@@ -248,7 +251,7 @@ void Leaving::answer(const QString& button)
 void Leaving::answerBuild(const QString& button)
 {
     if (button != "leaving.goOn")
-        return workbench_.stopBuild(button == "leaving.keep");
+        return workbench_.building().stopBuild(button == "leaving.keep");
     buildGoesOn_ = true;
     next();
 }
@@ -256,7 +259,7 @@ void Leaving::answerBuild(const QString& button)
 void Leaving::answerFilm(const QString& button)
 {
     if (button != "leaving.goOn")
-        return workbench_.savingFilm().cancel();
+        return workbench_.exporting().savingFilm().cancel();
     filmGoesOn_ = true;
     next();
 }

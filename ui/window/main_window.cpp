@@ -14,7 +14,6 @@
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
 #include "ui/viewport/value_pick.h"
-#include "ui/viewport/view_history.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
@@ -30,6 +29,7 @@
 #include "ui/window/orientation_actions.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_menu.h"
+#include "ui/window/picture_orders.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
@@ -75,8 +75,8 @@ QStringList filesOf(const QMimeData* data)
 
 MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     : workbench_(workbench), actions_(makeActions(*this, workbench_.session().undoStack())), messages_(new MessageBar),
-      empty_(new EmptyPage(workbench_.sampling())), viewport_(new Viewport(backend)), pages_(new QStackedWidget),
-      status_(new StatusLine(statusBar())),
+      empty_(new EmptyPage(workbench_.opening().sampling())), viewport_(new Viewport(workbench.session(), backend)),
+      pages_(new QStackedWidget), status_(new StatusLine(statusBar())),
       regions_(new RegionActions(workbench_.session(), *viewport_, *actions_.region, *actions_.toolBar))
 {
     setObjectName("window");
@@ -84,7 +84,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
     docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_);
-    layOutDocks(*this, docks_, workbench_.dataset() != nullptr);
+    layOutDocks(*this, docks_, workbench_.opening().dataset() != nullptr);
     connectActions();
     connectRegions();
     connectWorkbench();
@@ -99,11 +99,12 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
 MainWindow::~MainWindow()
 {
     workbench_.host().whenFailing({});
-    workbench_.setGate({});
+    workbench_.opening().setGate({});
     keptSession_->leave();
     // A drag that is still under way ends when its panel is destroyed, and then this is no longer a MainWindow.
-    const Session& session = workbench_.session();
-    for (const QObject* source : std::initializer_list<const QObject*>{&workbench_, &session, &session.view()})
+    for (const QObject* source :
+         std::initializer_list<const QObject*>{&workbench_, &workbench_.session(), &workbench_.opening(),
+                                               &workbench_.building(), &workbench_.exporting(), &workbench_.scenes()})
         source->disconnect(this);
 }
 
@@ -116,7 +117,6 @@ QWidget* MainWindow::makeCentre()
     new TransferDrag(workbench_, *viewport_);
     new RegionTools(workbench_.session(), *viewport_); // the last one comes first: its handles go before
     notice_ = new PictureNotice(*viewport_);
-    new ViewHistory(*viewport_, workbench_.session().undoStack(), this);
     pages_->setObjectName("pages");
     pages_->addWidget(empty_);
     pages_->addWidget(viewport_);
@@ -155,7 +155,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::open(const QString& path)
 {
-    workbench_.open(path);
+    workbench_.opening().open(path);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
@@ -183,11 +183,11 @@ void MainWindow::dropEvent(QDropEvent* event)
 void MainWindow::connectActions()
 {
     connect(actions_.open, &QAction::triggered, this, [this] {
-        askForFile(this, "openDialog", workbench_.nameFilters(), [this](const QString& path) { open(path); });
+        askForFile(this, "openDialog", workbench_.opening().nameFilters(), [this](const QString& path) { open(path); });
     });
     connect(actions_.openWithOptions, &QAction::triggered, this, [this] {
-        askForFile(this, "importFileDialog", workbench_.nameFilters(),
-                   [this](const QString& path) { workbench_.openWithOptions(path); });
+        askForFile(this, "importFileDialog", workbench_.opening().nameFilters(),
+                   [this](const QString& path) { workbench_.opening().openWithOptions(path); });
     });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, empty_->lost(), this);
@@ -202,28 +202,34 @@ void MainWindow::connectActions()
     connect(actions_.close, &QAction::triggered, this, [this] {
         leaving_->ask(LeavingWay::Close, [this] {
             messages_->markOld();
-            workbench_.close();
+            workbench_.opening().close();
         });
     });
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
-    connect(actions_.fit, &QAction::triggered, this, &MainWindow::fit);
+    connect(actions_.fit, &QAction::triggered, &workbench_.session(), &Session::fitCamera);
     connect(actions_.resetView, &QAction::triggered, this, &MainWindow::resetView);
-    connect(actions_.perspective, &QAction::toggled, viewport_, &Viewport::setPerspective);
+    Session& session = workbench_.session();
+    connect(actions_.perspective, &QAction::toggled, &session, [&session](bool on) {
+        Camera camera = session.view().camera;
+        camera.perspective = on;
+        session.setCamera(camera);
+    });
     for (int view = 0; view < actions_.namedViews.size(); ++view)
-        connect(actions_.namedViews[view], &QAction::triggered, viewport_,
-                [this, view] { viewport_->seeFrom(static_cast<NamedView>(view)); });
+        connect(actions_.namedViews[view], &QAction::triggered, &session,
+                [&session, view] { session.setCamera(seenFrom(session.view().camera, static_cast<NamedView>(view))); });
     connect(actions_.resetLayout, &QAction::triggered, this,
-            [this] { layOutDocks(*this, docks_, workbench_.dataset() != nullptr); });
-    new OrientationActions(workbench_.session(), *viewport_, *actions_.orientation);
+            [this] { layOutDocks(*this, docks_, workbench_.opening().dataset() != nullptr); });
+    new OrientationActions(session, *actions_.orientation);
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
     new PickActions(workbench_.session(), *pick_, *actions_.picked);
     givePictureMenu(*viewport_, *pick_, actions_);
     connect(pick_, &ValuePick::pickedChanged, status_, [this] { status_->setPicked(pick_->text()); });
-    connect(viewport_, &Viewport::cameraChanged, actions_.perspective,
-            [this] { actions_.perspective->setChecked(viewport_->camera().perspective); });
+    const auto showPerspective = [this] { actions_.perspective->setChecked(viewport_->camera().perspective); };
+    connect(&session, &Session::modelChanged, actions_.perspective, showPerspective);
+    session.whenChanged(ViewPart::Camera, actions_.perspective, showPerspective);
     connect(actions_.fullScreen, &QAction::toggled, this,
             [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
     connect(actions_.manual, &QAction::triggered, this, [this] {
@@ -239,19 +245,21 @@ void MainWindow::connectActions()
     connect(empty_, &EmptyPage::openClicked, actions_.open, &QAction::trigger);
     connect(empty_, &EmptyPage::recentClicked, this, &MainWindow::open);
     connect(empty_, &EmptyPage::sampleClicked, &workbench_,
-            [this](const QString& name) { workbench_.openSample(name.toStdString()); });
-    connect(actions_.samples, &QMenu::triggered, this,
-            [this](const QAction* sample) { workbench_.openSample(sample->data().toString().toStdString()); });
-    connect(empty_, &EmptyPage::samplesShown, &workbench_, &Workbench::drawThumbnails);
-    connect(actions_.samples, &QMenu::aboutToShow, &workbench_, &Workbench::drawThumbnails);
-    connect(&workbench_, &Workbench::thumbnailDrawn, this, [this](const std::string& sample, const QImage& picture) {
-        empty_->setThumbnail(sample, picture);
-        if (auto* action = findChild<QAction*>("action.sample." + QString::fromStdString(sample)))
-            action->setIcon(QIcon(QPixmap::fromImage(picture)));
+            [this](const QString& name) { workbench_.opening().openSample(name.toStdString()); });
+    connect(actions_.samples, &QMenu::triggered, this, [this](const QAction* sample) {
+        workbench_.opening().openSample(sample->data().toString().toStdString());
     });
-    connect(&workbench_.sampling(), &LongTask::started, actions_.samples,
+    connect(empty_, &EmptyPage::samplesShown, &workbench_.opening(), &Opening::drawThumbnails);
+    connect(actions_.samples, &QMenu::aboutToShow, &workbench_.opening(), &Opening::drawThumbnails);
+    connect(&workbench_.opening(), &Opening::thumbnailDrawn, this,
+            [this](const std::string& sample, const QImage& picture) {
+                empty_->setThumbnail(sample, picture);
+                if (auto* action = findChild<QAction*>("action.sample." + QString::fromStdString(sample)))
+                    action->setIcon(QIcon(QPixmap::fromImage(picture)));
+            });
+    connect(&workbench_.opening().sampling(), &LongTask::started, actions_.samples,
             [this] { actions_.samples->setEnabled(false); });
-    connect(&workbench_.sampling(), &LongTask::finished, actions_.samples,
+    connect(&workbench_.opening().sampling(), &LongTask::finished, actions_.samples,
             [this] { actions_.samples->setEnabled(true); });
 }
 
@@ -268,40 +276,46 @@ void MainWindow::connectRegions()
 
 void MainWindow::connectWorkbench()
 {
-    connect(&workbench_, &Workbench::datasetOpened, this, &MainWindow::showDataset);
-    connect(&workbench_, &Workbench::datasetClosed, this, &MainWindow::showDataset);
-    connect(&workbench_, &Workbench::choicesNeeded, this, [this](const ImportQuestion& question) {
+    connect(&workbench_.opening(), &Opening::datasetOpened, this, &MainWindow::showDataset);
+    connect(&workbench_.opening(), &Opening::datasetClosed, this, &MainWindow::showDataset);
+    connect(&workbench_.opening(), &Opening::choicesNeeded, this, [this](const ImportQuestion& question) {
         if (import_ == nullptr)
             import_ = new ImportDialog(workbench_, this);
         import_->ask(question);
     });
-    connect(&workbench_, &Workbench::modelBuilt, this, &MainWindow::offerBuilt);
+    connect(&workbench_.building(), &Building::modelBuilt, this, &MainWindow::offerBuilt);
     const auto tellSaved = [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), statusMessageTime);
     };
-    connect(&workbench_, &Workbench::pictureSaved, this, tellSaved);
-    connect(&workbench_, &Workbench::filmSaved, this, tellSaved);
-    connect(&workbench_, &Workbench::meshSaved, this, tellSaved);
-    connect(&workbench_, &Workbench::textSaved, this, tellSaved);
-    statusBar()->addPermanentWidget(new TaskLine("status.sampling", tr("Making the sample"), workbench_.sampling()));
-    statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.savingMesh()));
+    connect(&workbench_.exporting(), &Exporting::pictureSaved, this, tellSaved);
+    connect(&workbench_.exporting(), &Exporting::filmSaved, this, tellSaved);
+    connect(&workbench_.exporting(), &Exporting::meshSaved, this, tellSaved);
+    connect(&workbench_.exporting(), &Exporting::textSaved, this, tellSaved);
+    connect(&workbench_.opening(), &Opening::sessionSaved, this, tellSaved);
+    statusBar()->addPermanentWidget(
+        new TaskLine("status.sampling", tr("Making the sample"), workbench_.opening().sampling()));
+    statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.exporting().savingMesh()));
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
-    connect(&workbench_, &Workbench::sessionFileChanged, this, &MainWindow::showFile);
+    connect(&workbench_.opening(), &Opening::sessionFileChanged, this, &MainWindow::showFile);
     connect(&workbench_.session().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showFile);
-    connect(&workbench_.building(), &LongTask::started, this, &MainWindow::showWhatCanBeClosed);
-    connect(&workbench_, &Workbench::buildEnded, this, &MainWindow::showWhatCanBeClosed);
-    workbench_.setGate([this](bool isModel, const auto& go, const auto& stay) {
+    connect(&workbench_.building().task(), &LongTask::started, this, &MainWindow::showWhatCanBeClosed);
+    connect(&workbench_.building(), &Building::buildEnded, this, &MainWindow::showWhatCanBeClosed);
+    workbench_.opening().setGate([this](bool isModel, const auto& go, const auto& stay) {
         leaving_->ask(isModel ? LeavingWay::OpenModel : LeavingWay::OpenDataset, go, stay);
     });
-    SceneBuilder& scenes = workbench_.sceneBuilder();
+    SceneBuilder& scenes = workbench_.scenes().sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
     connect(&scenes, &SceneBuilder::failed, this, [this] {
         isOutdated_ = viewport_->scene() != nullptr;
         showNotice();
     });
     connect(&scenes, &SceneBuilder::busyChanged, status_, &StatusLine::setBusy);
-    connect(&workbench_.draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
+    connect(&workbench_.scenes().draftBuilder(), &DraftBuilder::draftsReady, this, &MainWindow::showDrafts);
+    const auto tellCamera = [this] { workbench_.scenes().setSeenFrom(viewport_->shownCamera(), pixelsOf(*viewport_)); };
+    connect(viewport_, &Viewport::cameraChanged, this, tellCamera);
+    connect(viewport_, &Viewport::previewChanged, this, tellCamera);
+    connect(viewport_, &Viewport::resized, this, tellCamera);
     connect(viewport_, &Viewport::framePainted, this, [this](const FrameReport& report) {
         showBackend();
         if (viewport_->scene())
@@ -319,8 +333,8 @@ void MainWindow::connectMessages()
     connect(&workbench_, &Workbench::failed, messages_, [this](const QString& text) { messages_->add(text); });
     connect(&workbench_, &Workbench::saveFailed, messages_,
             [this](const QString& text) { messages_->add(text, MessageSubject::Program); });
-    connect(&workbench_, &Workbench::opening, messages_, &MessageBar::markOld);
-    connect(&workbench_, &Workbench::datasetOpened, messages_, &MessageBar::clearOld);
+    connect(&workbench_.opening(), &Opening::aboutToRead, messages_, &MessageBar::markOld);
+    connect(&workbench_.opening(), &Opening::datasetOpened, messages_, &MessageBar::clearOld);
     connect(&workbench_.session(), &Session::modelChanged, messages_, &MessageBar::clearOld);
     for (const QString& error : pluginErrors(workbench_.host()))
         messages_->add(error, MessageSubject::Program);
@@ -342,21 +356,21 @@ void MainWindow::showBackend()
 void MainWindow::saveMesh()
 {
     askForTargetFile(this, "meshDialog", tr("Save Mesh"), fileFilters(workbench_.host(), WrittenContent::Mesh),
-                     workbench_.proposedPath(".vtu"),
-                     [this](const QString& path) { workbench_.saveMesh(filePath(path)); });
+                     workbench_.opening().proposedPath(".vtu"),
+                     [this](const QString& path) { workbench_.exporting().saveMesh(filePath(path)); });
 }
 
 void MainWindow::saveSurfaces()
 {
     askForTargetFile(this, "surfaceDialog", tr("Save Surfaces"),
-                     fileFilters(workbench_.host(), WrittenContent::Surface), workbench_.proposedPath(".stl"),
-                     [this](const QString& path) { workbench_.saveSurfaces(filePath(path)); });
+                     fileFilters(workbench_.host(), WrittenContent::Surface), workbench_.opening().proposedPath(".stl"),
+                     [this](const QString& path) { workbench_.exporting().saveSurfaces(filePath(path)); });
 }
 
 void MainWindow::saveStatistics()
 {
-    askForStatisticsFile(this, "statisticsDialog", workbench_.proposedPath(".csv"),
-                         [this](const QString& path) { workbench_.saveStatistics(filePath(path)); });
+    askForStatisticsFile(this, "statisticsDialog", workbench_.opening().proposedPath(".csv"),
+                         [this](const QString& path) { workbench_.exporting().saveStatistics(filePath(path)); });
 }
 
 void MainWindow::fillRecent()
@@ -376,36 +390,17 @@ void MainWindow::fillRecent()
     connect(forget, &QAction::triggered, this, [] { forgetRecentFiles(); });
 }
 
-void MainWindow::fit()
-{
-    if (const auto& model = workbench_.session().model())
-        viewport_->fit(model->description().bounds);
-}
-
-/// One step to undo.
 void MainWindow::resetView()
 {
-    Session& session = workbench_.session();
-    const ViewState& view = session.view();
-    const SessionDocument start = workbench_.startingView();
-    const Camera camera = fitted(Camera(), session.model()->description().bounds, viewport_->aspectRatio());
-    if (view.query() == start.query && view.look() == start.look && view.isovalues() == start.isovalues &&
-        view.annotations() == start.annotations && view.animation() == start.animation &&
-        viewport_->camera() == camera && !viewport_->chosenBackground())
-        return;
-    session.undoStack().beginMacro(tr("reset of view"));
-    session.setAll(start.query, start.look, start.isovalues, start.annotations, start.animation);
-    viewport_->glideTo(camera);
-    viewport_->setBackground(std::nullopt);
-    session.undoStack().endMacro();
+    workbench_.session().setView(workbench_.scenes().startingView(), tr("Reset View"));
 }
 
 /// Where the user has turned to something else the model does not push that away.
 void MainWindow::offerBuilt(const QString& path, bool isShown)
 {
-    if (isShown && workbench_.datasetIsBuilt())
+    if (isShown && workbench_.opening().datasetIsBuilt())
         docks_.build->hide();
-    isBesideDataset_ = isBesideDataset_ && !workbench_.datasetIsBuilt();
+    isBesideDataset_ = isBesideDataset_ && !workbench_.opening().datasetIsBuilt();
     showNotice();
     if (!isShown)
         messages_->ask(
@@ -417,16 +412,16 @@ void MainWindow::showFile()
 {
     const auto& model = workbench_.session().model();
     const QFileInfo file(model ? pathText(model->path()) : QString());
-    const std::filesystem::path& session = workbench_.sessionFile();
+    const std::filesystem::path& session = workbench_.opening().sessionFile();
     const QString name = session.empty() ? file.fileName() : pathText(session.filename());
     status_->setFile(file.fileName(), file.absoluteFilePath());
     setWindowTitle(model ? tr("%1[*] – TAn").arg(name) : tr("TAn"));
-    setWindowModified(workbench_.sessionModified());
+    setWindowModified(workbench_.opening().sessionModified());
 }
 
 void MainWindow::showWhatCanBeClosed()
 {
-    actions_.close->setEnabled(workbench_.hasSomethingOpen());
+    actions_.close->setEnabled(workbench_.opening().hasSomethingOpen());
     if (!workbench_.session().model())
         showNothing();
 }
@@ -448,10 +443,7 @@ void MainWindow::showModel()
     showNotice();
     if (model) {
         pages_->setCurrentWidget(viewport_);
-        viewport_->startFitted(upright(viewport_->camera(), UpAxis::Z), model->description().bounds);
         viewport_->setFocus();
-    } else {
-        viewport_->startFrom(viewport_->camera(), std::nullopt);
     }
     showWhatCanBeClosed();
 }
@@ -468,7 +460,7 @@ void MainWindow::showScene(const BuiltScene& scene)
 void MainWindow::showNotice()
 {
     const auto& model = workbench_.session().model();
-    const auto& dataset = workbench_.dataset();
+    const auto& dataset = workbench_.opening().dataset();
     if (model && dataset && isBesideDataset_)
         notice_->tell(
             tr("%1 is not built yet. The picture still shows %2.")
@@ -491,12 +483,8 @@ void MainWindow::connectFollowing()
 {
     Session& session = workbench_.session();
     const auto follow = [this] { viewport_->setFollowing(workbench_.session().inGesture()); };
-    const ViewState* view = &session.view();
-    connect(view, &ViewState::queryChanged, this, follow);
-    connect(view, &ViewState::lookChanged, this, follow);
-    connect(view, &ViewState::lookChanged, viewport_, &Viewport::expectChange);
-    connect(view, &ViewState::isovalueChanged, this, follow);
-    connect(view, &ViewState::isovalueChanged, viewport_, &Viewport::expectChange);
+    session.whenChanged(ViewPart::Scene, this, follow);
+    session.whenChanged(ViewPart::Appearance | ViewPart::Isovalues, viewport_, &Viewport::expectChange);
     connect(&session, &Session::gestureChanged, this, [this](bool on) {
         if (!on)
             viewport_->setFollowing(false);
@@ -505,10 +493,10 @@ void MainWindow::connectFollowing()
 
 void MainWindow::showDataset()
 {
-    isBesideDataset_ = workbench_.dataset() != nullptr && !workbench_.datasetIsBuilt();
+    isBesideDataset_ = workbench_.opening().dataset() != nullptr && !workbench_.opening().datasetIsBuilt();
     showNotice();
-    docks_.build->setVisible(workbench_.dataset() != nullptr);
-    if (workbench_.dataset()) {
+    docks_.build->setVisible(workbench_.opening().dataset() != nullptr);
+    if (workbench_.opening().dataset()) {
         docks_.build->raise();
         docks_.build->widget()->setFocus();
     }
@@ -518,12 +506,13 @@ void MainWindow::showDataset()
 void MainWindow::showNothing()
 {
     pages_->setCurrentWidget(empty_);
-    const auto& dataset = workbench_.dataset();
+    const auto& dataset = workbench_.opening().dataset();
     if (!dataset)
         return empty_->invite(recentFiles());
     docks_.build->show(); // it was away while the model was seen
     if (workbench_.building().running())
-        empty_->tell(workbench_.buildName(), tr("Its model is being built. The panel on the left shows the progress."));
+        empty_->tell(workbench_.building().buildName(),
+                     tr("Its model is being built. The panel on the left shows the progress."));
     else
         empty_->tell(QString::fromStdString(dataset->source.name),
                      tr("Dataset loaded. Choose options on the left and press Build to view it."));

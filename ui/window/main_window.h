@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/session/workbench.h"
-#include "ui/viewport/make_canvas.h"
+#include "ui/viewport/canvas.h"
 #include "ui/window/actions.h"
 #include "ui/window/docks.h"
 
@@ -58,7 +58,6 @@ private:
     void saveSurfaces();
     void saveStatistics();
     void fillRecent();
-    void fit();
     void resetView();
     void offerBuilt(const QString& path, bool isShown);
     void showFile();

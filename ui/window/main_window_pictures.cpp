@@ -25,15 +25,17 @@ void MainWindow::connectPictures()
     connect(actions_.copyPicture, &QAction::triggered, this, &MainWindow::copyPicture);
     connect(actions_.saveFilm, &QAction::triggered, this, &MainWindow::saveFilm);
     connect(docks_.animationPanel, &AnimationPanel::filmWanted, this, &MainWindow::saveFilm);
-    auto* pictureLine = new TaskLine("status.picture", tr("Drawing the picture"), workbench_.savingPicture());
+    auto* pictureLine =
+        new TaskLine("status.picture", tr("Drawing the picture"), workbench_.exporting().savingPicture());
     statusBar()->addPermanentWidget(pictureLine);
-    statusBar()->addPermanentWidget(new TaskLine("status.film", tr("Drawing the film"), workbench_.savingFilm()));
-    connect(&workbench_.savingPicture(), &LongTask::waitingChanged, pictureLine, [this, pictureLine] {
-        const int waiting = workbench_.savingPicture().waiting();
+    statusBar()->addPermanentWidget(
+        new TaskLine("status.film", tr("Drawing the film"), workbench_.exporting().savingFilm()));
+    connect(&workbench_.exporting().savingPicture(), &LongTask::waitingChanged, pictureLine, [this, pictureLine] {
+        const int waiting = workbench_.exporting().savingPicture().waiting();
         pictureLine->setActivity(waiting == 0 ? tr("Drawing the picture")
                                               : tr("Drawing the picture, %1 more waiting").arg(waiting));
     });
-    connect(&workbench_, &Workbench::pictureDrawn, this, [this](const QImage& picture) {
+    connect(&workbench_.exporting(), &Exporting::pictureDrawn, this, [this](const QImage& picture) {
         QGuiApplication::clipboard()->setImage(picture);
         statusBar()->showMessage(tr("Picture copied, %1 × %2 pixels").arg(picture.width()).arg(picture.height()),
                                  pictureMessageTime);
@@ -50,8 +52,8 @@ void MainWindow::savePicture()
 void MainWindow::copyPicture()
 {
     if (workbench_.session().model())
-        workbench_.savePicture(pictureOrder(
-            workbench_, *viewport_, {pixelsOf(*viewport_), 0, false, workbench_.session().view().annotations()}));
+        workbench_.exporting().savePicture(pictureOrder(
+            workbench_, *viewport_, {pixelsOf(*viewport_), 0, false, workbench_.session().view().annotations}));
 }
 
 void MainWindow::saveFilm()

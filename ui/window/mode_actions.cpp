@@ -16,7 +16,7 @@ ModeActions::ModeActions(Workbench& workbench, QMenu& menu, QToolBar& toolBar, Q
     : QObject(parent), workbench_(workbench), menu_(menu), toolBar_(toolBar), group_(new QActionGroup(this))
 {
     connect(&workbench_.session(), &Session::modelChanged, this, &ModeActions::fill);
-    connect(&workbench_.session().view(), &ViewState::lookChanged, this, &ModeActions::check);
+    workbench_.session().whenChanged(ViewPart::Appearance, this, &ModeActions::check);
     connect(group_, &QActionGroup::triggered, this,
             [this](const QAction* action) { emit chosen(action->data().toString()); });
     menu_.setEnabled(false);
@@ -27,7 +27,7 @@ void ModeActions::fill()
     const bool isOpen = workbench_.session().model() != nullptr;
     if (group_->actions().isEmpty() && isOpen) {
         int key = 1;
-        for (const Provided<Renderer>& mode : workbench_.modes()) {
+        for (const Provided<Renderer>& mode : workbench_.scenes().modes()) {
             auto* action = new QAction(inUsersLanguage(mode.name, mode.names), group_);
             action->setObjectName("action.mode." + QString::fromStdString(mode.id));
             action->setData(QString::fromStdString(mode.id));
@@ -48,7 +48,7 @@ void ModeActions::fill()
 
 void ModeActions::check()
 {
-    const QString mode = QString::fromStdString(workbench_.session().view().look().mode);
+    const QString mode = QString::fromStdString(workbench_.session().view().appearance.mode);
     for (QAction* action : group_->actions())
         action->setChecked(action->data().toString() == mode);
 }

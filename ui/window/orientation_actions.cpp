@@ -2,7 +2,6 @@
 #include "ui/window/orientation_actions.h"
 
 #include "ui/session/session.h"
-#include "ui/viewport/viewport.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/window/palette_commands.h"
 
@@ -20,8 +19,8 @@ constexpr double quarterTurn = 90;
 
 } // namespace
 
-OrientationActions::OrientationActions(const Session& session, Viewport& viewport, QMenu& menu)
-    : QObject(&menu), session_(session), viewport_(viewport), upAxes_(new QActionGroup(this))
+OrientationActions::OrientationActions(Session& session, QMenu& menu)
+    : QObject(&menu), session_(session), upAxes_(new QActionGroup(this))
 {
     addUpAxes(menu);
     menu.addSeparator();
@@ -37,8 +36,8 @@ OrientationActions::OrientationActions(const Session& session, Viewport& viewpor
     giveMnemonics(menu);
 
     const auto edits = [this](QAction* action, auto change) {
-        connect(action, &QAction::triggered, &viewport_,
-                [this, change] { viewport_.glideTo(change(viewport_.camera())); });
+        connect(action, &QAction::triggered, this,
+                [this, change] { session_.setCamera(change(session_.view().camera)); });
     };
     edits(flip_, [](const Camera& camera) { return upright(camera, opposite(camera.up)); });
     edits(rollRight_, [](const Camera& camera) { return rolled(camera, quarterTurn); });
@@ -52,7 +51,7 @@ OrientationActions::OrientationActions(const Session& session, Viewport& viewpor
         edits(action,
               [up = static_cast<UpAxis>(action->data().toInt())](const Camera& camera) { return upright(camera, up); });
     connect(&session_, &Session::modelChanged, this, &OrientationActions::follow);
-    connect(&viewport_, &Viewport::cameraChanged, this, &OrientationActions::follow);
+    session_.whenChanged(ViewPart::Camera, this, &OrientationActions::follow);
     follow();
 }
 
@@ -81,7 +80,7 @@ void OrientationActions::addUpAxes(QMenu& menu)
 void OrientationActions::follow()
 {
     const bool isOpen = session_.model() != nullptr;
-    const Camera& camera = viewport_.camera();
+    const Camera& camera = session_.view().camera;
     for (QAction* action : QList<QAction*>{flip_, rollRight_, rollLeft_, level_, trackball_} + upAxes_->actions()) {
         action->setEnabled(isOpen);
         setNeed(*action, tr("Open a model first"));

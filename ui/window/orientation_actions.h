@@ -13,23 +13,21 @@ class QMenu;
 namespace tetra {
 
 class Session;
-class Viewport;
 
 /// How the picture is turned upright: which axis points up, roll, and whether a drag turns a trackball. Actions named
 /// action.up.AXIS and so on, each one step to undo.
 class OrientationActions : public QObject {
     Q_OBJECT
 public:
-    /// All outlive it.
-    OrientationActions(const Session& session, Viewport& viewport, QMenu& menu);
+    /// Both outlive it.
+    OrientationActions(Session& session, QMenu& menu);
 
 private:
     QAction* add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip);
     void addUpAxes(QMenu& menu);
     void follow();
 
-    const Session& session_;
-    Viewport& viewport_;
+    Session& session_;
     QActionGroup* upAxes_; ///< in the order of UpAxis
     QAction* flip_;
     QAction* rollRight_;

@@ -51,7 +51,7 @@ void PickActions::addPoint()
 {
     if (!pick_.picked())
         return;
-    if (const auto added = withPoint(joined(session_.view().look().transfer), pick_.picked()->value))
+    if (const auto added = withPoint(joined(session_.view().appearance.transfer), pick_.picked()->value))
         session_.setTransfer(separated(added->function));
 }
 

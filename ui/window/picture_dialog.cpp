@@ -60,7 +60,7 @@ QWidget* PictureDialog::makeButtons()
 
 void PictureDialog::ask()
 {
-    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations());
+    form_->setView(pixelsOf(viewport_), workbench_.session().view().annotations);
     show();
     raise();
     activateWindow();
@@ -85,9 +85,9 @@ void PictureDialog::save()
         return;
     form_->remember();
     QSettings().setValue(metadataKey, metadata_->isChecked());
-    askForPictureFile(this, "pictureDialog", workbench_.proposedPath(".png"), [this](const QString& path) {
+    askForPictureFile(this, "pictureDialog", workbench_.opening().proposedPath(".png"), [this](const QString& path) {
         if (workbench_.session().model())
-            workbench_.savePicture(order(filePath(path)));
+            workbench_.exporting().savePicture(order(filePath(path)));
         accept();
     });
 }
@@ -97,7 +97,7 @@ void PictureDialog::copy()
     if (!workbench_.session().model())
         return;
     form_->remember();
-    workbench_.savePicture(order({}));
+    workbench_.exporting().savePicture(order({}));
     accept();
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
-    ViewPicture picture{.annotations = workbench.annotations(viewport.camera(), viewport.background()),
+    ViewPicture picture{.annotations = workbench.scenes().annotations(viewport.camera(), viewport.background()),
                         .size = settings.size,
                         .viewSize = viewport.size(),
                         .transparent = settings.transparent,
@@ -36,11 +36,11 @@ PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, 
 FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
     const ViewPicture picture = pictureOf(workbench, viewport, settings);
-    FilmOrder order = workbench.filmOrder(viewport.camera());
+    FilmOrder order = workbench.exporting().filmOrder();
     order.picture = pictureOrder(picture);
     order.finish = [content = picture.annotations, scale = annotationScale(picture.size, picture.viewSize)](
-                       QImage& image, const FilmFrame& frame, const ShownMesh& mesh) {
-        paintAnnotations(image, atFrame(content, frame, mesh), scale);
+                       QImage& image, const ViewValue& view, const ShownMesh& mesh) {
+        paintAnnotations(image, inView(content, view, mesh), scale);
     };
     return order;
 }

@@ -33,7 +33,7 @@ RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, 
     connect(window_, &QAction::triggered, this, &RegionActions::chooseWindow);
     connect(toView_, &QAction::triggered, this, &RegionActions::focusToView);
     connect(&session_, &Session::modelChanged, this, &RegionActions::follow);
-    connect(&session_.view(), &ViewState::queryChanged, this, &RegionActions::follow);
+    session_.whenChanged(ViewPart::Query, this, &RegionActions::follow);
     follow();
 }
 
@@ -48,7 +48,7 @@ QAction* RegionActions::add(QMenu& menu, const char* name, const QString& text, 
 
 void RegionActions::chooseShape(FocusState::Shape shape, bool on)
 {
-    FocusState focus = session_.view().query().focus;
+    FocusState focus = session_.view().query.focus;
     focus.shape = on ? shape : FocusState::Shape::None;
     session_.setFocus(focus);
     if (on)
@@ -57,7 +57,7 @@ void RegionActions::chooseShape(FocusState::Shape shape, bool on)
 
 void RegionActions::chooseWindow(bool on)
 {
-    WindowState window = session_.view().query().window;
+    WindowState window = session_.view().query.window;
     window.enabled = on;
     session_.setWindow(window);
     if (on)
@@ -66,14 +66,14 @@ void RegionActions::chooseWindow(bool on)
 
 void RegionActions::focusToView()
 {
-    FocusState focus = session_.view().query().focus;
-    focus.centre = viewport_.camera().target;
+    FocusState focus = session_.view().query.focus;
+    focus.centre = session_.view().camera.target;
     session_.setFocus(focus);
 }
 
 void RegionActions::follow()
 {
-    const QueryState& query = session_.view().query();
+    const QueryState& query = session_.view().query;
     const bool isOpen = session_.model() != nullptr;
     for (QAction* action : {sphere_, box_, window_})
         action->setEnabled(isOpen);

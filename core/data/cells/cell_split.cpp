@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/cell_split.h"
 
+#include "core/base/sort_unique.h"
 #include "core/geometry/orientation.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
@@ -230,9 +231,7 @@ public:
             front_.push_back(turnedAround(triangle));
             corners_.insert(corners_.end(), triangle.begin(), triangle.end());
         }
-        std::ranges::sort(corners_);
-        const auto repeated = std::ranges::unique(corners_);
-        corners_.erase(repeated.begin(), repeated.end());
+        sortUnique(corners_);
     }
 
     bool fill()

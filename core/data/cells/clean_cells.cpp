@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/clean_cells.h"
 
+#include "core/base/flat_index.h"
 #include "core/data/cells/cell_complex.h"
+#include "core/mesh/topology.h"
 
 #include <tan/data.h>
 
@@ -9,9 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string_view>
-#include <unordered_map>
 
 namespace tetra {
 
@@ -69,37 +69,35 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
 
 namespace {
 
-std::uint64_t hashOf(const Eigen::Vector3d& position)
-{
-    std::uint64_t hash = 0;
-    for (const double coordinate : position) {
-        hash ^= std::bit_cast<std::uint64_t>(coordinate + 0.0); // -0 and 0 are the same place
-        hash *= 0x9e3779b97f4a7c15;
-        hash ^= hash >> 32;
+/// Of points by their places.
+struct PlaceHash {
+    std::span<const Eigen::Vector3d> positions;
+    std::uint64_t operator()(std::uint32_t point) const
+    {
+        std::uint64_t hash = 0;
+        for (const double coordinate : positions[point]) {
+            hash ^= std::bit_cast<std::uint64_t>(coordinate + 0.0); // -0 and 0 are the same place
+            hash *= 0x9e3779b97f4a7c15;
+            hash ^= hash >> 32;
+        }
+        return hash * 0xbf58476d1ce4e5b9;
     }
-    return hash * 0xbf58476d1ce4e5b9;
-}
+};
+
+struct SamePlace {
+    std::span<const Eigen::Vector3d> positions;
+    bool operator()(std::uint32_t one, std::uint32_t other) const { return positions[one] == positions[other]; }
+};
 
 } // namespace
 
 std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positions, const std::vector<bool>& used)
 {
-    constexpr std::uint32_t nobody = 0xffffffff;
     std::vector<std::uint32_t> first(positions.size());
-    std::iota(first.begin(), first.end(), 0);
-    const std::uint64_t capacity = std::bit_ceil(positions.size() + positions.size() / 2 + 2);
-    const int shift = 64 - std::countr_zero(capacity);
-    std::vector<std::uint32_t> table(capacity, nobody);
-    for (std::uint32_t point = 0; point < positions.size(); ++point) {
-        if (!used[point])
-            continue;
-        std::uint64_t place = hashOf(positions[point]) >> shift;
-        while (table[place] != nobody && positions[table[place]] != positions[point])
-            place = (place + 1) & (capacity - 1);
-        if (table[place] == nobody)
-            table[place] = point;
-        first[point] = table[place];
-    }
+    FlatIndex<std::uint32_t, PlaceHash, SamePlace> places({positions}, {positions}); // by the first point on each
+    places.clear(positions.size());
+    for (std::uint32_t point = 0; point < positions.size(); ++point)
+        first[point] = used[point] ? places.keys()[places.numberOf(point)] : point;
     return first;
 }
 
@@ -304,11 +302,6 @@ private:
     CleanCells cells_;
 };
 
-std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b)
-{
-    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
-}
-
 /// The shape with the same corners and straight edges.
 CellShape withoutMiddles(CellShape shape)
 {
@@ -356,7 +349,8 @@ bool dropMiddlesIfMixed(CleanCells& cells, Repairs& repairs)
     if (std::ranges::none_of(cells.shapes, isQuadratic))
         return false;
     constexpr std::uint32_t noMiddle = 0xffffffff;
-    std::unordered_map<std::uint64_t, std::uint32_t> middles;
+    FlatIndex<EdgeKey> edges;
+    std::vector<std::uint32_t> middles; // of each edge
     for (std::size_t cell = 0; cell < cells.count(); ++cell) {
         const CellTopology& topology = cellTopology(cells.shapes[cell]);
         const auto nodes = cells.nodesOf(cell);
@@ -366,7 +360,10 @@ bool dropMiddlesIfMixed(CleanCells& cells, Repairs& repairs)
                 continue;
             const std::uint32_t middle =
                 isQuadratic(cells.shapes[cell]) ? nodes[topology.cornerCount + edge] : noMiddle;
-            if (middles.try_emplace(edgeKey(nodes[a], nodes[b]), middle).first->second != middle) {
+            const std::uint32_t number = edges.numberOf(edgeKey(nodes[a], nodes[b]));
+            if (number == middles.size())
+                middles.push_back(middle);
+            if (middles[number] != middle) {
                 dropMiddles(cells, repairs);
                 return true;
             }

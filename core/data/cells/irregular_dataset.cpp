@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
 #include "core/base/text.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
 #include "core/data/cells/irregular_check.h"
 #include "core/data/cells/pinch_repair.h"
+#include "core/mesh/topology.h"
 
 #include <tan/data.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 namespace tetra {
 
@@ -162,26 +163,6 @@ Status repairMesh(std::span<const Eigen::Vector3d> positions, CutCells& cutCheck
     return checkTetrahedra(positions, cutChecked.tetrahedra, faces, progress.part(0.3, 1));
 }
 
-/// Numbers the points that are used from 0, in their order. Returns which they were.
-std::vector<std::uint32_t> renumber(Tetrahedra& tetrahedra, std::size_t points)
-{
-    constexpr std::uint32_t unused = 0xffffffff;
-    std::vector<std::uint32_t> numbers(points, unused);
-    for (const auto& tetrahedron : tetrahedra)
-        for (const std::uint32_t point : tetrahedron)
-            numbers[point] = 0;
-    std::vector<std::uint32_t> used;
-    for (std::size_t point = 0; point < points; ++point)
-        if (numbers[point] != unused) {
-            numbers[point] = static_cast<std::uint32_t>(used.size());
-            used.push_back(static_cast<std::uint32_t>(point));
-        }
-    for (auto& tetrahedron : tetrahedra)
-        for (std::uint32_t& point : tetrahedron)
-            point = numbers[point];
-    return used;
-}
-
 Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
 {
     auto samples = allocateSamples(type, values.size());
@@ -194,11 +175,9 @@ Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
     return ScalarField(type, values.size(), *std::move(samples));
 }
 
-} // namespace
-
-Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
-                                 const Progress& progress)
-try {
+Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
+                            const Progress& progress)
+{
     Repairs repairs;
     auto cells = cleanCells(complex, values, repairs);
     if (!cells)
@@ -215,7 +194,7 @@ try {
         return sound.error();
     Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
 
-    const std::vector<std::uint32_t> used = renumber(tetrahedra, complex.positions.size());
+    const std::vector<std::uint32_t> used = renumberUsed(tetrahedra, complex.positions.size());
     std::vector<double> usedValues(used.size());
     auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(used.size());
     for (std::size_t point = 0; point < used.size(); ++point) {
@@ -238,8 +217,15 @@ try {
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     dataset.remarks = repairRemarks(repairs);
     return dataset;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say("Not enough memory for the mesh. Take a part of it.")};
+}
+
+} // namespace
+
+Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
+                                 const Progress& progress)
+{
+    return guarded(Message::marked("Not enough memory for the mesh. Take a part of it."),
+                   [&] { return makeDataset(complex, values, source, progress); });
 }
 
 } // namespace tetra

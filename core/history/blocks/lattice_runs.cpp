@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/blocks/lattice_runs.h"
 
+#include "core/base/guarded.h"
 #include "core/base/progress.h"
 
 #include <tan/base.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <vector>
 
@@ -160,13 +160,11 @@ Status RunMaker::account(std::uint32_t block)
 Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, const RunFiles& runs,
                        const Progress& progress)
 {
-    try {
-        return RunMaker(options, samples, runs, progress).run();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to refine blocks of this size. Close other programs, use fewer "
-                                  "threads or choose smaller blocks.")};
-    }
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine blocks of this size. Close other programs, use fewer threads or choose "
+            "smaller blocks."),
+        [&] { return RunMaker(options, samples, runs, progress).run(); });
 }
 
 } // namespace tetra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/blocks/merged_model.h"
 
+#include "core/base/guarded.h"
 #include "core/base/scratch_file.h"
 #include "core/history/blocks/block_merge.h"
 
@@ -14,7 +15,6 @@
 #include <atomic>
 #include <cstring>
 #include <mutex>
-#include <new>
 #include <numeric>
 #include <span>
 
@@ -490,13 +490,9 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
 Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra)
 {
-    try {
-        return merge(runs, workFolder, open, progress, sliceTetrahedra);
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say("Not enough memory to merge the blocks. Close other programs, or ask for a larger error.")};
-    }
+    return guarded(
+        Message::marked("Not enough memory to merge the blocks. Close other programs, or ask for a larger error."),
+        [&] { return merge(runs, workFolder, open, progress, sliceTetrahedra); });
 }
 
 } // namespace tetra

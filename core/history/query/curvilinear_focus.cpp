@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/curvilinear_focus.h"
 
+#include "core/base/guarded.h"
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
 #include "core/refine/greedy.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <optional>
 
@@ -304,16 +304,12 @@ CurvilinearFocus::CurvilinearFocus(CurvilinearFocus&&) noexcept = default;
 CurvilinearFocus& CurvilinearFocus::operator=(CurvilinearFocus&&) noexcept = default;
 
 Result<ExtractedMesh> CurvilinearFocus::extract(const MeshQuery& query, const Progress& progress, ExtractedMesh reuse)
-try {
-    Result<ExtractedMesh> mesh = work_->extract(query, progress, std::move(reuse));
+{
+    Result<ExtractedMesh> mesh =
+        guarded(noMemoryForFocus, [&] { return work_->extract(query, progress, std::move(reuse)); });
     if (!mesh && mesh.error().kind != ErrorKind::Cancelled)
         work_->forget();
     return mesh;
-} catch (const std::bad_alloc&) {
-    work_->forget();
-    return Error{
-        ErrorKind::OutOfResource,
-        Message::say("Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.")};
 }
 
 } // namespace tetra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/error_field.h"
 
+#include "core/base/sort_unique.h"
+
 #include <tan/query.h>
 
 #include <Eigen/Geometry>
@@ -97,8 +99,7 @@ ErrorField ErrorField::nearValues(std::span<const double> isovalues, double inne
 {
     std::vector<double> sorted(isovalues.begin(), isovalues.end());
     std::erase_if(sorted, [](double value) { return !std::isfinite(value); });
-    std::ranges::sort(sorted);
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    sortUnique(sorted);
     if (sorted.empty())
         return outer;
     const double reach = orZero(falloff);

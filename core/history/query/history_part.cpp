@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/history_part.h"
 
+#include "core/base/guarded.h"
 #include "core/history/query/window.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -161,15 +161,11 @@ Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, cons
     part.fine = meshSizeAt(model, other);
     if (part.coarse.sites > part.fine.sites)
         std::swap(part.coarse, part.fine);
-    try {
-        if (const Status extracted = extractInto(model, values, window, progress, part); !extracted)
-            return extracted.error();
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say("Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.",
-                         part.fine.sites)};
-    }
+    const Status extracted = guarded(
+        Message::marked("Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window."),
+        [&] { return extractInto(model, values, window, progress, part); }, part.fine.sites);
+    if (!extracted)
+        return extracted.error();
     return part;
 }
 

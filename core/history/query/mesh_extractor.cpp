@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/mesh_extractor.h"
 
+#include "core/base/guarded.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
 #include "core/history/query/refinement_criterion.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -409,13 +409,14 @@ const std::shared_ptr<const Model>& MeshExtractor::model() const noexcept
 }
 
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::extract(const MeshQuery& query, const Progress& progress)
-try {
-    return work_->extract(query, progress);
-} catch (const std::bad_alloc&) {
-    work_ = std::make_unique<Work>(work_->model());
-    return Error{
-        ErrorKind::OutOfResource,
-        Message::say("There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.")};
+{
+    auto mesh =
+        guarded(Message::marked(
+                    "There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget."),
+                [&] { return work_->extract(query, progress); });
+    if (!mesh && mesh.error().kind == ErrorKind::OutOfResource)
+        work_ = std::make_unique<Work>(work_->model()); // without what it kept for the next query
+    return mesh;
 }
 
 } // namespace tetra

@@ -89,6 +89,19 @@ void RefinementCriterion::lookAtSites(std::uint32_t checkedSites)
                            [this](const Eigen::Vector3f& place) { return query_.error.at(place.cast<double>(), 0); });
 }
 
+/// The least and the largest coordinates of a tetrahedron.
+std::pair<Eigen::Array3f, Eigen::Array3f> RefinementCriterion::boxOf(const std::array<std::uint32_t, 4>& sites) const
+{
+    Eigen::Array3f least = places_.positions[sites[0]];
+    Eigen::Array3f most = least;
+    for (const std::uint32_t site : std::span(sites).subspan<1>()) {
+        const Eigen::Array3f place = places_.positions[site];
+        least = least.min(place);
+        most = most.max(place);
+    }
+    return {least, most};
+}
+
 /// The field is nowhere less than at the corners less what it can fall within the box around them.
 RefinementCriterion::Quick RefinementCriterion::bySites(const std::array<std::uint32_t, 4>& sites, double error) const
 {
@@ -98,13 +111,7 @@ RefinementCriterion::Quick RefinementCriterion::bySites(const std::array<std::ui
         std::min(std::min(atSites_[sites[0]], atSites_[sites[1]]), std::min(atSites_[sites[2]], atSites_[sites[3]]));
     if (error > least)
         return Quick::TooCoarse;
-    Eigen::Array3f from = places_.positions[sites[0]];
-    Eigen::Array3f to = from;
-    for (const std::uint32_t site : std::span(sites).subspan<1>()) {
-        const Eigen::Array3f place = places_.positions[site];
-        from = from.min(place);
-        to = to.max(place);
-    }
+    const auto [from, to] = boxOf(sites);
     constexpr double roundedUp = 1 + 1e-6;
     const double size = static_cast<double>((to - from).matrix().norm()) * roundedUp + 4 * rounding_;
     return error <= least - slope_ * size - 1e-12 * least ? Quick::Allowed : Quick::Unknown;
@@ -132,13 +139,7 @@ bool RefinementCriterion::isOutside(const std::array<std::uint32_t, 4>& sites, d
 {
     if (!finer_)
         return false;
-    Eigen::Array3f least = places_.positions[sites[0]];
-    Eigen::Array3f most = least;
-    for (const std::uint32_t site : std::span(sites).subspan<1>()) {
-        const Eigen::Array3f place = places_.positions[site];
-        least = least.min(place);
-        most = most.max(place);
-    }
+    const auto [least, most] = boxOf(sites);
     return (least.cast<double>() - margin > finer_->max().array()).any() ||
            (most.cast<double>() + margin < finer_->min().array()).any();
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace tetra {
 
@@ -64,6 +65,7 @@ private:
     Asked askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const;
     enum class Quick { TooCoarse, Allowed, Unknown };
     Quick bySites(const std::array<std::uint32_t, 4>& sites, double error) const;
+    std::pair<Eigen::Array3f, Eigen::Array3f> boxOf(const std::array<std::uint32_t, 4>& sites) const;
     bool isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const;
     bool isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/region_refiner.h"
 
+#include "core/base/guarded.h"
 #include "core/base/simd.h"
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <new>
 #include <numeric>
 #include <span>
 #include <string>
@@ -767,17 +767,11 @@ std::uint64_t RegionRefiner::sitesInside(const SpaceRamp& error)
 Result<ExtractedMesh> RegionRefiner::extract(const SpaceRamp& error, bool fresh, const Progress& progress,
                                              ExtractedMesh reuse)
 {
-    try {
-        Result<ExtractedMesh> mesh = work_->extract(error, fresh, progress, std::move(reuse));
-        if (!mesh && mesh.error().kind != ErrorKind::Cancelled)
-            work_->forget();
-        return mesh;
-    } catch (const std::bad_alloc&) {
+    Result<ExtractedMesh> mesh =
+        guarded(noMemoryForFocus, [&] { return work_->extract(error, fresh, progress, std::move(reuse)); });
+    if (!mesh && mesh.error().kind != ErrorKind::Cancelled)
         work_->forget();
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say("Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.")};
-    }
+    return mesh;
 }
 
 /// The file's bounds on the errors of the coarse mesh's tetrahedra, in the order in which extraction gives these.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/window.h"
 
+#include "core/base/flat_index.h"
+#include "core/base/guarded.h"
 #include "core/history/query/error_field.h"
 #include "core/mesh/topology.h"
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -55,52 +56,6 @@ bool BoxSides::meets(const std::array<std::uint32_t, 4>& tetrahedron) const
 }
 
 namespace {
-
-/// The vertex on each of many edges: a table with open addressing, 12 to 48 bytes an edge.
-class EdgeVertices {
-public:
-    /// The vertex on the edge from `smaller` to `larger`, which is set to `otherwise` if there is none yet.
-    std::uint32_t on(std::uint32_t smaller, std::uint32_t larger, std::uint32_t otherwise)
-    {
-        if (2 * (count_ + 1) > entries_.size())
-            grow();
-        Entry& entry = entryOf(std::uint64_t(smaller) << 32 | larger);
-        if (entry.edge == none) {
-            entry = {std::uint64_t(smaller) << 32 | larger, otherwise};
-            ++count_;
-        }
-        return entry.vertex;
-    }
-
-private:
-    static constexpr std::uint64_t none = 0; ///< no edge goes from vertex 0 to itself
-    struct Entry {
-        std::uint64_t edge = none;
-        std::uint32_t vertex = 0;
-    };
-
-    /// That of the edge, or the empty one where it belongs.
-    Entry& entryOf(std::uint64_t edge)
-    {
-        const std::uint64_t mask = entries_.size() - 1;
-        std::uint64_t place = (edge * 0x9e3779b97f4a7c15) >> 32;
-        while (entries_[place & mask].edge != none && entries_[place & mask].edge != edge)
-            ++place;
-        return entries_[place & mask];
-    }
-
-    void grow()
-    {
-        std::vector<Entry> before(entries_.empty() ? 1024 : 2 * entries_.size());
-        std::swap(before, entries_);
-        for (const Entry& entry : before)
-            if (entry.edge != none)
-                entryOf(entry.edge) = entry;
-    }
-
-    std::vector<Entry> entries_;
-    std::uint64_t count_ = 0;
-};
 
 /// Up to three tetrahedra that part of another one is made of.
 struct TetrahedronPieces {
@@ -198,7 +153,10 @@ struct Plane {
 /// Cuts tetrahedra at one plane, with new vertices behind those of the mesh.
 class PlaneCut {
 public:
-    PlaneCut(const Plane& plane, TetrahedralMesh& mesh) : plane_(plane), mesh_(mesh) {}
+    PlaneCut(const Plane& plane, TetrahedralMesh& mesh)
+        : plane_(plane), mesh_(mesh), first_(static_cast<std::uint32_t>(mesh.positions.size()))
+    {
+    }
 
     /// Appends what remains of the tetrahedron, without parts that have no volume.
     void cut(Tetrahedron tetrahedron, Buffer<Tetrahedron>& kept)
@@ -242,16 +200,17 @@ private:
 
     std::uint32_t vertexOn(std::uint32_t one, std::uint32_t other)
     {
-        const auto [smaller, larger] = std::minmax(one, other); // always the same way, as the neighbours do
-        const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
-        const std::uint32_t vertex = vertices_.on(smaller, larger, next);
-        if (vertex == next)
-            addVertex(smaller, larger);
+        const EdgeKey edge = edgeKey(one, other);
+        const std::uint32_t vertex = first_ + cutEdges_.numberOf(edge);
+        if (vertex == mesh_.positions.size())
+            addVertex(edge);
         return vertex;
     }
 
-    void addVertex(std::uint32_t from, std::uint32_t to)
+    /// From its smaller end to the larger one, as whichever tetrahedron of the edge came first would do it.
+    void addVertex(EdgeKey edge)
     {
+        const auto [from, to] = endsOf(edge);
         const Eigen::Vector3f a = mesh_.positions[from];
         const Eigen::Vector3f b = mesh_.positions[to];
         const double start = a[plane_.axis];
@@ -271,7 +230,8 @@ private:
 
     const Plane plane_;
     TetrahedralMesh& mesh_;
-    EdgeVertices vertices_;
+    const std::uint32_t first_; ///< of the new vertices, which are numbered as the edges that they lie on
+    FlatIndex<EdgeKey> cutEdges_;
 };
 
 /// Tetrahedra, and for each the number of the one that it is a piece of; pieces of the same follow each other.
@@ -422,18 +382,15 @@ Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, con
 
 Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
 {
-    try {
-        return keepWindowUnguarded(mesh, window, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to cut a mesh of %1 tetrahedra at a "
-                                                            "window. Choose a larger error or a smaller window.",
-                                                            mesh.tetrahedra.size())};
-    }
+    return guarded(
+        Message::marked(
+            "Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller "
+            "window."),
+        [&] { return keepWindowUnguarded(mesh, window, progress); }, mesh.tetrahedra.size());
 }
 
 void dropUnusedVertices(ExtractedMesh& extracted)
 {
-    constexpr std::uint32_t unused = 0xffffffff;
     TetrahedralMesh& mesh = extracted.mesh;
     const std::size_t count = mesh.positions.size();
     const std::size_t beforeCutting = extracted.sites.size();
@@ -445,31 +402,23 @@ void dropUnusedVertices(ExtractedMesh& extracted)
     fillUp(extracted.sites);
     if (!extracted.points.empty())
         fillUp(extracted.points);
-    std::vector<std::uint32_t> numbers(count, unused);
-    for (const Tetrahedron& tetrahedron : mesh.tetrahedra)
-        for (const std::uint32_t vertex : tetrahedron)
-            numbers[vertex] = 0;
-    std::uint32_t kept = 0;
+    const std::vector<std::uint32_t> used = renumberUsed(mesh.tetrahedra, count);
+    const std::size_t kept = used.size();
     extracted.keptSites = 0;
-    for (std::size_t vertex = 0; vertex < count; ++vertex) {
-        if (numbers[vertex] == unused)
-            continue;
+    for (std::size_t number = 0; number < kept; ++number) {
+        const std::uint32_t vertex = used[number];
         extracted.keptSites += vertex < beforeCutting ? 1 : 0;
-        mesh.positions[kept] = mesh.positions[vertex];
-        mesh.values[kept] = mesh.values[vertex];
-        extracted.sites[kept] = extracted.sites[vertex];
+        mesh.positions[number] = mesh.positions[vertex];
+        mesh.values[number] = mesh.values[vertex];
+        extracted.sites[number] = extracted.sites[vertex];
         if (!extracted.points.empty())
-            extracted.points[kept] = extracted.points[vertex];
-        numbers[vertex] = kept++;
+            extracted.points[number] = extracted.points[vertex];
     }
     mesh.positions.resize(kept);
     mesh.values.resize(kept);
     extracted.sites.resize(kept);
     if (!extracted.points.empty())
         extracted.points.resize(kept);
-    for (Tetrahedron& tetrahedron : mesh.tetrahedra)
-        for (std::uint32_t& vertex : tetrahedron)
-            vertex = numbers[vertex];
 }
 
 } // namespace tetra

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// tan/base.h: errors as values, progress and cancellation, arrays. Everything else in the face stands on it.
+/// tan/base.h: errors as values, progress and cancellation, arrays, numbers as text, files. Everything else in the face
+/// stands on it.
 ///
 /// A function that can fail returns a Result: the value, or an Error with a text for people that says what went wrong,
 /// where, and what to do. A function that returns no Result may throw std::bad_alloc, and nothing else; callbacks must
@@ -34,13 +35,20 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -48,7 +56,7 @@
 
 /// Marks the public interface of the library.
 #define TAN_API __attribute__((visibility("default")))
-/// Marks what TAn's own programs and plugins call besides. Not for others: it changes without notice.
+/// Marks what TAn's own programs call besides. Not for others: it changes without notice.
 #define TAN_INTERNAL __attribute__((visibility("default")))
 
 namespace tetra {
@@ -289,5 +297,100 @@ public:
 
 /// A std::vector whose resize() leaves new elements uninitialised.
 template <class T> using Buffer = std::vector<T, UninitializedAllocator<T>>;
+
+/// Numbers in files and options, the same under every locale: a decimal point, no grouping.
+
+/// All of `text` as a Number: decimal, one leading '+' allowed. Nothing if anything else stands in it (blanks too) or
+/// the number does not fit. Floating-point types know exponents, "inf" and "nan".
+template <class Number>
+requires std::integral<Number> || std::floating_point<Number> std::optional<Number> parseNumber(std::string_view text)
+{
+    if (text.starts_with('+') && !text.starts_with("+-"))
+        text.remove_prefix(1);
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size())
+        return {};
+    return number;
+}
+
+/// The shortest text that parseNumber() turns into the same number again.
+TAN_API std::string formatNumber(double number);
+TAN_API std::string formatNumber(float number);
+
+/// What a piece of work needs of memory or of a disk, for messages: "12 MB", "1.3 GB", rounded up.
+inline std::string neededBytesText(std::uint64_t bytes)
+{
+    const auto size = static_cast<double>(bytes);
+    return bytes < 1'000'000'000 ? formatNumber(std::ceil(size / 1e6)) + " MB"
+                                 : formatNumber(std::ceil(size / 1e8) / 10) + " GB";
+}
+
+/// A piece of somebody's file or option for a message: at most 80 bytes and no half character; what controls a
+/// terminal, and what is no UTF-8, is replaced by '?'.
+TAN_API std::string printable(std::string_view text);
+
+/// The name's ending with its dot, in small letters.
+inline std::string fileEnding(const std::filesystem::path& path)
+{
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return ending;
+}
+
+/// A file mapped read-only. Its pages come into memory when they are read and leave it when memory is short, so a file
+/// may be larger than the machine. Safe to read from any number of threads.
+///
+/// A file that another program cuts short, or a disk that fails, while it is mapped must not end this program: reads
+/// then give zeros and damaged() becomes true. For that the first open() installs a handler for SIGBUS, the one
+/// process-wide thing in core. Signals that do not come from a mapping of this class go on to the handler that was
+/// there before; a program with a handler of its own installs it first.
+class TAN_API MappedFile {
+public:
+    /// Errors: a file that is missing, no regular file or not readable; too many mapped files (1024).
+    static Result<std::shared_ptr<const MappedFile>> open(const std::filesystem::path& path);
+    ~MappedFile();
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+
+    const std::filesystem::path& path() const noexcept { return path_; }
+    std::span<const std::byte> bytes() const noexcept { return bytes_; }
+
+    /// True once the file was found cut short, unreadable or written to since it was opened: what was read may be
+    /// wrong. One system call; ask after reading, not while.
+    bool damaged() const noexcept;
+
+private:
+    MappedFile() = default;
+
+    std::filesystem::path path_;
+    std::span<const std::byte> bytes_;
+    int descriptor_ = -1;
+    std::int64_t modified_ = 0; ///< nanoseconds
+    int guard_ = -1;            ///< index in the table that the signal handler reads
+};
+
+/// The paths of all that is in a folder, "" being the current one, in no order; `problem` says why some are missing.
+/// May throw std::bad_alloc.
+TAN_API std::vector<std::filesystem::path> pathsIn(const std::filesystem::path& folder, std::error_code& problem);
+
+/// What a number of errno means, in English under every locale, without a full stop: "No such file or directory". The
+/// C library's own texts would come in the user's language, in the middle of an English sentence that nobody could
+/// translate any more.
+TAN_API Message systemErrorText(int error);
+
+/// Whether a number of errno says that this process or machine has no more memory, descriptors, threads or processes:
+/// then it says nothing of the file, and another file or folder would not help.
+TAN_API bool isLackOfResources(int error) noexcept;
+
+/// What to do about a lack of resources, a sentence.
+inline constexpr MarkedText resourceRemedy = Message::marked("Close other programs, or raise the limit (ulimit).");
+
+/// The machine's physical memory in bytes, in use or not; 0 if the system does not tell.
+TAN_API std::uint64_t physicalBytes() noexcept;
+/// The most memory that this process can use: the machine's, or less if its address space is limited (ulimit -v); 0 if
+/// the system does not tell.
+TAN_API std::uint64_t usableBytes() noexcept;
 
 } // namespace tetra

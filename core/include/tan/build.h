@@ -209,4 +209,28 @@ struct BuildTarget {
     bool resume = false;
 };
 
+/// Why the dataset cannot be refined, for the user; success if it can.
+TAN_API Status checkRefinement(const Dataset& dataset);
+
+/// Whether a lattice of so many points is refined in blocks, as far as that can be known of their number. `block`:
+/// Refinement::block; `usableBytes`: of memory, 0 if unknown.
+TAN_API bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_t points, std::uint64_t usableBytes);
+
+/// The cells along an edge of the blocks of a regular lattice, 0 to refine it as a whole. Error: WrongUsage, so small
+/// blocks would be too many.
+TAN_API Result<std::uint32_t> chooseBlocks(const std::optional<std::uint32_t>& block, const Lattice& lattice,
+                                           std::uint64_t usableBytes);
+
+/// Greedy Delaunay refinement of lattices, curvilinear grids and scattered points into a target (R8, R9, R10, R12). In
+/// blocks a lattice is refined out of core, which needs BuildTarget::ofFixedSize.
+TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
+                                      const Progress& progress);
+
+/// Why the dataset cannot be decimated, for the user; success if it can.
+TAN_API Status checkDecimation(const Dataset& dataset);
+
+/// Edge collapse of irregular data, lattices and grids into a target (R11, R12).
+TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimation, BuildTarget& target,
+                                      const Progress& progress);
+
 } // namespace tetra

@@ -17,8 +17,8 @@
 ///     if (!volume)
 ///         return volume.error();
 ///     tetra::Scene scene;
-///     scene.surfaces = *surfaces;
-///     scene.volume = *volume;
+///     scene.drawables.push_back({.id = "surface", .shape = surfaces->front(), .value = isovalue});
+///     scene.drawables.push_back({.id = "volume", .shape = *volume});
 ///     for (const Eigen::Vector3f& position : mesh->positions)
 ///         scene.bounds.extend(position.cast<double>());
 ///     const tetra::Camera camera = tetra::fitted({.azimuth = 60, .elevation = 25}, scene.bounds);
@@ -36,6 +36,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -160,6 +161,7 @@ struct Surface {
     Colour colour;
     float opacity = 1;
     bool backFacesOnly = false; ///< triangles that the eye sees counterclockwise are not drawn
+    bool lit = true;            ///< else its colours are seen as they are
 };
 
 /// Straight lines of one colour, hidden by what lies before them.
@@ -170,26 +172,69 @@ struct LineSet {
     float width = 1; ///< in pixels of the picture
 };
 
+/// Pieces of rays through the cells of a volume, as arrays of `count` numbers. In a piece the value of the field goes
+/// in a straight line from `entry` to `exit`.
+struct OpticalPieces {
+    std::size_t count = 0;
+    const float* entry = nullptr;    ///< in the units of the data
+    const float* exit = nullptr;     ///< the same; farther from the eye
+    const float* length = nullptr;   ///< in the units of the dataset; 0 for one that does not count
+    const float* gradient = nullptr; ///< its magnitude, in values for a unit of length
+    // To be set:
+    float* red = nullptr; ///< light that the piece sends to the eye: colour times opacity, in [0, opacity]
+    float* green = nullptr;
+    float* blue = nullptr;
+    float* transmittance = nullptr; ///< part of the light from behind that gets through, in [0, 1]: 1 - opacity
+};
+
+/// What becomes of the pieces of one ray.
+enum class Combiner {
+    Over,    ///< each is put over what lies behind
+    Maximum, ///< the largest of each channel, and of the opacity
+    Sum,     ///< of each channel, and of the opacity, up to 1
+};
+
+/// What the pieces of a volume add to a ray, for both back ends: as a call for many pieces at once, and as a text of
+/// the shading language of OpenGL 3.3. The two must do the same. Pieces end at cells, opaque surfaces and clip planes;
+/// those that are put over each other at translucent surfaces, too. Other combinations lie before all translucent
+/// surfaces, and have no depth (PictureOptions::depth).
+struct OpticalModel {
+    Combiner combiner = Combiner::Over;
+    /// Sets the light of all pieces. Called from several threads.
+    std::function<void(const OpticalPieces& pieces)> evaluate;
+    /// A function that gives red, green, blue (times opacity) and opacity of one piece:
+    ///     vec4 lightOfPiece(float entry, float exit, float way, float gradient) { ... }
+    std::string shader;
+};
+
+/// The largest value along each ray, as opacity: 0 at `least`, 1 at `largest`; in one colour.
+TAN_API std::shared_ptr<const OpticalModel> maximumIntensity(double least, double largest, const Colour& colour);
+/// The sum of values along each ray, as opacity: a unit of length adds the value's place between `least` and `largest`,
+/// from 0 to 1, divided by `opaqueLength`.
+TAN_API std::shared_ptr<const OpticalModel> xRay(double least, double largest, double opaqueLength,
+                                                 const Colour& colour);
+
 /// A field seen through its transfer function as a translucent cloud (R20), in core/render/volume/volume_mesh.h.
 struct Volume {
     std::shared_ptr<const VolumeMesh> mesh;
     std::shared_ptr<const VolumeTransfer> transfer; ///< of that mesh
     bool shaded = false;                            ///< lit from both sides, as a surface across the gradient would be
+    /// Where surfaces lie in it (R21) each ends one piece of a ray through a cell and begins the next; if this is set
+    /// what lies in a cell is drawn before the cell, as in the paper: quicker, and not exact.
+    bool wholeCells = false;
+    /// How it is seen; none: by emission and absorption as the transfer function has them, lit if it is shaded. Cells
+    /// all of whose values the transfer function makes transparent are left out by any model. Not in a blend of two.
+    std::shared_ptr<const OpticalModel> model{};
 };
 
-/// A part of a volume that is drawn from a finer mesh (R24). Along each ray the optical depths of the fine volume and
-/// the other one are blended with the weights w and 1 - w, so that no seam shows (S18). The weight is 1 in the region
-/// and falls with the distance from it, to 0 at `border`.
+/// Two volumes of one field blended into one: a finer one within a region, and another one outside (R24). Along each
+/// ray their optical depths are blended with the weights w and 1 - w, so that no seam shows (S18). The weight of the
+/// fine one is 1 in the region and falls with the distance from it, to 0 at `border`.
 struct FocusVolume {
-    Volume fine; ///< fills all of the domain that is nearer to the region than `border`
+    Volume outside; ///< its `wholeCells` is that of both
+    Volume fine;    ///< fills all of the domain that is nearer to the region than `border`
     std::variant<Box, Sphere> region;
     double border = 0; ///< in the units of the dataset; 0 is a sharp one
-};
-
-/// How a volume is drawn where surfaces lie in it (R21).
-enum class HybridOrder {
-    Exact,    ///< a surface ends one piece of a ray through a cell and begins the next
-    WithCell, ///< as in the paper: what lies in a cell is drawn before the cell
 };
 
 /// A half-space: points with normal . x >= offset are shown (of a HalfSpace it is the other side). OpenGL takes at
@@ -199,16 +244,57 @@ struct ClipPlane {
     double offset = 0;
 };
 
-/// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
-struct Scene {
-    std::vector<Surface> surfaces;
-    std::vector<LineSet> lines;
-    Eigen::AlignedBox3d bounds; ///< of the domain; depth is scaled by it, and what lies outside may be cut off
-    std::optional<Volume> volume{};
-    std::optional<FocusVolume> focus{}; ///< of the volume, which it must have then
-    HybridOrder hybridOrder = HybridOrder::Exact;
-    std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and the volume, not lines
+struct Drawable;
+
+/// What is drawn otherwise in each picture, as the camera has it: arrows that turn towards the eye, labels of one size,
+/// a frame around the picture. `draw` gives the drawables of a picture of `width` x `height` pixels: surfaces and
+/// lines, whose ids are those of this one and their own. Called by the back ends before each picture, in their thread;
+/// quick. A mesh that is handed out again is not sent to the graphics card again. Picking does not see it.
+struct CustomDrawable {
+    std::function<std::vector<Drawable>(const Camera& camera, int width, int height)> draw;
 };
+
+/// What can be drawn.
+using Shape = std::variant<Surface, LineSet, Volume, FocusVolume, std::shared_ptr<const CustomDrawable>>;
+
+/// A thing in a scene.
+struct Drawable {
+    std::string
+        id; ///< its name in the scene, which no other drawable has; the same thing has it in the next scene, too
+    std::string label{}; ///< for people: "Isosurface 0.3"
+    Shape shape;
+    /// The value that its field has all over it, as of an isosurface. None: of a surface `mesh->values` tell, if it has
+    /// any; of a volume its field.
+    std::optional<double> value{};
+    /// Surfaces and lines: drawn over everything that is no overlay, later ones over earlier ones, opaque, and not cut
+    /// by clip planes. What lies before the eye's near plane is still cut off. There is no depth there
+    /// (Picture::depth).
+    bool overlay = false;
+    bool saved = false; ///< a surface that belongs into the file where the surfaces of a scene are saved, by its label
+};
+
+/// What a renderer makes and a back end draws: an immutable value, shared between threads as shared_ptr<const Scene>.
+/// Surfaces and volumes are sorted as exactly as light needs it, whatever their places in the list; opaque surfaces and
+/// lines hide what lies behind. There may be one volume, or one blend of two: cells of two meshes that lie in the same
+/// place have no order, so two volumes are only drawn together where a weight says how they share each ray.
+struct Scene {
+    Eigen::AlignedBox3d bounds{};        ///< of the domain; depth is scaled by it, and what lies outside may be cut off
+    std::vector<ClipPlane> clipPlanes{}; ///< cut surfaces and volumes, not lines
+    std::vector<Drawable> drawables{};
+};
+
+/// The shapes of one kind in a scene, in their order; they live as long as the scene.
+template <class Kind> std::vector<const Kind*> shapesOf(const Scene& scene)
+{
+    std::vector<const Kind*> shapes;
+    for (const Drawable& drawable : scene.drawables)
+        if (const Kind* shape = std::get_if<Kind>(&drawable.shape))
+            shapes.push_back(shape);
+    return shapes;
+}
+
+/// The drawable of this name; null if there is none.
+TAN_API const Drawable* drawableOf(const Scene& scene, std::string_view id);
 
 /// The twelve edges of a box, as the outline of a domain.
 TAN_API LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float width = 1);
@@ -259,6 +345,9 @@ public:
     /// threads. What was finished before a cancellation or an error is kept. Errors: an isovalue that is no number or
     /// has an opacity outside 0 to 1, cancelled, not enough memory.
     Result<std::vector<Surface>> update(std::span<const Isovalue> isovalues, const Progress& progress = {});
+    /// The same as parts of a scene, each with its value and to be saved: "isosurface-1", "isosurface-2" ... by their
+    /// places in the whole list.
+    Result<std::vector<Drawable>> drawables(std::span<const Isovalue> isovalues, const Progress& progress = {});
 
 private:
     Status extractMissing(std::span<const Isovalue> isovalues, const Progress& progress);

@@ -3,6 +3,7 @@
 
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/topology.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/refine/greedy.h"
@@ -252,8 +253,7 @@ Status CurvilinearMesh::addCorners(HistorySink& sink)
             const auto corner = blocks_.box(block).corner(number);
             corners.push_back(index(grid_.lattice().pack(corner[0], corner[1], corner[2])));
         }
-    std::ranges::sort(corners);
-    corners.erase(std::ranges::unique(corners).begin(), corners.end());
+    sortUnique(corners);
     for (std::uint32_t site = 0; site < corners.size(); ++site)
         siteOfPoint_[corners[site]] = site + 1;
 

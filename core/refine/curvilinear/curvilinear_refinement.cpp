@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refine/curvilinear/curvilinear_refinement.h"
 
+#include "core/base/guarded.h"
 #include "core/refine/greedy.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/point_pool.h"
 
 #include <limits>
-#include <new>
 
 namespace tetra {
 
@@ -95,13 +95,11 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
     const BlockDivision blocks(size, options.blockEdge);
     if (Status status = checkSize(size, blocks); !status)
         return status.error();
-    try {
-        return refine(CurvilinearGrid(size, positions, samples), blocks, options, sink, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to refine this grid. Close other programs, use a machine with "
-                                  "more memory, or crop or subsample the data.")};
-    }
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop "
+            "or subsample the data."),
+        [&] { return refine(CurvilinearGrid(size, positions, samples), blocks, options, sink, progress); });
 }
 
 } // namespace tetra

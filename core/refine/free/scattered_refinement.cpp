@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refine/free/scattered_refinement.h"
 
+#include "core/base/guarded.h"
 #include "core/base/rounding.h"
 #include "core/refine/free/scattered_delaunay.h"
 #include "core/refine/greedy.h"
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <numeric>
 #include <queue>
 #include <string>
@@ -349,7 +349,7 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
     if (points.positions.size() >= noCell)
         return Error{ErrorKind::OutOfResource,
                      Message::say("At most 4294967294 scattered points can be refined. Take a part.")};
-    try {
+    const auto refine = [&]() -> Result<ScatteredRefinementResult> {
         ScatteredSpace space(points, stopError, sink);
         if (Status started = space.start(progress); !started)
             return started.error();
@@ -357,11 +357,12 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
         if (!key)
             return key.error();
         return ScatteredRefinementResult{space.siteCount(), space.tetrahedronCount(), *key};
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to refine these points. Close other programs, use a machine with "
-                                  "more memory, or take a part of the points.")};
-    }
+    };
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine these points. Close other programs, use a machine with more memory, or "
+            "take a part of the points."),
+        refine);
 }
 
 } // namespace tetra

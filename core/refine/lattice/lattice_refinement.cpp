@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refine/lattice/lattice_refinement.h"
 
+#include "core/base/guarded.h"
 #include "core/base/rounding.h"
 #include "core/refine/greedy.h"
 #include "core/refine/lattice/error_queue.h"
@@ -8,7 +9,6 @@
 #include "core/refine/lattice/redistribution.h"
 
 #include <algorithm>
-#include <new>
 #include <span>
 #include <vector>
 
@@ -107,18 +107,19 @@ Result<LatticeRefinementResult> LatticeRefiner::refine(const LatticeBoxOptions& 
 {
     if (Status status = checkBox(options); !status)
         return status.error();
-    try {
+    const auto refineBox = [&] {
         if (!state_)
             state_ = std::make_unique<State>();
         const bool whole = options.box.size == options.latticeSize;
         return state_->run(options,
                            whole ? samples : samples.copyBox(options.latticeSize, options.box, state_->boxSamples),
                            sink, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory to refine this lattice. Close other programs, use a machine with "
-                                  "more memory, or crop or subsample the data.")};
-    }
+    };
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or "
+            "crop or subsample the data."),
+        refineBox);
 }
 
 Result<LatticeRefinementResult> refineLattice(const LatticeRefinementOptions& options, const LatticeSamples& samples,

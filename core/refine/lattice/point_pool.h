@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/free_blocks.h"
 #include "core/base/reserved_array.h"
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <tan/base.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -17,9 +15,8 @@
 
 namespace tetra {
 
-/// Storage for many short lists of points. Blocks have sizes of powers of two and free lists by size; a larger free
-/// block is halved when a small one is wanted. Blocks are never joined again: the buckets of a refinement only get
-/// smaller.
+/// Storage for many short lists of points. That free blocks are never joined again does no harm: the buckets of a
+/// refinement only get smaller.
 class PointPool {
 public:
     /// Places are numbers of 32 bits, and blocks are up to twice as long as their lists.
@@ -39,7 +36,7 @@ public:
     {
         if (Status status = checkSize(points); !status)
             return status;
-        freeBlocks_.fill(none);
+        freeBlocks_.clear();
         used_ = nowhere + minimumBlock;
         return storage_.ensure(2 * points + std::uint64_t{64} * minimumBlock,
                                Message::marked("the points of the refinement"));
@@ -49,26 +46,18 @@ public:
     std::uint32_t allocate(std::uint32_t count)
     {
         const std::uint32_t wanted = blockClass(count);
-        assert(wanted < classes);
-        std::uint32_t from = wanted;
-        while (from < classes && freeBlocks_[from] == none)
-            ++from;
-        if (from == classes) {
-            const std::uint32_t place = used_;
-            used_ += 1u << wanted;
+        if (const std::uint32_t place = freeBlocks_.take(storage_.data(), wanted); place != FreeBlocks::none)
             return place;
-        }
-        const std::uint32_t place = freeBlocks_[from];
-        freeBlocks_[from] = storage_[place];
-        while (from > wanted) {
-            --from;
-            release(place + (1u << from), from);
-        }
+        const std::uint32_t place = used_;
+        used_ += 1u << wanted;
         return place;
     }
 
     /// Gives back the block of `count` points at `place`.
-    void free(std::uint32_t place, std::uint32_t count) { release(place, blockClass(count)); }
+    void free(std::uint32_t place, std::uint32_t count)
+    {
+        freeBlocks_.putBack(storage_.data(), place, blockClass(count));
+    }
 
     std::span<PackedPoint> points(std::uint32_t place, std::uint32_t count) { return {storage_.data() + place, count}; }
     void put(std::uint32_t place, PackedPoint point) { storage_[place] = point; }
@@ -86,22 +75,12 @@ public:
     static constexpr std::uint32_t copyPadding = 4;
 
 private:
-    static constexpr std::uint32_t none = 0xffffffff;
-    static constexpr std::uint32_t classes = 32;
     static constexpr std::uint32_t minimumBlock = 2;
 
-    static std::uint32_t blockClass(std::uint32_t count)
-    {
-        return static_cast<std::uint32_t>(std::bit_width(std::max(count, minimumBlock) - 1));
-    }
-    void release(std::uint32_t place, std::uint32_t blockClass)
-    {
-        storage_[place] = freeBlocks_[blockClass];
-        freeBlocks_[blockClass] = place;
-    }
+    static std::uint32_t blockClass(std::uint32_t count) { return FreeBlocks::classOf(std::max(count, minimumBlock)); }
 
     ReservedArray<PackedPoint> storage_;
-    std::array<std::uint32_t, classes> freeBlocks_{};
+    FreeBlocks freeBlocks_;
     std::uint32_t used_ = 0;
 };
 

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <span>
@@ -60,6 +61,12 @@ struct VolumeOrders {
     std::span<const std::uint32_t> volume, fine;
 };
 
+/// The volumes of a scene.
+struct SceneVolumes {
+    const Volume* volume = nullptr;     ///< of a blend that outside
+    const FocusVolume* focus = nullptr; ///< the blend
+};
+
 constexpr MarkedText drawingParts = Message::marked("Drawing the picture");
 
 class Stopwatch {
@@ -93,24 +100,27 @@ struct ProjectedFocus {
 
 /// A part of a scene made ready to be drawn.
 struct ProjectedPart {
+    SceneVolumes scene;
     DrawList list;
     TileBins bins;
     ClipBounds clips;
     std::optional<ProjectedVolume> volume;
     SetupSource source; ///< of the volume
+    std::optional<TileModel> model;
     std::optional<ProjectedFocus> focus;
 };
 
 /// Draws tiles on one thread.
 class PartPainter {
 public:
-    PartPainter(const ProjectedPart& part, const Scene& scene, const PartView& view, const PictureOptions& options)
-        : part_(part), scene_(scene), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
+    PartPainter(const ProjectedPart& part, const PartView& view, const PictureOptions& options)
+        : part_(part), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
     {
         if (part.volume)
             volume_.emplace(part.source, view.volume);
-        surroundings_.splitCells = scene.hybridOrder == HybridOrder::Exact;
+        surroundings_.splitCells = part.scene.volume == nullptr || !part.scene.volume->wholeCells;
         surroundings_.depth = options.depth;
+        surroundings_.model = part.model ? &*part.model : nullptr;
         surroundings_.clips = part.clips.empty() ? nullptr : &part.clips;
     }
 
@@ -164,7 +174,7 @@ private:
         FocusTile focus;
         if (part_.focus) {
             focus = {&part_.focus->rays, &part_.focus->source, part_.focus->volume.bins.cellsOf(number),
-                     scene_.volume->mesh->mesh->positions, scene_.focus->fine.mesh->mesh->positions};
+                     part_.scene.volume->mesh->mesh->positions, part_.scene.focus->fine.mesh->mesh->positions};
             surroundings.focus = &focus;
         }
         if (!noSurfaces) {
@@ -189,12 +199,13 @@ private:
     {
         if (nearness == TilePainter::neverHalf)
             return std::numeric_limits<float>::infinity();
+        if (nearness >= overlayNearness)
+            return 0;
         const double w = view_.volume.perspective ? 1.0 / nearness : -nearness;
         return static_cast<float>(w * view_.volume.unit);
     }
 
     const ProjectedPart& part_;
-    const Scene& scene_;
     const PartView& view_;
     const PictureOptions& options_;
     TileSurroundings surroundings_;
@@ -216,31 +227,35 @@ int tileSideFor(int samplesPerAxis)
 /// the volume, both together, front to back (R21). Adds to the statistics. On all threads of
 /// the current arena, the same picture with any number. Errors: a scene whose indices lead nowhere, cancelled. May
 /// throw std::bad_alloc.
-Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& orders, const PictureOptions& options,
-                const Progress& progress, Picture& picture, RenderStatistics& statistics)
+Status drawPart(const Scene& scene, const SceneVolumes& volumes, const PartView& view, const VolumeOrders& orders,
+                const PictureOptions& options, const Progress& progress, Picture& picture, RenderStatistics& statistics)
 {
     Stopwatch watch;
     progress.report(0, drawingParts);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
-    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
-                                         hasVolume(scene) ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
+    Result<DrawList> list =
+        makeDrawList(scene, view.surfaces, options.samplesPerAxis,
+                     volumes.volume != nullptr ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
     if (!list)
         return list.error();
     if (progress.cancelled())
         return cancelledError(drawingParts);
     TileBins bins(*list, grid);
-    ProjectedPart part{std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}};
-    if (hasVolume(scene)) {
-        const Volume& volume = *scene.volume;
+    ProjectedPart part{
+        volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}, {}};
+    if (volumes.volume != nullptr) {
+        const Volume& volume = *volumes.volume;
         part.volume = projectVolume(*volume.mesh, *volume.transfer, orders.volume, view.volume, grid, progress);
-        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume, volume.shaded);
+        part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume,
+                                    volume.shaded || volume.model != nullptr);
+        part.model = tileModelOf(volume, *part.volume, view.volume);
     }
-    if (hasFocus(scene)) {
-        const Volume& fine = scene.focus->fine;
+    if (volumes.focus != nullptr) {
+        const Volume& fine = volumes.focus->fine;
         part.focus.emplace(ProjectedFocus{
             projectVolume(*fine.mesh, *fine.transfer, orders.fine, view.volume, grid, progress),
             {},
-            FocusRays(*scene.focus, view.volume),
+            FocusRays(*volumes.focus, view.volume),
         });
         part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume, fine.shaded);
     }
@@ -249,7 +264,7 @@ Status drawPart(const Scene& scene, const PartView& view, const VolumeOrders& or
     statistics.setUpSeconds += watch.lap();
 
     SharedProgress tiles(progress.part(0.2, 1), static_cast<double>(grid.count()), drawingParts);
-    tbb::enumerable_thread_specific<PartPainter> painters([&] { return PartPainter(part, scene, view, options); });
+    tbb::enumerable_thread_specific<PartPainter> painters([&] { return PartPainter(part, view, options); });
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.count(), 1), [&](const auto& range) {
         PartPainter& painter = painters.local();
         for (std::size_t tile = range.begin(); tile != range.end() && !progress.cancelled(); ++tile) {
@@ -296,13 +311,16 @@ public:
     {
         if (Status status = checkOptions(options); !status)
             return status.error();
-        if (hasVolume(scene) && !belongTogether(*scene.volume->mesh, *scene.volume->transfer, {}))
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("The scene's volume and its transfer function do not belong together.")};
-        if (hasFocus(scene) && !belongTogether(*scene.focus->fine.mesh, *scene.focus->fine.transfer, {}))
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("The focus' volume and its transfer function do not belong together.")};
-        return onThreads(options.threads, [&] { return draw(scene, camera, options, progress); });
+        if (Status status = checkVolumes(scene); !status)
+            return status.error();
+        try {
+            const auto drawn = withDrawn(scene, camera, options.width, options.height);
+            return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
+        } catch (const std::exception& problem) { // of an optical model, or of a custom drawable
+            return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
+                                                           "plugin that made it; tell its author.",
+                                                           problem.what())};
+        }
     }
 
 private:
@@ -319,16 +337,17 @@ private:
         if (progress.cancelled())
             return cancelledError(Message::marked("Drawing the picture"));
         RenderStatistics statistics;
-        statistics.orderReused = hasVolume(scene); // until a part needs a new one
+        const SceneVolumes volumes{volumeOf(scene), focusOf(scene)};
+        statistics.orderReused = volumes.volume != nullptr; // until a part needs a new one
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto share = [&](double part) { return (static_cast<double>(i) + part) / double(parts.size()); };
             const CachedOrder::Request request{nullptr, camera, view, parts[i], options.orderTolerance};
-            if (Status status = orderCells(scene, request, progress.part(share(0), share(0.1)), statistics); !status)
+            if (Status status = orderCells(volumes, request, progress.part(share(0), share(0.1)), statistics); !status)
                 return status.error();
             const PartView part{parts[i], partOf(transform, parts[i]), partOf(view, parts[i])};
-            const Progress drawing = progress.part(share(hasVolume(scene) ? 0.1 : 0), share(1));
-            Status status =
-                drawPart(scene, part, {order_.cells(), fineOrder_.cells()}, options, drawing, picture, statistics);
+            const Progress drawing = progress.part(share(volumes.volume != nullptr ? 0.1 : 0), share(1));
+            Status status = drawPart(scene, volumes, part, {order_.cells(), fineOrder_.cells()}, options, drawing,
+                                     picture, statistics);
             if (!status)
                 return status.error();
         }
@@ -336,19 +355,19 @@ private:
         return picture;
     }
 
-    Status orderCells(const Scene& scene, CachedOrder::Request request, const Progress& progress,
+    Status orderCells(const SceneVolumes& volumes, CachedOrder::Request request, const Progress& progress,
                       RenderStatistics& statistics)
     {
         const auto start = std::chrono::steady_clock::now();
         Status status;
-        if (hasVolume(scene)) {
-            request.mesh = scene.volume->mesh;
+        if (volumes.volume != nullptr) {
+            request.mesh = volumes.volume->mesh;
             status = order_.prepare(request, progress);
             statistics.orderReused = statistics.orderReused && order_.reused();
             statistics.brokenCycles = std::max(statistics.brokenCycles, order_.brokenCycles());
         }
-        if (status && hasFocus(scene)) {
-            request.mesh = scene.focus->fine.mesh;
+        if (status && volumes.focus != nullptr) {
+            request.mesh = volumes.focus->fine.mesh;
             status = fineOrder_.prepare(request, progress);
             statistics.orderReused = statistics.orderReused && fineOrder_.reused();
             statistics.brokenCycles = std::max(statistics.brokenCycles, fineOrder_.brokenCycles());

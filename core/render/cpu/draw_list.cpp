@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <variant>
 
 namespace tetra {
 
@@ -196,7 +197,7 @@ public:
     {
     }
 
-    Status addSurface(const Surface& surface);
+    Status addSurface(const Surface& surface, bool overlay);
     void addLines(const LineSet& lines, double samplesPerPixelAxis);
 
 private:
@@ -288,7 +289,7 @@ void Builder::append(std::span<const DrawnPiece> pieces, bool coloured)
     }
 }
 
-Status Builder::addSurface(const Surface& surface)
+Status Builder::addSurface(const Surface& surface, bool overlay)
 {
     if (!surface.mesh || !(surface.opacity > 0))
         return {};
@@ -298,7 +299,8 @@ Status Builder::addSurface(const Surface& surface)
     if (mesh.positions.size() + list_.vertices.size() >= DrawnPiece::own)
         return Error{ErrorKind::OutOfResource, Message::say("The scene has more than two thousand million vertices.")};
     const bool coloured = !mesh.colours.empty();
-    const std::uint32_t material = addMaterial({surface.colour, std::min(surface.opacity, 1.0f), true, coloured});
+    const float opacity = overlay ? 1 : std::min(surface.opacity, 1.0f);
+    const std::uint32_t material = addMaterial({surface.colour, opacity, surface.lit, !overlay, coloured});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
     if (coloured) {
@@ -320,7 +322,7 @@ Status Builder::addSurface(const Surface& surface)
 
 void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
 {
-    const std::uint32_t material = addMaterial({lines.colour, 1, false});
+    const std::uint32_t material = addMaterial({lines.colour, 1, false, false});
     DrawnPiece piece;
     for (const LineQuad& quad : thickLines(lines, projector_.transform(), lines.width * samplesPerPixelAxis))
         for (const auto& [b, c] : {std::array{1, 2}, std::array{2, 3}})
@@ -338,13 +340,32 @@ Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform
     DrawList list;
     const Projector projector(transform, places);
     Builder builder(projector, list, progress);
-    for (const Surface& surface : scene.surfaces)
-        if (Status status = builder.addSurface(surface); !status)
+    const auto add = [&](const Drawable& drawable) -> Status {
+        if (const auto* surface = std::get_if<Surface>(&drawable.shape))
+            return builder.addSurface(*surface, drawable.overlay);
+        if (const auto* lines = std::get_if<LineSet>(&drawable.shape)) {
+            if (Status status = checkLines(*lines); !status)
+                return status;
+            builder.addLines(*lines, samplesPerPixelAxis);
+        }
+        return {};
+    };
+    // Surfaces before lines: of opaque things that are as near as each other the first is seen.
+    for (const bool areLines : {false, true})
+        for (const Drawable& drawable : scene.drawables)
+            if (!drawable.overlay && std::holds_alternative<LineSet>(drawable.shape) == areLines)
+                if (Status status = add(drawable); !status)
+                    return status.error();
+    float nearness = overlayNearness;
+    for (const Drawable& drawable : scene.drawables) {
+        if (!drawable.overlay)
+            continue;
+        const std::size_t first = list.vertices.size();
+        if (Status status = add(drawable); !status)
             return status.error();
-    for (const LineSet& lines : scene.lines) {
-        if (Status status = checkLines(lines); !status)
-            return status.error();
-        builder.addLines(lines, samplesPerPixelAxis);
+        for (std::size_t vertex = first; vertex < list.vertices.size(); ++vertex)
+            list.vertices[vertex].nearness = nearness;
+        nearness = std::nextafter(nearness, 2 * overlayNearness);
     }
     return list;
 }

@@ -31,7 +31,8 @@ struct ScreenVertex {
 struct Material {
     Colour colour;
     float opacity = 1;
-    bool surface = true;   ///< lit and clipped; else a line
+    bool lit = true;
+    bool clipped = true;   ///< by clip planes
     bool coloured = false; ///< at each vertex by itself
 };
 
@@ -39,6 +40,9 @@ struct ScreenTriangle {
     std::array<std::uint32_t, 3> vertices;
     std::uint32_t material;
 };
+
+/// q of overlays, nearer than everything; each is a little nearer than the one before.
+inline constexpr float overlayNearness = 1e9f;
 
 /// A scene projected into a picture: all that the tiles need. Triangles are in the order of the scene; those outside
 /// the view or turned away from it as the surface does not want are left out, those that reach behind the eye or far

@@ -126,7 +126,7 @@ bool TilePainter::shows(std::size_t sample, float nearness, bool clipped) const
 
 void TilePainter::drawOpaque(std::uint32_t triangle)
 {
-    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
+    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].clipped;
     forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
         if (!shows(sample, nearness, clipped))
             return;
@@ -137,7 +137,7 @@ void TilePainter::drawOpaque(std::uint32_t triangle)
 
 void TilePainter::collectTranslucent(std::uint32_t triangle)
 {
-    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].surface;
+    const bool clipped = !shown_.empty() && list_.materials[list_.triangles[triangle].material].clipped;
     forEachCoveredSample(list_, triangle, tile_, [&](std::size_t sample, float nearness, float b, float c) {
         if (!shows(sample, nearness, clipped))
             return;
@@ -170,7 +170,7 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
     const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
     const Material& material = list_.materials[triangle.material];
     Colour colour = material.coloured ? ownColour(fragment) : material.colour;
-    if (material.surface) {
+    if (material.lit) {
         const ScreenVertex& a = list_.vertices[triangle.vertices[0]];
         const ScreenVertex& b = list_.vertices[triangle.vertices[1]];
         const ScreenVertex& c = list_.vertices[triangle.vertices[2]];

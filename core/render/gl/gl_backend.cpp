@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
 #include "core/render/gl/egl_context.h"
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_functions.h"
 #include "core/render/gl/scene_painter.h"
 #include "core/render/scene_checks.h"
+#include "core/render/tiles.h"
 
 #include <tan/render.h>
 
 #include <algorithm>
-#include <new>
 
 namespace tetra {
 namespace {
@@ -86,16 +87,14 @@ public:
         const EglContext::Current current(*context_);
         if (!current.ok())
             return notCurrentError();
-        try {
+        return guarded(noMemoryForPicture, [&]() -> Result<Picture> {
             const PictureTarget target = makePictureTarget(gl_, options.width, options.height);
             if (Status status = painter_->draw(scene, camera, options, target.framebuffer.name(), progress); !status)
                 return status.error();
             Picture picture = readPicture(gl_, options.width, options.height);
             picture.depth = painter_->takeDepth();
             return picture;
-        } catch (const std::bad_alloc&) {
-            return Error{ErrorKind::OutOfResource, Message::say("Not enough memory for a picture of this size.")};
-        }
+        });
     }
 
     RenderStatistics statistics() const override { return painter_->statistics(); }

@@ -52,6 +52,9 @@ inline constexpr unsigned less = 0x0201;
 inline constexpr unsigned lessOrEqual = 0x0203;
 inline constexpr unsigned one = 1;
 inline constexpr unsigned oneMinusDestinationAlpha = 0x0305;
+inline constexpr unsigned sum = 0x8006; // of blendEquation, like the next two
+inline constexpr unsigned smallest = 0x8007;
+inline constexpr unsigned largest = 0x8008;
 inline constexpr unsigned depthTest = 0x0B71;
 inline constexpr unsigned blend = 0x0BE2;
 inline constexpr unsigned cullFace = 0x0B44;
@@ -186,6 +189,7 @@ struct GlFunctions {
     Function<void(unsigned char)> depthMask = find("glDepthMask");
     Function<void(unsigned char, unsigned char, unsigned char, unsigned char)> colorMask = find("glColorMask");
     Function<TwoNames> blendFunc = find("glBlendFunc");
+    Function<NameFunction> blendEquation = find("glBlendEquation");
     Function<void(int, int, int, int)> viewport = find("glViewport");
     Function<void(unsigned, int, const float*)> clearBufferfv = find("glClearBufferfv");
     Function<void(unsigned, int, const unsigned*)> clearBufferuiv = find("glClearBufferuiv");

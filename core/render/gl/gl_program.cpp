@@ -149,6 +149,28 @@ void setCuts(const GlProgram& program, std::span<const ClipPlane> planes, const 
     program.set("cuts", cuts);
 }
 
+namespace {
+
+std::string volumeVertexShader()
+{
+    return std::string("#version 330 core\n") + shaders::imageGlsl + shaders::cellGlsl + shaders::facesGlsl +
+           shaders::volumeVert;
+}
+
+} // namespace
+
+Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader)
+{
+    const std::string text = "#version 330 core\n" + shader;
+    auto program =
+        GlProgram::make(gl, volumeVertexShader().c_str(),
+                        std::array{shaders::volumeFrag, shaders::modelFrag, shaders::focusFrag, text.c_str()});
+    if (!program)
+        return Error{ErrorKind::BadInput,
+                     Message::say("The shader of an optical model cannot be used: %1", program.error().message)};
+    return program;
+}
+
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
 {
     PainterPrograms programs;
@@ -171,9 +193,8 @@ Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)
     make(programs.resolve, shaders::screenVert, std::array{shaders::resolveFrag});
     make(programs.saturated, shaders::screenVert, std::array{shaders::saturatedFrag});
     make(programs.bisect, shaders::screenVert, std::array{shaders::bisectFrag});
-    const std::string volumeVertexShader = std::string("#version 330 core\n") + shaders::imageGlsl + shaders::cellGlsl +
-                                           shaders::facesGlsl + shaders::volumeVert;
-    make(programs.volume, volumeVertexShader.c_str(),
+    make(programs.limit, shaders::screenVert, std::array{shaders::limitFrag});
+    make(programs.volume, volumeVertexShader().c_str(),
          std::array{shaders::volumeFrag, shaders::slabFrag, shaders::focusFrag});
     if (!status)
         return status.error();

@@ -92,7 +92,12 @@ struct PainterPrograms {
     std::unique_ptr<GlProgram> volume;
     std::unique_ptr<GlProgram> saturated;
     std::unique_ptr<GlProgram> bisect;
+    std::unique_ptr<GlProgram> limit;
 };
+
+/// The program that draws a volume by an optical model with this text (OpticalModel::shader). The error says what the
+/// driver has against the text.
+Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader);
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);
 

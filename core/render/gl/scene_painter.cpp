@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/scene_painter.h"
 
+#include "core/base/guarded.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/sample_targets.h"
 #include "core/render/gl/surface_painter.h"
 #include "core/render/gl/volume_painter.h"
 #include "core/render/scene_checks.h"
+#include "core/render/tiles.h"
 #include "core/render/volume/volume_mesh.h"
 
 #include <tan/render.h>
 
 #include <chrono>
-#include <new>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,6 +50,7 @@ private:
     void startBlending() const;
     Status peel(bool withVolume, unsigned nearest, const Progress& progress);
     Status drawVolume(const VolumeLayers& layers, const Progress& progress);
+    Status drawVolumeBefore(unsigned nearest, const Progress& progress);
     Status drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress);
     Status findDepth(bool withVolume, const SampleView& view, const PictureOptions& options, const Progress& progress);
     void drawOverScreen() const;
@@ -214,6 +217,23 @@ void ScenePainter::Implementation::resolve(const PictureOptions& options, bool a
     drawOverScreen();
 }
 
+/// Draws a volume whose pieces are not put over each other, as a whole.
+Status ScenePainter::Implementation::drawVolumeBefore(unsigned nearest, const Progress& progress)
+{
+    gl_.bindFramebuffer(gl::framebuffer, targets_.accumulatedFramebuffer.name());
+    gl_.disable(gl::depthTest);
+    gl_.enable(gl::blend);
+    gl_.blendFunc(gl::one, gl::one);
+    gl_.blendEquation(volume_.combiner() == Combiner::Maximum ? gl::largest : gl::sum);
+    Status status = drawVolume({nearest}, progress);
+    gl_.blendEquation(gl::smallest);
+    programs_.limit->use();
+    drawOverScreen();
+    gl_.blendEquation(gl::sum);
+    endBlending(gl_);
+    return status;
+}
+
 /// Draws surfaces and volume that lie before the depths in the texture `nearest`.
 Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned nearest, const Progress& progress)
 {
@@ -221,6 +241,11 @@ Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned n
     gl_.clearBufferfv(gl::colour, 0, transparentBlack.data());
     if (withVolume)
         gl_.clearBufferfv(gl::depth, 0, &farthestDepth);
+    if (withVolume && volume_.combiner() != Combiner::Over) {
+        if (Status status = drawVolumeBefore(nearest, progress); !status)
+            return status;
+        withVolume = false;
+    }
     if (surfaces_->anyTranslucent())
         return peel(withVolume, nearest, progress);
     if (!withVolume)
@@ -263,6 +288,8 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         return status;
     if (Status status = checkClipPlanes(scene.clipPlanes); !status)
         return status;
+    if (Status status = checkVolumes(scene); !status)
+        return status;
     if (progress.cancelled())
         return cancelledError(drawingScene);
     progress.report(0, drawingScene);
@@ -270,7 +297,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     const int width = options.width * options.samplesPerAxis;
     const int height = options.height * options.samplesPerAxis;
     volume_.dropDead();
-    const bool withVolume = hasVolume(scene);
+    const bool withVolume = volumeOf(scene) != nullptr;
     const SampleView view{camera, width, height, drawnBounds(scene), withVolume};
     if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;
@@ -294,7 +321,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         status = drawTranslucent(withVolume, targets_.opaqueDepth.name(), progress.part(0.4, options.depth ? 0.5 : 1));
     resolve(options, layered, framebuffer);
     if (status && options.depth)
-        status = findDepth(withVolume, view, options, progress.part(0.5, 1));
+        status = findDepth(withVolume && volume_.combiner() == Combiner::Over, view, options, progress.part(0.5, 1));
     leaveDrawingState(gl_); // also if something went wrong
     gl_.bindFramebuffer(gl::framebuffer, framebuffer);
     if (status && gl_.getError() == gl::outOfMemory)
@@ -325,11 +352,14 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
                           const Progress& progress)
 {
     try {
-        return implementation_->draw(scene, camera, options, framebuffer, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("Not enough memory for a picture of this size and scene. Make the picture smaller or "
-                                  "lower the accuracy of the mesh.")};
+        return guarded(noMemoryForPicture, [&] {
+            const auto drawn = withDrawn(scene, camera, options.width, options.height);
+            return implementation_->draw(drawn ? *drawn : scene, camera, options, framebuffer, progress);
+        });
+    } catch (const std::exception& problem) { // of a custom drawable
+        return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
+                                                       "plugin that made it; tell its author.",
+                                                       problem.what())};
     }
 }
 

@@ -42,7 +42,7 @@ public:
     /// Of the last picture.
     RenderStatistics statistics() const noexcept;
     /// Picture::depth of the last picture, if it was wanted. It takes MedianDepth::steps times as long as the picture.
-    /// Where a hybrid's order is WithCell, too, depths are those of Exact.
+    /// Of a volume with wholeCells, too, depths are those without.
     std::vector<float> takeDepth() noexcept;
 
     /// The driver's name of what draws: "NVIDIA ...", "llvmpipe (LLVM ...)".

@@ -11,14 +11,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <variant>
 
 namespace tetra {
 namespace {
-
-bool isOpaque(const Surface& surface)
-{
-    return surface.opacity >= 1;
-}
 
 Eigen::Vector4f colourOf(const Surface& surface)
 {
@@ -46,14 +43,15 @@ Status SurfacePainter::collectSurfaces()
     surfaces_.clear();
     meshes_.dropDead();
     std::uint64_t triangles = 0;
-    for (const Surface& surface : scene_->surfaces) {
-        if (!surface.mesh || !(surface.opacity > 0))
+    for (const Drawable& drawable : scene_->drawables) {
+        const auto* surface = std::get_if<Surface>(&drawable.shape);
+        if (surface == nullptr || !surface->mesh || !(surface->opacity > 0))
             continue;
-        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface.mesh);
+        const Result<const MeshBuffers*> buffers = meshes_.buffersOf(surface->mesh);
         if (!buffers)
             return buffers.error();
-        surfaces_.push_back({&surface, *buffers, static_cast<unsigned>(triangles)});
-        triangles += surface.mesh->triangles.size();
+        surfaces_.push_back({surface, *buffers, static_cast<unsigned>(triangles), drawable.overlay});
+        triangles += surface->mesh->triangles.size();
     }
     if (triangles >= std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource,
@@ -63,8 +61,8 @@ Status SurfacePainter::collectSurfaces()
 
 Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, double samplesPerPixelAxis)
 {
-    for (const LineSet& lines : scene.lines)
-        if (Status status = checkLines(lines); !status)
+    for (const LineSet* lines : shapesOf<LineSet>(scene))
+        if (Status status = checkLines(*lines); !status)
             return status;
     scene_ = &scene;
     transform_ = makeViewTransform(view.camera, view.width, view.height, view.bounds);
@@ -77,7 +75,7 @@ Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, doubl
 
 bool SurfacePainter::anyTranslucent() const noexcept
 {
-    return std::ranges::any_of(surfaces_, [](const DrawnSurface& drawn) { return !isOpaque(*drawn.surface); });
+    return std::ranges::any_of(surfaces_, [](const DrawnSurface& drawn) { return !drawn.isOpaque(); });
 }
 
 void SurfacePainter::draw(const GlProgram& program, const DrawnSurface& drawn) const
@@ -93,13 +91,15 @@ void SurfacePainter::draw(const GlProgram& program, const DrawnSurface& drawn) c
     program.set("colour", colourOf(*drawn.surface));
     program.set("coloured", drawn.surface->mesh->colours.empty() ? 0 : 1);
     program.set("backFacesOnly", drawn.surface->backFacesOnly ? 1 : 0);
-    program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
-    setCuts(program, scene_->clipPlanes, origin);
+    program.set("light", drawn.surface->lit ? Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular)
+                                            : Eigen::Vector3f(1, 0, 0));
+    program.set("overlay", drawn.overlay ? 1 : 0);
+    setCuts(program, drawn.overlay ? std::span<const ClipPlane>() : scene_->clipPlanes, origin);
     gl_.bindVertexArray(drawn.buffers->vertexArray.name());
     gl_.drawElements(gl::triangles, drawn.buffers->indexCount, gl::unsignedInt, nullptr);
 }
 
-void SurfacePainter::draw(const LineSet& lines) const
+void SurfacePainter::draw(const LineSet& lines, bool overlay) const
 {
     std::vector<Eigen::Vector4f> corners;
     for (const LineQuad& quad : thickLines(lines, transform_, lines.width * samplesPerPixelAxis_))
@@ -112,6 +112,7 @@ void SurfacePainter::draw(const LineSet& lines) const
     gl_.enableVertexAttribArray(0);
     gl_.vertexAttribPointer(0, 4, gl::floatType, 0, 0, nullptr);
     programs_.line->use();
+    programs_.line->set("overlay", overlay ? 1 : 0);
     programs_.line->set("colour", Eigen::Vector4f(lines.colour.red, lines.colour.green, lines.colour.blue, 1));
     gl_.drawArrays(gl::triangles, 0, static_cast<int>(corners.size()));
 }
@@ -120,16 +121,34 @@ void SurfacePainter::drawOpaque() const
 {
     programs_.opaque->use();
     for (const DrawnSurface& drawn : surfaces_)
-        if (isOpaque(*drawn.surface))
+        if (drawn.isOpaque() && !drawn.overlay)
             draw(*programs_.opaque, drawn);
-    for (const LineSet& lines : scene_->lines)
-        draw(lines);
+    for (const Drawable& drawable : scene_->drawables)
+        if (const auto* lines = std::get_if<LineSet>(&drawable.shape); lines != nullptr && !drawable.overlay)
+            draw(*lines, false);
+    drawOverlays();
+}
+
+/// All are as near as can be, where the first that is drawn stays: so the last of the list comes first.
+void SurfacePainter::drawOverlays() const
+{
+    for (auto drawable = scene_->drawables.rbegin(); drawable != scene_->drawables.rend(); ++drawable) {
+        if (!drawable->overlay)
+            continue;
+        if (const auto* lines = std::get_if<LineSet>(&drawable->shape))
+            draw(*lines, true);
+        for (const DrawnSurface& drawn : surfaces_)
+            if (drawn.surface == std::get_if<Surface>(&drawable->shape)) {
+                programs_.opaque->use();
+                draw(*programs_.opaque, drawn);
+            }
+    }
 }
 
 void SurfacePainter::drawTranslucent(const GlProgram& program) const
 {
     for (const DrawnSurface& drawn : surfaces_) {
-        if (isOpaque(*drawn.surface))
+        if (drawn.isOpaque())
             continue;
         program.set("firstTriangle", drawn.firstTriangle);
         draw(program, drawn);

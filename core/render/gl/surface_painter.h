@@ -34,10 +34,13 @@ private:
         const Surface* surface;
         const MeshBuffers* buffers;
         unsigned firstTriangle;
+        bool overlay;
+        bool isOpaque() const noexcept { return overlay || surface->opacity >= 1; }
     };
     Status collectSurfaces();
     void draw(const GlProgram& program, const DrawnSurface& drawn) const;
-    void draw(const LineSet& lines) const;
+    void draw(const LineSet& lines, bool overlay) const;
+    void drawOverlays() const;
 
     const GlFunctions& gl_;
     const PainterPrograms& programs_;

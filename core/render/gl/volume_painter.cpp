@@ -2,11 +2,11 @@
 #include "core/render/gl/volume_painter.h"
 
 #include "core/render/gl/gl_program.h"
-#include "core/render/scene_checks.h"
 #include "core/render/shading.h"
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/projected_volume.h"
+#include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_view.h"
 
 #include <tan/render.h>
@@ -173,16 +173,34 @@ Status VolumePainter::prepareBuffers(const Volume& volume, const CachedOrder::Re
 Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view, const PictureOptions& options,
                                     const Progress& progress, DrawnVolume& drawn)
 {
-    if (!belongTogether(*volume.mesh, *volume.transfer, {}))
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("A volume of the scene and its transfer function do not belong together.")};
-    drawn.shaded = volume.shaded;
+    drawn.shaded = volume.shaded && !volume.model;
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;
     fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
     const CachedOrder::Request order{
         volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
     return prepareBuffers(volume, order, options.threads, progress, drawn);
+}
+
+/// The program is kept for the next picture: compiling takes longer than drawing.
+Status VolumePainter::prepareModel(const Volume& volume)
+{
+    constexpr std::size_t mostKept = 16;
+    combiner_ = combinerOf(volume);
+    program_ = nullptr;
+    if (!volume.model)
+        return {};
+    auto found = models_.find(volume.model->shader);
+    if (found == models_.end()) {
+        auto program = makeModelProgram(gl_, volume.model->shader);
+        if (!program)
+            return program.error();
+        if (models_.size() >= mostKept)
+            models_.clear();
+        found = models_.emplace(volume.model->shader, *std::move(program)).first;
+    }
+    program_ = found->second.get();
+    return {};
 }
 
 Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const PictureOptions& options,
@@ -196,14 +214,18 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     cuts_ = cutsOf(scene.clipPlanes, view_, origin_);
     const double aspectRatio = static_cast<double>(view.width) / view.height;
     boundOfDepth_ = boundOfDepth(projectionMatrix(camera, aspectRatio, view.bounds), camera.perspective, view_.unit);
-    wholeCells_ = scene.hybridOrder == HybridOrder::WithCell;
-    region_.reset();
-    if (!hasFocus(scene))
-        return prepareVolume(*scene.volume, view, options, progress, coarse_);
-    region_ = regionInView(*scene.focus, view_);
-    if (Status status = prepareVolume(*scene.volume, view, options, progress.part(0, 0.5), coarse_); !status)
+    const Volume& volume = *volumeOf(scene);
+    const FocusVolume* focus = focusOf(scene);
+    wholeCells_ = volume.wholeCells;
+    if (Status status = prepareModel(volume); !status)
         return status;
-    return prepareVolume(scene.focus->fine, view, options, progress.part(0.5, 1), fine_);
+    region_.reset();
+    if (focus == nullptr)
+        return prepareVolume(volume, view, options, progress, coarse_);
+    region_ = regionInView(*focus, view_);
+    if (Status status = prepareVolume(volume, view, options, progress.part(0, 0.5), coarse_); !status)
+        return status;
+    return prepareVolume(focus->fine, view, options, progress.part(0.5, 1), fine_);
 }
 
 void VolumePainter::setUniforms(const GlProgram& program) const
@@ -224,6 +246,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("cuts", cuts_);
     program.set("boundOfDepth", boundOfDepth_);
     program.set("wholeCells", wholeCells_ ? 1 : 0);
+    program.set("unit", static_cast<float>(view_.unit));
     program.set("light", Eigen::Vector3f(Shading::ambient, Shading::diffuse, Shading::specular));
     // How long u and v are for one unit of length across the view, in units of w for one along it.
     program.set(
@@ -279,7 +302,7 @@ Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTarg
                                const VolumeLayers& layers, const VolumePart& part, const Progress& progress) const
 {
     const DrawnVolume& volume = part.fine ? fine_ : coarse_;
-    const GlProgram& program = *programs.volume;
+    const GlProgram& program = program_ != nullptr ? *program_ : *programs.volume;
     setPartUniforms(program, volume, part);
     program.setTexture("vertices", 3, volume.buffers->vertices.texture.name(), gl::textureBuffer);
     program.set("layered", layers.behind != 0 ? 1 : 0);
@@ -291,7 +314,7 @@ Status VolumePainter::drawPart(const PainterPrograms& programs, const SampleTarg
     for (std::size_t i = 0; i < chunks.size(); ++i) {
         if (progress.cancelled())
             return cancelledError(drawingVolume);
-        if (i > 0 && i % chunksPerMark == 0)
+        if (i > 0 && i % chunksPerMark == 0 && combiner_ == Combiner::Over)
             markSaturated(*programs.saturated, targets);
         program.use();
         program.setTexture("corners", 5, chunks[i].corners.texture.name(), gl::textureBuffer);

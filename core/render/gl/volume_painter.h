@@ -11,7 +11,10 @@
 
 #include <Eigen/Core>
 
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -55,13 +58,17 @@ class VolumePainter {
 public:
     explicit VolumePainter(const GlFunctions& gl) : gl_(gl), coarse_(gl), fine_(gl) {}
 
+    /// How its pieces become one, of the scene that is ready.
+    Combiner combiner() const noexcept { return combiner_; }
+
     /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
     /// vertices than the driver allows, no memory, cancelled.
     Status prepare(const Scene& scene, const SampleView& view, const PictureOptions& options, const Progress& progress);
 
     /// Draws what lies between two layers into targets.accumulatedFramebuffer, which is bound, with a vertex array
     /// without attributes and blending under what is there. From time to time the samples where nothing more can be
-    /// seen are marked, and left out from then on. Leaves depth test and face culling off. Cancelled between chunks of
+    /// seen are marked, and left out from then on. Pieces that are not put over each other want the blending for that.
+    /// Leaves depth test and face culling off. Cancelled between chunks of
     /// cells.
     Status draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                 const Progress& progress) const;
@@ -97,6 +104,7 @@ private:
     Status drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                     const VolumePart& part, const Progress& progress) const;
     void setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const;
+    Status prepareModel(const Volume& volume);
     void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
     void setCellState() const;
 
@@ -111,6 +119,9 @@ private:
     std::vector<Eigen::Vector4f> cuts_;
     Eigen::Vector2f boundOfDepth_{0, 0};
     bool wholeCells_ = false;
+    Combiner combiner_ = Combiner::Over;
+    const GlProgram* program_ = nullptr; ///< of the optical model; null: that of all volumes without one
+    std::map<std::string, std::unique_ptr<GlProgram>> models_; ///< by their text, the last few
 };
 
 } // namespace tetra

@@ -125,9 +125,8 @@ EdgeKey* writeOneByOne(std::span<const Tetrahedron> tetrahedra, std::span<const 
         const Tetrahedron& tetrahedron = tetrahedra[one / 16];
         const MarchingCase& marching = marchingCases[one % 16];
         for (std::size_t corner = 0; corner < 4; ++corner) {
-            const EdgeKey a = tetrahedron[marching.edges[corner][0]];
-            const EdgeKey b = tetrahedron[marching.edges[corner][1]];
-            edges[corner] = std::min(a << 32 | b, b << 32 | a); // compilers make no branch of this
+            const auto [a, b] = marching.edges[corner];
+            edges[corner] = edgeKey(tetrahedron[a], tetrahedron[b]);
         }
         edges += marching.corners;
     }

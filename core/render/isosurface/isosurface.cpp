@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/isosurface/isosurface.h"
 
+#include "core/base/flat_index.h"
+#include "core/base/guarded.h"
 #include "core/base/simd.h"
 #include "core/mesh/topology.h"
 #include "core/render/isosurface/surface_chunks.h"
@@ -16,10 +18,8 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <new>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace tetra {
@@ -136,14 +136,9 @@ Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const Isosurfac
 {
     if (Status status = checkArguments(mesh, index, gradients, isovalue); !status)
         return status.error();
-    try {
-        return extract(mesh, index, gradients, isovalue, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say(
-                "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.")};
-    }
+    return guarded(Message::marked(
+                       "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."),
+                   [&] { return extract(mesh, index, gradients, isovalue, progress); });
 }
 
 } // namespace
@@ -176,21 +171,22 @@ Eigen::Vector3f unitOrZero(const Eigen::Vector3d& direction)
 
 void fillNormalsFromTriangles(TriangleMesh& surface)
 {
-    std::unordered_map<std::uint32_t, Eigen::Vector3d> sums;
+    FlatIndex<std::uint32_t> wanting;
     for (std::size_t v = 0; v < surface.normals.size(); ++v)
         if (surface.normals[v].isZero(0))
-            sums.emplace(static_cast<std::uint32_t>(v), Eigen::Vector3d::Zero());
+            wanting.numberOf(static_cast<std::uint32_t>(v));
+    std::vector<Eigen::Vector3d> sums(wanting.size(), Eigen::Vector3d::Zero());
     for (const auto& triangle : surface.triangles) {
         const Eigen::Vector3d corner = surface.positions[triangle[0]].cast<double>();
         const Eigen::Vector3d normal = (surface.positions[triangle[1]].cast<double>() - corner)
                                            .cross(surface.positions[triangle[2]].cast<double>() - corner);
         for (const std::uint32_t vertex : triangle)
-            if (const auto sum = sums.find(vertex); sum != sums.end())
-                sum->second += normal;
+            if (const std::uint32_t number = wanting.find(vertex); number != FlatIndex<std::uint32_t>::none)
+                sums[number] += normal;
     }
-    for (const auto& [vertex, sum] : sums) {
-        const Eigen::Vector3f normal = unitOrZero(sum);
-        surface.normals[vertex] = normal.isZero(0) ? Eigen::Vector3f::UnitZ() : normal;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Eigen::Vector3f normal = unitOrZero(sums[i]);
+        surface.normals[wanting.keys()[i]] = normal.isZero(0) ? Eigen::Vector3f::UnitZ() : normal;
     }
 }
 

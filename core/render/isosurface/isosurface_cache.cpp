@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
 #include "core/base/progress.h"
+#include "core/base/sort_unique.h"
+#include "core/base/text.h"
 #include "core/render/isosurface/isosurface.h"
 
 #include <tan/base.h>
@@ -9,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <optional>
 
 namespace tetra {
@@ -71,8 +73,7 @@ Status IsosurfaceCache::extractMissing(std::span<const Isovalue> isovalues, cons
     for (const Isovalue& isovalue : isovalues)
         if (isShown(isovalue) && !surfaces_.contains(isovalue.value))
             missing.push_back(isovalue.value);
-    std::ranges::sort(missing);
-    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    sortUnique(missing);
     if (missing.empty())
         return {};
 
@@ -97,25 +98,42 @@ Status IsosurfaceCache::extractMissing(std::span<const Isovalue> isovalues, cons
 }
 
 Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> isovalues, const Progress& progress)
-try {
+{
     if (!std::ranges::all_of(isovalues, isUsable))
         return Error{ErrorKind::WrongUsage,
                      Message::say("An isovalue must be a finite number, and its opacity between 0 and 1.")};
-    std::erase_if(surfaces_, [&](const auto& kept) { return !contains(isovalues, kept.first); });
-    progress.report(0, extractingIsosurfaces);
-    if (const Status extracted = extractMissing(isovalues, progress); !extracted)
-        return extracted.error();
-    progress.report(1, extractingIsosurfaces);
-    std::vector<Surface> surfaces;
-    for (const Isovalue& isovalue : isovalues)
-        if (isShown(isovalue))
-            surfaces.push_back(
-                {surfaces_.at(isovalue.value), {isovalue.red, isovalue.green, isovalue.blue}, isovalue.opacity});
-    return surfaces;
-} catch (const std::bad_alloc&) {
-    return Error{
-        ErrorKind::OutOfResource,
-        Message::say("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.")};
+    const auto shown = [&]() -> Result<std::vector<Surface>> {
+        std::erase_if(surfaces_, [&](const auto& kept) { return !contains(isovalues, kept.first); });
+        progress.report(0, extractingIsosurfaces);
+        if (const Status extracted = extractMissing(isovalues, progress); !extracted)
+            return extracted.error();
+        progress.report(1, extractingIsosurfaces);
+        std::vector<Surface> surfaces;
+        for (const Isovalue& isovalue : isovalues)
+            if (isShown(isovalue))
+                surfaces.push_back(
+                    {surfaces_.at(isovalue.value), {isovalue.red, isovalue.green, isovalue.blue}, isovalue.opacity});
+        return surfaces;
+    };
+    return guarded(
+        Message::marked("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh."),
+        shown);
+}
+
+Result<std::vector<Drawable>> IsosurfaceCache::drawables(std::span<const Isovalue> isovalues, const Progress& progress)
+{
+    auto surfaces = update(isovalues, progress);
+    if (!surfaces)
+        return surfaces.error();
+    std::vector<Drawable> drawables;
+    for (std::size_t i = 0; i < isovalues.size(); ++i)
+        if (isShown(isovalues[i]))
+            drawables.push_back({.id = "isosurface-" + std::to_string(i + 1),
+                                 .label = "isovalue " + formatNumber(isovalues[i].value),
+                                 .shape = std::move((*surfaces)[drawables.size()]),
+                                 .value = isovalues[i].value,
+                                 .saved = true});
+    return drawables;
 }
 
 } // namespace tetra

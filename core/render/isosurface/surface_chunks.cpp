@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/isosurface/surface_chunks.h"
 
+#include "core/base/flat_index.h"
 #include "core/base/simd.h"
 #include "core/mesh/topology.h"
 #include "core/render/isosurface/crossed_tetrahedra.h"
@@ -21,76 +22,10 @@ namespace tetra {
 
 namespace {
 
-/// Numbers 64-bit keys by their first appearance: a hash table by open addressing. Its memory is used again after
-/// clear().
-class EdgeTable {
-public:
-    /// What takes keys, small enough to be kept in registers.
-    struct Numbering {
-        std::uint32_t* slots;
-        std::uint64_t* keys;
-        std::size_t mask;
-        int shift;
-        std::uint32_t count;
+using EdgeIndex = FlatIndex<EdgeKey>;
 
-        /// Whether the key is new is hard to predict, so that decides no branch.
-        std::uint32_t numberOf(std::uint64_t key) noexcept
-        {
-            keys[count] = key;
-            for (std::size_t slot = placeOf(key, shift);; slot = (slot + 1) & mask) {
-                const std::uint32_t known = slots[slot];
-                const std::uint32_t number = std::min(known, count); // unknown is the largest number
-                slots[slot] = number;
-                if (keys[number] == key) {
-                    count += number == count ? 1 : 0;
-                    return number;
-                }
-            }
-        }
-    };
-
-    /// Forgets all keys. About so many are to come: to grow later is slow.
-    void clear(std::size_t expected)
-    {
-        count_ = 0;
-        makeSlots(std::bit_ceil(std::max(smallestTable, roomForOne * expected)));
-    }
-    /// Makes room for so many more keys. Hand back with end() what took them.
-    Numbering begin(std::size_t more)
-    {
-        const std::size_t most = count_ + more + 1;
-        if (keys_.size() < most)
-            keys_.resize(std::max(most, 2 * keys_.size()));
-        if (slots_.size() < roomForOne * most)
-            makeSlots(std::bit_ceil(roomForOne * most));
-        return {slots_.data(), keys_.data(), slots_.size() - 1, 64 - std::countr_zero(slots_.size()), count_};
-    }
-    void end(const Numbering& numbering) { count_ = numbering.count; }
-    std::span<const std::uint64_t> keys() const noexcept { return {keys_.data(), count_}; }
-
-private:
-    static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
-    static constexpr std::size_t smallestTable = 1 << 12;
-    static constexpr std::size_t roomForOne = 8;
-
-    static std::size_t placeOf(std::uint64_t key, int shift) noexcept { return key * 0x9e3779b97f4a7c15u >> shift; }
-
-    void makeSlots(std::size_t size)
-    {
-        slots_.assign(size, unknown);
-        const int shift = 64 - std::countr_zero(size);
-        for (std::uint32_t number = 0; number < count_; ++number) {
-            std::size_t slot = placeOf(keys_[number], shift);
-            while (slots_[slot] != unknown)
-                slot = (slot + 1) & (size - 1);
-            slots_[slot] = number;
-        }
-    }
-
-    Buffer<std::uint64_t> keys_;
-    Buffer<std::uint32_t> slots_;
-    std::uint32_t count_ = 0;
-};
+/// Slots of an EdgeIndex for each edge that comes: sparser than it needs, so that most edges are found at once.
+constexpr std::size_t edgeSparseness = 4;
 
 /// Crossed tetrahedra that are marched through step by step together: what lies between the steps stays in the nearest
 /// cache.
@@ -122,7 +57,7 @@ public:
     {
         const std::span run = std::span(mesh_.tetrahedra).subspan(first, end - first);
         const std::span crossed = findCrossedIn(run, first / rangedChunkSize, isCrossed);
-        edges_.clear(crossed.size() * 3 / 4);
+        edges_.clear(edgeSparseness * crossed.size() * 3 / 4);
         Buffer<Triangle> triangles(2 * crossed.size());
         Triangle* next = triangles.data();
         for (std::size_t i = 0; i < crossed.size(); i += marchedTogether)
@@ -164,17 +99,14 @@ private:
         std::array<EdgeKey, 4 * marchedTogether> edges;
         std::array<std::uint32_t, 4 * marchedTogether> numbers;
         const auto count = static_cast<std::size_t>(writeCrossedEdges(run, crossed, edges.data()) - edges.data());
-        auto numbering = edges_.begin(count);
-        for (std::size_t i = 0; i < count; ++i)
-            numbers[i] = numbering.numberOf(edges[i]);
-        edges_.end(numbering);
+        edges_.numberAll({edges.data(), count}, [&](std::size_t i, std::uint32_t number) { numbers[i] = number; });
         return writeTriangles(crossed, numbers.data(), triangles);
     }
 
     const TetrahedralMesh& mesh_;
     const VertexSigns& sides_;
     Buffer<CrossedTetrahedron> crossed_;
-    EdgeTable edges_;
+    EdgeIndex edges_;
 };
 
 } // namespace
@@ -302,15 +234,14 @@ void numberParts(const BinnedEdges& dealt, SurfaceVertices& result)
     const tbb::blocked_range<std::size_t> allParts(0, partCount, 1);
     std::array<std::vector<EdgeKey>, partCount> unique;
     tbb::parallel_for(allParts, [&](const auto& range) {
-        EdgeTable table;
+        EdgeIndex index;
         for (std::size_t part = range.begin(); part != range.end(); ++part) {
-            const std::size_t count = dealt.firstOfPart[part + 1] - dealt.firstOfPart[part];
-            table.clear(count);
-            auto numbering = table.begin(count);
-            for (std::size_t i = dealt.firstOfPart[part]; i < dealt.firstOfPart[part + 1]; ++i)
-                result.numbers[dealt.indices[i]] = numbering.numberOf(result.edges[i]);
-            table.end(numbering);
-            unique[part].assign(table.keys().begin(), table.keys().end());
+            const std::size_t first = dealt.firstOfPart[part], count = dealt.firstOfPart[part + 1] - first;
+            index.clear(edgeSparseness * count);
+            index.numberAll({result.edges.data() + first, count}, [&](std::size_t i, std::uint32_t number) {
+                result.numbers[dealt.indices[first + i]] = number;
+            });
+            unique[part].assign(index.keys().begin(), index.keys().end());
         }
     });
     std::array<std::size_t, partCount + 1> first{dealt.owned};

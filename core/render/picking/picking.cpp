@@ -6,6 +6,8 @@
 
 #include <tan/render.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -110,11 +112,11 @@ std::optional<TriangleCrossing> crossing(const PickingRay& line, const std::arra
     return TriangleCrossing{other.dot(beside) / volume, u, v, volume > 0};
 }
 
-double valueAtCrossing(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
-                       const TriangleCrossing& met)
+std::optional<double> valueAtCrossing(const Drawable& drawable, const TriangleMesh& mesh,
+                                      const std::array<std::uint32_t, 3>& triangle, const TriangleCrossing& met)
 {
-    if (mesh.values.empty())
-        return 0;
+    if (drawable.value || mesh.values.empty())
+        return drawable.value;
     const double first = mesh.values[triangle[0]];
     return first + met.u * (mesh.values[triangle[1]] - first) + met.v * (mesh.values[triangle[2]] - first);
 }
@@ -127,21 +129,24 @@ bool isSame(const SurfaceCrossing& one, const SurfaceCrossing& other)
 
 } // namespace
 
-std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const PickingRay& line,
-                                              const PickingInterval& part)
+std::vector<SurfaceCrossing> surfaceCrossings(const Scene& scene, const PickingRay& line, const PickingInterval& part)
 {
     std::vector<SurfaceCrossing> crossings;
-    for (std::size_t surface = 0; surface < surfaces.size(); ++surface) {
-        const TriangleMesh& mesh = *surfaces[surface].mesh;
+    for (const Drawable& drawable : scene.drawables) {
+        const auto* surface = std::get_if<Surface>(&drawable.shape);
+        if (surface == nullptr || !surface->mesh || drawable.overlay)
+            continue;
+        const TriangleMesh& mesh = *surface->mesh;
         for (const auto& triangle : mesh.triangles) {
             const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
                 return mesh.positions[triangle[i]].cast<double>();
             };
             const auto met = crossing(line, {corner(0), corner(1), corner(2)});
-            if (met && part.contains(met->at) && !(met->front && surfaces[surface].backFacesOnly))
-                crossings.push_back({met->at, surface, valueAtCrossing(mesh, triangle, *met)});
+            if (met && part.contains(met->at) && !(met->front && surface->backFacesOnly))
+                crossings.push_back({met->at, &drawable, valueAtCrossing(drawable, mesh, triangle, *met)});
         }
     }
+    // A pointer into the list of drawables is a place in their order.
     std::ranges::sort(crossings, {}, [](const SurfaceCrossing& one) { return std::tuple(one.surface, one.at); });
     const auto doubled = std::ranges::unique(crossings, isSame);
     crossings.erase(doubled.begin(), doubled.end());
@@ -161,6 +166,7 @@ struct RayInterval {
     PickingInterval part;
     double valueAtStart = 0;
     double valueAtEnd = 0;
+    std::size_t cell = 0;
 };
 
 /// Coordinates in which the line is the third axis.
@@ -191,7 +197,7 @@ bool allOnOneSide(const Four& numbers)
 /// Where the line passes through the faces of a cell that is seen along it. Nothing if it passes beside, or touches.
 std::optional<RayInterval> intervalOf(const Four& right, const Four& up, const Four& along, const Four& values)
 {
-    RayInterval interval{{PickingInterval{}.to, PickingInterval{}.from}, 0, 0};
+    RayInterval interval{{PickingInterval{}.to, PickingInterval{}.from}};
     for (const auto& face : cornersOfFace) {
         std::array<double, 3> weights{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -257,8 +263,10 @@ std::vector<RayInterval> intervalsAlong(const TetrahedralMesh& mesh, const Picki
             values[i] = mesh.values[corners[i]];
         }
         if (const auto whole = intervalOf(right, up, along, values))
-            if (const auto interval = clippedInterval(*whole, part))
+            if (const auto interval = clippedInterval(*whole, part)) {
                 intervals.push_back(*interval);
+                intervals.back().cell = cell;
+            }
     }
     return intervals;
 }
@@ -302,21 +310,68 @@ void addSlabs(std::vector<PickingSlab>& slabs, const RayInterval& interval,
         std::reverse(slabs.begin() + static_cast<std::ptrdiff_t>(first), slabs.end());
 }
 
-/// All of a volume within `part`, the nearest first, those that nothing is seen of left out. O(cells), and a logarithm
-/// for each that is met. What was found so far if cancelled.
-std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line, const PickingInterval& part,
-                                    const Progress& progress)
+/// The cells along a line within `part`, the nearest first. O(cells), and a logarithm for each that is met. What was
+/// found so far if cancelled.
+std::vector<RayInterval> orderedIntervals(const TetrahedralMesh& mesh, const PickingRay& line,
+                                          const PickingInterval& part, const Progress& progress)
 {
     if (part.isEmpty())
         return {};
-    std::vector<RayInterval> intervals = intervalsAlong(*volume.mesh->mesh, line, part, progress);
+    std::vector<RayInterval> intervals = intervalsAlong(mesh, line, part, progress);
     std::ranges::sort(intervals, {}, [](const RayInterval& interval) { return interval.part.from; });
     const auto doubled = std::ranges::unique(intervals, isSameInterval);
     intervals.erase(doubled.begin(), doubled.end());
+    return intervals;
+}
+
+/// All of a volume within `part`, the nearest first, those that nothing is seen of left out.
+std::vector<PickingSlab> slabsAlong(const Volume& volume, const PickingRay& line, const PickingInterval& part,
+                                    const Progress& progress)
+{
     std::vector<PickingSlab> slabs;
-    for (const RayInterval& interval : intervals)
+    for (const RayInterval& interval : orderedIntervals(*volume.mesh->mesh, line, part, progress))
         addSlabs(slabs, interval, volume.transfer->segments);
     return slabs;
+}
+
+/// The magnitude of the field's gradient in a cell; 0 in a flat one.
+double gradientOf(const TetrahedralMesh& mesh, std::size_t cell)
+{
+    const auto& corners = mesh.tetrahedra[cell];
+    Eigen::Matrix3d edges;
+    Eigen::Vector3d rises;
+    for (int i = 0; i < 3; ++i) {
+        const std::uint32_t corner = corners[static_cast<std::size_t>(i) + 1];
+        edges.row(i) = (mesh.positions[corner] - mesh.positions[corners[0]]).cast<double>().transpose();
+        rises[i] = double(mesh.values[corner]) - mesh.values[corners[0]];
+    }
+    const double volume = edges.determinant();
+    return volume != 0 ? (edges.inverse() * rises).norm() : 0;
+}
+
+/// How much light each interval takes by the volume's optical model.
+std::vector<double> opacitiesOf(const Volume& volume, const std::vector<RayInterval>& intervals)
+{
+    std::array<std::vector<float>, 8> numbers; // entry, exit, length, gradient, and what is asked for
+    for (std::vector<float>& each : numbers)
+        each.resize(intervals.size());
+    auto& [entry, exit, length, gradient, red, green, blue, transmittance] = numbers;
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const RayInterval& interval = intervals[i];
+        entry[i] = static_cast<float>(interval.valueAtStart);
+        exit[i] = static_cast<float>(interval.valueAtEnd);
+        length[i] = static_cast<float>(interval.part.to - interval.part.from);
+        gradient[i] = static_cast<float>(gradientOf(*volume.mesh->mesh, interval.cell));
+    }
+    if (!intervals.empty())
+        volume.model->evaluate({intervals.size(), entry.data(), exit.data(), length.data(), gradient.data(), red.data(),
+                                green.data(), blue.data(), transmittance.data()});
+    std::vector<double> opacities;
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const bool isShown = volume.transfer->classes[intervals[i].cell].visible();
+        opacities.push_back(isShown ? std::clamp(1.0 - transmittance[i], 0.0, 1.0) : 0);
+    }
+    return opacities;
 }
 
 /// Less of the light cannot be told from none.
@@ -325,12 +380,14 @@ constexpr double leastShare = 1.0 / 255;
 /// What is left of the light on its way, and who has taken most so far.
 class RayTransmittance {
 public:
-    explicit RayTransmittance(const PickingRay& line) : line_(line) {}
+    /// `volume`: the id of the one that slabs are of.
+    RayTransmittance(const PickingRay& line, std::string volume) : line_(line) { volume_.drawable = std::move(volume); }
 
-    void passSurface(const SurfaceCrossing& crossing, double opacity)
+    void passSurface(const SurfaceCrossing& crossing)
     {
+        const double opacity = std::get<Surface>(crossing.surface->shape).opacity;
         if (light_ * opacity > surface_.share)
-            surface_ = {line_.at(crossing.at), crossing.surface, crossing.value, light_ * opacity};
+            surface_ = {line_.at(crossing.at), crossing.surface->id, crossing.value, light_ * opacity};
         light_ *= 1 - opacity;
     }
 
@@ -347,6 +404,37 @@ public:
         const double opacity = -std::expm1(-(slab.extinctionAtStart + slab.extinctionAtEnd) / 2 * length);
         volume_.share += light_ * opacity;
         light_ *= 1 - opacity;
+    }
+
+    /// A piece by an optical model that is put over what lies behind; it is seen in its middle.
+    void passPiece(const RayInterval& piece, double opacity)
+    {
+        const double taken = light_ * opacity;
+        if (const double density = taken / (piece.part.to - piece.part.from); density > mostTaken_) {
+            mostTaken_ = density;
+            volume_.place = line_.at((piece.part.from + piece.part.to) / 2);
+            volume_.value = (piece.valueAtStart + piece.valueAtEnd) / 2;
+        }
+        volume_.share += taken;
+        light_ *= 1 - opacity;
+    }
+
+    /// All pieces by a model of another combination, before everything else: the one that counts most is seen, where
+    /// its value is largest.
+    void passTogether(const std::vector<RayInterval>& pieces, const std::vector<double>& opacities, Combiner combiner,
+                      double opaque)
+    {
+        double most = 0;
+        for (std::size_t i = 0; i < pieces.size() && pieces[i].part.from < opaque; ++i) {
+            if (opacities[i] > most) {
+                most = opacities[i];
+                const bool falls = pieces[i].valueAtStart > pieces[i].valueAtEnd;
+                volume_.place = line_.at(falls ? pieces[i].part.from : pieces[i].part.to);
+                volume_.value = falls ? pieces[i].valueAtStart : pieces[i].valueAtEnd;
+            }
+            volume_.share = combiner == Combiner::Sum ? std::min(1.0, volume_.share + opacities[i]) : most;
+        }
+        light_ = 1 - volume_.share;
     }
 
     std::optional<SeenPlace> mostSeen() const
@@ -385,21 +473,62 @@ PickingInterval partInFocus(const FocusVolume& focus, const PickingRay& line)
     return partWithin(line, Box{box.least - more, box.largest + more});
 }
 
+/// The volume of a scene, or the blend.
+const Drawable* volumeDrawable(const Scene& scene)
+{
+    const auto found = std::ranges::find_if(scene.drawables, [](const Drawable& drawable) {
+        return std::holds_alternative<Volume>(drawable.shape) || std::holds_alternative<FocusVolume>(drawable.shape);
+    });
+    return found != scene.drawables.end() ? &*found : nullptr;
+}
+
 std::vector<PickingSlab> slabsOf(const Scene& scene, const PickingRay& line, const PickingInterval& shown,
                                  const Progress& progress)
 {
-    if (!scene.volume)
+    const Volume* volume = volumeOf(scene);
+    const FocusVolume* focus = focusOf(scene);
+    if (volume == nullptr)
         return {};
-    const PickingInterval focused = scene.focus ? partInFocus(*scene.focus, line) : PickingInterval{1, 0};
+    const PickingInterval focused = focus != nullptr ? partInFocus(*focus, line) : PickingInterval{1, 0};
     if (focused.isEmpty())
-        return slabsAlong(*scene.volume, line, shown, progress);
+        return slabsAlong(*volume, line, shown, progress);
     const PickingInterval before{shown.from, std::min(shown.to, focused.from)};
     const PickingInterval behind{std::max(shown.from, focused.to), shown.to};
-    std::vector<PickingSlab> slabs = slabsAlong(*scene.volume, line, before, progress);
-    std::ranges::copy(slabsAlong(scene.focus->fine, line, commonPart(shown, focused), progress),
-                      std::back_inserter(slabs));
-    std::ranges::copy(slabsAlong(*scene.volume, line, behind, progress), std::back_inserter(slabs));
+    std::vector<PickingSlab> slabs = slabsAlong(*volume, line, before, progress);
+    std::ranges::copy(slabsAlong(focus->fine, line, commonPart(shown, focused), progress), std::back_inserter(slabs));
+    std::ranges::copy(slabsAlong(*volume, line, behind, progress), std::back_inserter(slabs));
     return slabs;
+}
+
+/// What is seen of a scene whose volume has an optical model. A piece that a surface cuts counts as a whole where its
+/// middle is.
+std::optional<SeenPlace> seenByModel(const Volume& volume, const PickingRay& line, const PickingInterval& shown,
+                                     const std::vector<SurfaceCrossing>& crossings, RayTransmittance& transmittance,
+                                     const Progress& progress)
+{
+    const auto pieces = orderedIntervals(*volume.mesh->mesh, line, shown, progress);
+    if (progress.cancelled())
+        return std::nullopt;
+    const auto opacities = opacitiesOf(volume, pieces);
+    const bool isOver = volume.model->combiner == Combiner::Over;
+    if (!isOver) {
+        const auto opaque = std::ranges::find_if(crossings, [](const SurfaceCrossing& crossing) {
+            return std::get<Surface>(crossing.surface->shape).opacity >= 1;
+        });
+        transmittance.passTogether(pieces, opacities, volume.model->combiner,
+                                   opaque != crossings.end() ? opaque->at : shown.to);
+    }
+    std::size_t next = 0;
+    const auto passPiecesBefore = [&](double place) {
+        for (; isOver && next < pieces.size() && (pieces[next].part.from + pieces[next].part.to) / 2 <= place; ++next)
+            transmittance.passPiece(pieces[next], opacities[next]);
+    };
+    for (const SurfaceCrossing& crossing : crossings) {
+        passPiecesBefore(crossing.at);
+        transmittance.passSurface(crossing);
+    }
+    passPiecesBefore(shown.to);
+    return transmittance.mostSeen();
 }
 
 /// What of a slab lies before a place, and what is left of it behind.
@@ -420,11 +549,14 @@ std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, c
     const PickingInterval shown = shownPart(line, scene.clipPlanes);
     if (shown.isEmpty())
         return std::nullopt;
-    const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene.surfaces, line, shown);
+    const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene, line, shown);
+    const Drawable* volume = volumeDrawable(scene);
+    RayTransmittance transmittance(line, volume != nullptr ? volume->id : std::string());
+    if (const Volume* seen = volumeOf(scene); seen != nullptr && seen->model)
+        return seenByModel(*seen, line, shown, crossings, transmittance, progress);
     std::vector<PickingSlab> slabs = slabsOf(scene, line, shown, progress);
     if (progress.cancelled())
         return std::nullopt;
-    RayTransmittance transmittance(line);
     std::size_t next = 0;
     const auto passSlabsBefore = [&](double place) {
         for (; next < slabs.size() && slabs[next].part.to <= place; ++next)
@@ -434,7 +566,7 @@ std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, c
     };
     for (const SurfaceCrossing& crossing : crossings) {
         passSlabsBefore(crossing.at);
-        transmittance.passSurface(crossing, scene.surfaces[crossing.surface].opacity);
+        transmittance.passSurface(crossing);
     }
     passSlabsBefore(shown.to);
     return transmittance.mostSeen();

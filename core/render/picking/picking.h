@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -37,22 +38,21 @@ PickingInterval partWithin(const PickingRay& line, const Sphere& sphere);
 
 /// Where a line of sight passes through a surface.
 struct SurfaceCrossing {
-    double at = 0;           ///< of PickingRay
-    std::size_t surface = 0; ///< of Scene::surfaces
-    double value = 0;        ///< of the field there, if the surface tells
+    double at = 0;                     ///< of PickingRay
+    const Drawable* surface = nullptr; ///< of the scene
+    std::optional<double> value{};     ///< of the field there, if the drawable tells
 };
 
-/// The crossings with what is drawn of the surfaces within `part`, the nearest first. Where the line meets an edge of a
-/// surface's triangles it passes through the surface once. O(triangles).
-std::vector<SurfaceCrossing> surfaceCrossings(const std::vector<Surface>& surfaces, const PickingRay& line,
-                                              const PickingInterval& part);
+/// The crossings with what is drawn of a scene's surfaces within `part`, the nearest first. Where the line meets an
+/// edge of a surface's triangles it passes through the surface once. O(triangles).
+std::vector<SurfaceCrossing> surfaceCrossings(const Scene& scene, const PickingRay& line, const PickingInterval& part);
 
 /// What one sees along a line of sight, and where.
 struct SeenPlace {
     Eigen::Vector3d place{0, 0, 0};
-    std::optional<std::size_t> surface{}; ///< of Scene::surfaces; none: it is in the volume
-    double value = 0;                     ///< of the field there; not said of a surface whose mesh has no values
-    double share = 0;                     ///< of the light that the surface, or the whole volume, takes; in (0, 1]
+    std::string drawable{};        ///< its id in the scene
+    std::optional<double> value{}; ///< of the field there, if the drawable tells (Drawable::value)
+    double share = 0;              ///< of the light that the surface, or the whole volume, takes; in (0, 1]
 };
 
 /// What contributes most to the picture at a line of sight, with the light that is left behind what lies before it:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/boundary_relations.h"
 
+#include "core/base/sort_unique.h"
 #include "core/mesh/topology.h"
 #include "core/render/volume/projected_vertices.h"
 
@@ -228,8 +229,7 @@ std::vector<CellRelation> boundaryRelations(std::span<const std::array<std::uint
     std::vector<CellRelation> relations;
     for (const auto& ofThread : found)
         relations.insert(relations.end(), ofThread.begin(), ofThread.end());
-    std::ranges::sort(relations);
-    relations.erase(std::ranges::unique(relations).begin(), relations.end());
+    sortUnique(relations);
     return relations;
 }
 

@@ -32,6 +32,13 @@ SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer
     return source;
 }
 
+std::optional<TileModel> tileModelOf(const Volume& volume, const ProjectedVolume& projected, const VolumeView& view)
+{
+    if (!volume.model)
+        return std::nullopt;
+    return TileModel{volume.model.get(), projected.scaled.smallest, projected.scaled.perValue, view.unit};
+}
+
 bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order)
 {
     const std::size_t cells = mesh.mesh->tetrahedra.size();

@@ -3,6 +3,7 @@
 
 #include "core/render/tiles.h"
 #include "core/render/volume/cell_setup.h"
+#include "core/render/volume/model_tile.h"
 #include "core/render/volume/projected_vertices.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_view.h"
@@ -11,6 +12,7 @@
 #include <tan/render.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace tetra {
@@ -31,6 +33,9 @@ ProjectedVolume projectVolume(const VolumeMesh& mesh, const VolumeTransfer& tran
 /// What its cells are set up from; all arguments must outlive it.
 SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer, const ProjectedVolume& volume,
                           const VolumeView& view, bool shaded);
+
+/// Of a volume with an optical model of its own; null without one. All arguments must outlive it.
+std::optional<TileModel> tileModelOf(const Volume& volume, const ProjectedVolume& projected, const VolumeView& view);
 
 /// The transfer function has a class for each of the mesh's cells, and the order names only such cells.
 bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order);

@@ -106,6 +106,7 @@ TileShading VolumeTilePainter::shadingOf(const TileSurroundings& surroundings)
     shading.limits = limited ? limits_.data() : nullptr;
     shading.fragments = surroundings.surfaces != nullptr ? surroundings.surfaces->fragments.data() : nullptr;
     shading.splitCells = surroundings.splitCells;
+    shading.model = surroundings.model;
     return shading;
 }
 
@@ -152,7 +153,10 @@ void VolumeTilePainter::draw(const SetupSource& source, std::span<const BinnedCe
         // What comes next is asked for before a long time of drawing.
         fetchCorners(source, batchFrom(first + cellsInBatch));
         fetchCells(source, batchFrom(first + 2 * cellsInBatch));
-        drawn.fragments += drawCells(std::span(setups_).first(now.size()), shading, blocks_.data(), columns);
+        const auto cellsNow = std::span<const CellSetup>(setups_).first(now.size());
+        drawn.fragments += shading.model != nullptr
+                               ? drawCellsByModel(cellsNow, shading, blocks_.data(), totals_.data(), columns)
+                               : drawCells(cellsNow, shading, blocks_.data(), columns);
         drawn.cells += now.size();
         if (allOpaque())
             break;
@@ -166,7 +170,10 @@ DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const 
     if (isLimited(surroundings))
         setLimits(tile, surroundings);
     DrawnTile drawn;
-    if (surroundings.focus != nullptr && setIntervals(tile, *surroundings.focus->rays))
+    totals_.resize(surroundings.model != nullptr ? blocks_.size() : 0);
+    if (surroundings.model != nullptr && surroundings.model->optics->combiner != Combiner::Over)
+        drawTotals(tile, cells, surroundings, progress, drawn);
+    else if (surroundings.focus != nullptr && setIntervals(tile, *surroundings.focus->rays))
         drawWithFocus(tile, cells, surroundings, progress, drawn);
     else {
         const TileShading shading = shadingOf(surroundings);
@@ -177,6 +184,65 @@ DrawnTile VolumeTilePainter::paint(const SampleRectangle& tile, std::span<const 
     drawn.colours = colours_;
     drawn.depth = depth_;
     return drawn;
+}
+
+/// Rays end at the first surface that lets nothing through; no surface meets a cell.
+void VolumeTilePainter::endAtOpaque(const SurfaceFragments& surfaces)
+{
+    for (BlockLimits& limits : limits_)
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            if (limits.next[lane] <= -farBound)
+                continue;
+            for (std::uint32_t i = limits.place[lane]; surfaces.fragments[i].nearness > -farBound; ++i)
+                if (surfaces.fragments[i].colour[3] >= 1) {
+                    limits.back[lane] = std::max(limits.back[lane], surfaces.fragments[i].nearness);
+                    break;
+                }
+            limits.next[lane] = -farBound;
+        }
+}
+
+/// What the rays have gathered becomes the light of the blocks, before that of the surfaces. Depth is that of the
+/// surfaces alone.
+void VolumeTilePainter::takeTotals(const TileShading& shading)
+{
+    const auto drawSurfaces = [&](std::size_t number, SampleBlock& block) {
+        if (shading.fragments == nullptr)
+            return;
+        BlockLimits limits = limits_[number];
+        for (std::size_t lane = 0; lane < 8; ++lane)
+            drawSurfacesBehind(shading, lane, block, limits);
+    };
+    for (std::size_t number = 0; number < blocks_.size(); ++number) {
+        SampleBlock& block = blocks_[number];
+        const BlockTotal& total = totals_[number];
+        SampleBlock alone = block;
+        drawSurfaces(number, alone);
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            block.red[lane] = std::min(total.red[lane], 1.0f);
+            block.green[lane] = std::min(total.green[lane], 1.0f);
+            block.blue[lane] = std::min(total.blue[lane], 1.0f);
+            block.transmittance[lane] *= 1 - std::min(total.opacity[lane], 1.0f);
+        }
+        drawSurfaces(number, block);
+        block.depth = alone.depth;
+    }
+}
+
+/// A model whose pieces are not put over each other: the volume as a whole lies before the translucent surfaces.
+void VolumeTilePainter::drawTotals(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                                   const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn)
+{
+    totals_.assign(blocks_.size(), BlockTotal{{}, {}, {}, {}});
+    TileShading shading = shadingOf(surroundings);
+    const std::vector<BlockLimits> whole = limits_;
+    if (surroundings.surfaces != nullptr)
+        endAtOpaque(*surroundings.surfaces);
+    draw(source_, cells, tile, shading, progress, drawn);
+    limits_ = whole;
+    takeTotals(shading);
+    shading.fragments = nullptr;
+    finish(tile, shading);
 }
 
 namespace {

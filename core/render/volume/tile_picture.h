@@ -5,6 +5,7 @@
 #include "core/render/volume/border_fragments.h"
 #include "core/render/volume/cell_setup.h"
 #include "core/render/volume/clip_bounds.h"
+#include "core/render/volume/model_tile.h"
 #include "core/render/volume/projected_vertices.h"
 #include "core/render/volume/volume_tile.h"
 #include "core/render/volume/volume_view.h"
@@ -33,9 +34,10 @@ struct FocusTile {
 struct TileSurroundings {
     const ClipBounds* clips = nullptr;          ///< if any
     const SurfaceFragments* surfaces = nullptr; ///< if any
-    bool splitCells = true;                     ///< HybridOrder::Exact
+    bool splitCells = true;                     ///< !Volume::wholeCells
     bool depth = false;                         ///< wanted
     const FocusTile* focus = nullptr;           ///< if any
+    const TileModel* model = nullptr;           ///< if any; without a focus
 };
 
 /// A tile that was drawn, row by row.
@@ -67,6 +69,10 @@ private:
     void putBorderAmong(const SampleRectangle& tile, const SurfaceFragments* surfaces);
     void drawWithFocus(const SampleRectangle& tile, std::span<const BinnedCell> cells,
                        const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn);
+    void drawTotals(const SampleRectangle& tile, std::span<const BinnedCell> cells,
+                    const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn);
+    void endAtOpaque(const SurfaceFragments& surfaces);
+    void takeTotals(const TileShading& shading);
     TileShading shadingOf(const TileSurroundings& surroundings);
     TileFrame frameOf(const SampleRectangle& tile) const;
     bool allOpaque();
@@ -78,6 +84,7 @@ private:
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
     std::size_t firstLit_ = 0;             ///< all blocks before it are opaque
+    std::vector<BlockTotal> totals_;       ///< of the blocks, if a model's pieces are not put over each other
     std::vector<BlockInterval> intervals_; ///< of the blocks, if the tile meets a focus
     std::vector<BorderFragment> border_;   ///< of the tile
     SurfaceFragments amongBorder_;         ///< surfaces, and the border's fragments

@@ -2,8 +2,8 @@
 #include "core/render/volume/volume_mesh.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/guarded.h"
 #include "core/mesh/topology.h"
-#include "core/render/scene_checks.h"
 
 #include <tan/render.h>
 
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <vector>
 
 namespace tetra {
@@ -147,11 +146,8 @@ bool hasConvexBoundary(const TetrahedralMesh& mesh, const FaceAdjacency& adjacen
 
 namespace {
 
-Error notEnoughMemory()
-{
-    return {ErrorKind::OutOfResource, Message::say("Not enough memory to draw this mesh as a volume. Close other "
-                                                   "programs or lower the accuracy of the mesh.")};
-}
+constexpr MarkedText noMemoryForVolume = Message::marked(
+    "Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.");
 
 Status checkCells(const TetrahedralMesh& mesh)
 {
@@ -182,38 +178,103 @@ Result<VolumeMesh> makeVolumeMesh(std::shared_ptr<const TetrahedralMesh> mesh)
 {
     if (Status status = checkCells(*mesh); !status)
         return status.error();
-    try {
+    return guarded(noMemoryForVolume, [&]() -> Result<VolumeMesh> {
         VolumeMesh result;
         result.adjacency = matchFaces(mesh->tetrahedra);
         result.bounds = boundsOf(*mesh);
         result.convex = hasConvexBoundary(*mesh, result.adjacency);
         result.mesh = std::move(mesh);
         return result;
-    } catch (const std::bad_alloc&) {
-        return notEnoughMemory();
-    }
+    });
 }
 
 Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const TransferFunction& function)
 {
     if (Status status = checkTransferFunction(function); !status)
         return status.error();
-    VolumeTransfer result;
-    result.segments = transferSegments(function);
-    if (result.segments.size() > largestSegmentCount)
-        return Error{ErrorKind::OutOfResource,
-                     Message::say("The transfer function has more than 65,000 points. Leave some out.")};
-    try {
+    return guarded(noMemoryForVolume, [&]() -> Result<VolumeTransfer> {
+        VolumeTransfer result;
+        result.segments = transferSegments(function);
+        if (result.segments.size() > largestSegmentCount)
+            return Error{ErrorKind::OutOfResource,
+                         Message::say("The transfer function has more than 65,000 points. Leave some out.")};
         result.classes = classifyCells(mesh, result.segments);
         return result;
-    } catch (const std::bad_alloc&) {
-        return notEnoughMemory();
+    });
+}
+
+namespace {
+
+bool isSeen(const Volume& volume)
+{
+    return volume.mesh && volume.transfer;
+}
+
+Status checkVolume(const Volume& volume)
+{
+    if (isSeen(volume) && volume.transfer->classes.size() != volume.mesh->mesh->tetrahedra.size())
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A volume of the scene and its transfer function do not belong together.")};
+    if (volume.model && (!volume.model->evaluate || volume.model->shader.empty()))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("An optical model of the scene lacks its function or its shader. This is a mistake "
+                                  "in the plugin that made it; tell its author.")};
+    return {};
+}
+
+} // namespace
+
+const Volume* volumeOf(const Scene& scene)
+{
+    for (const Drawable& drawable : scene.drawables) {
+        const auto* volume = std::get_if<Volume>(&drawable.shape);
+        if (const auto* focus = std::get_if<FocusVolume>(&drawable.shape))
+            volume = &focus->outside;
+        if (volume != nullptr && isSeen(*volume))
+            return volume;
     }
+    return nullptr;
+}
+
+const FocusVolume* focusOf(const Scene& scene)
+{
+    for (const FocusVolume* focus : shapesOf<FocusVolume>(scene))
+        if (isSeen(focus->outside) && isSeen(focus->fine))
+            return focus;
+    return nullptr;
+}
+
+Status checkVolumes(const Scene& scene)
+{
+    std::size_t count = 0;
+    for (const Volume* volume : shapesOf<Volume>(scene)) {
+        ++count;
+        if (Status status = checkVolume(*volume); !status)
+            return status;
+    }
+    for (const FocusVolume* focus : shapesOf<FocusVolume>(scene)) {
+        ++count;
+        for (const Volume* volume : {&focus->outside, &focus->fine}) {
+            if (Status status = checkVolume(*volume); !status)
+                return status;
+            if (volume->model)
+                return Error{ErrorKind::WrongUsage,
+                             Message::say("A blend of two volumes is seen by emission and absorption alone. Take the "
+                                          "optical model away, or show one of the two.")};
+        }
+    }
+    if (count > 1)
+        return Error{ErrorKind::WrongUsage, Message::say("A scene can have one volume, or one blend of two, and this "
+                                                         "one has %1. Show the others as surfaces, or in a picture of "
+                                                         "their own.",
+                                                         count)};
+    return {};
 }
 
 Eigen::AlignedBox3d drawnBounds(const Scene& scene)
 {
-    return hasVolume(scene) ? scene.bounds.merged(scene.volume->mesh->bounds) : scene.bounds;
+    const Volume* volume = volumeOf(scene);
+    return volume != nullptr ? scene.bounds.merged(volume->mesh->bounds) : scene.bounds;
 }
 
 namespace {

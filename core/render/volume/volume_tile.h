@@ -29,6 +29,9 @@ struct alignas(64) BlockLimits {
     std::uint32_t place[8]; ///< of that surface in TileShading::fragments
 };
 
+struct BlockTotal;
+struct TileModel;
+
 /// What all cells of a picture share.
 struct TileShading {
     const ScaledSegment* segments = nullptr;
@@ -39,7 +42,8 @@ struct TileShading {
     bool extras = false;
     BlockLimits* limits = nullptr;
     const SurfaceFragment* fragments = nullptr; ///< SurfaceFragments; with limits
-    bool splitCells = true; ///< surfaces are drawn where they are, else before the cell that they are in
+    bool splitCells = true;           ///< surfaces are drawn where they are, else before the cell that they are in
+    const TileModel* model = nullptr; ///< if any: drawCellsByModel()
 };
 
 /// Draws cells front to back into the blocks of a tile, `columns` a row. Returns how often a block was drawn into.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/transfer/import/curves.h"
 
+#include "core/base/sort_unique.h"
 #include "core/base/text.h"
 
 #include <tan/transfer.h>
@@ -204,8 +205,7 @@ std::vector<OpacityPoint> opacitiesOf(const std::vector<OpacityNode>& nodes, dou
     for (std::size_t node = 0; node + 1 < nodes.size(); ++node)
         if (nodes[node].sharpness > 0.99)
             values.push_back(std::lerp(nodes[node].value, nodes[node + 1].value, nodes[node].midpoint));
-    std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    sortUnique(values);
     return sampled<OpacityPoint>(values, narrow, [&nodes](double value) { return opacityAt(nodes, value); });
 }
 

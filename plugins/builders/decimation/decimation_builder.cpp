@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/decimation/decimation_builder.h"
 
-#include "core/build/decimation_build.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
 

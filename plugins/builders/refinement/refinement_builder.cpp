@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/builders/refinement/refinement_builder.h"
 
-#include "core/base/memory.h"
-#include "core/base/text.h"
-#include "core/build/refinement_build.h"
 #include "plugins/api/threshold_parameters.h"
 #include "plugins/api/weights_parameter.h"
+#include <tan/build.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/editors/transferfunction/own_presets.h"
 
-#include "core/base/file_writer.h"
-
 #include <tan/transfer.h>
 
 #include <QDir>
+#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUrl>
 
 #include <cmath>
-#include <span>
 
 namespace tetra {
 namespace {
@@ -81,10 +79,14 @@ std::vector<Preset> ownPresets()
 
 Status saveOwnPreset(const QString& name, const TransferFunction& preset)
 {
-    const QString path = fileOf(name);
+    QSaveFile file(fileOf(name));
     folder().mkpath(".");
-    const std::string text = transferFunctionToText(preset);
-    return writeWholeFile(QFile::encodeName(path).toStdString(), std::as_bytes(std::span(text)));
+    if (!file.open(QIODevice::WriteOnly))
+        return failed(file.fileName(), file.errorString());
+    file.write(QByteArray::fromStdString(transferFunctionToText(preset)));
+    if (!file.commit())
+        return failed(file.fileName(), file.errorString());
+    return {};
 }
 
 Status deleteOwnPreset(const QString& name)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/cells_file.h"
 
-#include "core/base/text.h"
-
 namespace tetra {
 
 Result<int> componentOf(const CellsRequest& request, int components)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/cells_reader.h"
 
-#include "core/base/mapped_file.h"
-#include "core/base/text.h"
 #include "plugins/readers/cells/cells_file.h"
 
 namespace tetra {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/vtu_data.h"
 
-#include "core/base/text.h"
 #include "plugins/readers/cells/encoded_bytes.h"
 
 #include <zlib.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/cells/vtu_head.h"
 
-#include "core/base/text.h"
 #include "plugins/readers/cells/xml_tags.h"
 
 #include <tuple>

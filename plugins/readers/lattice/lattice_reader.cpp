@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/lattice_reader.h"
 
-#include "core/base/mapped_file.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_fields.h"
 #include "plugins/readers/lattice/nrrd_layout.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/raw_description.h"
 
-#include "core/base/text.h"
-#include "core/data/dataset_checks.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/raw_guess.h"
 

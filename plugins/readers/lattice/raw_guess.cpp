@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/raw_guess.h"
 
-#include "core/base/text.h"
 #include "plugins/readers/lattice/field_text.h"
 #include "plugins/readers/lattice/nrrd_types.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/lattice/sample_reading.h"
 
-#include "core/data/dataset_checks.h"
 #include "plugins/readers/lattice/gzip_decoding.h"
 #include "plugins/readers/lattice/raw_decoding.h"
 #include "plugins/readers/lattice/text_decoding.h"

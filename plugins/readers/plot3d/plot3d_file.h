@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/mapped_file.h"
 #include "plugins/readers/plot3d/plot3d_layout.h"
 
 #include <tan/base.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_reader.h"
 
-#include "core/base/text.h"
-#include "core/data/dataset_checks.h"
 #include "plugins/readers/plot3d/plot3d_arrays.h"
 #include "plugins/readers/plot3d/plot3d_names.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/points/point_reader.h"
 
-#include "core/base/mapped_file.h"
 #include "plugins/readers/points/point_columns.h"
 #include "plugins/readers/points/point_table.h"
 

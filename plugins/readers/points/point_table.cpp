@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/points/point_table.h"
 
-#include "core/base/text.h"
 #include "plugins/readers/points/chemical_structure.h"
 #include "plugins/readers/points/delimited_text.h"
 

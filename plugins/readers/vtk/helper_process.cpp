@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper_process.h"
 
-#include "core/base/system_error.h"
 #include "plugins/readers/vtk/process_limits.h"
 #include "plugins/readers/vtk/vtk_exchange.h"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/process_limits.h"
 
-#include "core/base/memory.h"
-#include "core/base/text.h"
-
 #include <algorithm>
 #include <array>
 #include <csignal>

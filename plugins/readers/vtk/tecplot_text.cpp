@@ -2,8 +2,6 @@
 // The format: Tecplot 360 Data Format Guide, ASCII data.
 #include "plugins/readers/vtk/tecplot_text.h"
 
-#include "core/base/text.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_dataset.h"
 
-#include "core/base/text.h"
-#include "core/data/dataset_checks.h"
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_reader.h"
 
-#include "core/base/mapped_file.h"
 #include "plugins/readers/vtk/helper_process.h"
 #include "plugins/readers/vtk/vtk_dataset.h"
 #include "plugins/readers/vtk/vtk_format.h"

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/renderers/hybrid/hybrid_renderer.h"
-
 #include "plugins/api/boundary_parameters.h"
-#include "plugins/renderers/hybrid/hybrid_session.h"
+#include "plugins/api/renderer.h"
+#include "plugins/api/scene_parameters.h"
 
-namespace tetra {
+#include <tan/render.h>
+
+#include <QObject>
+
 namespace {
+using namespace tetra;
 
+constexpr const char* orderId = "order";
 constexpr const char* exact = Message::marked("exact").text;
 constexpr const char* withCell = Message::marked("with-cell").text;
 
@@ -23,30 +27,62 @@ Parameter orderParameter()
     return parameter;
 }
 
+/// Keeps what the caches keep. Surfaces and volume share the mesh in spatial order.
+class HybridSession : public RendererSession {
+public:
+    explicit HybridSession(const RendererMeshes& meshes)
+        : bounds_(meshes.bounds), mesh_(std::make_shared<OrderedMesh>(meshes.mesh)), surfaces_(mesh_), volume_(mesh_),
+          boundary_(meshes.mesh)
+    {
+    }
+
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
+    {
+        auto scene = startScene(view, bounds_);
+        if (!scene)
+            return scene.error();
+        // First what puts the mesh in spatial order: surfaces are quicker then.
+        auto volume =
+            volume_.update(view.value<TransferFunction>(transferId), view.value<bool>(shadedId), progress.part(0, 0.4));
+        if (!volume)
+            return volume.error();
+        volume->wholeCells = view.value<std::string>(orderId) == withCell;
+        scene->drawables.push_back({.id = "volume", .label = "Volume", .shape = *std::move(volume)});
+        if (const Status added = addIsosurfaces(surfaces_, view, progress.part(0.4, 0.8), *scene); !added)
+            return added.error();
+        if (const Status added = addBoundary(boundary_, view, progress.part(0.8, 1), *scene); !added)
+            return added.error();
+        return std::make_shared<const Scene>(*std::move(scene));
+    }
+
+private:
+    Eigen::AlignedBox3d bounds_;
+    std::shared_ptr<OrderedMesh> mesh_;
+    IsosurfaceCache surfaces_;
+    VolumeCache volume_;
+    BoundaryCache boundary_;
+};
+
 } // namespace
 
-std::vector<Parameter> HybridRenderer::parameters(const FieldExtent& field) const
-{
-    return {transferParameter(field),   isovaluesParameter(field), shadedParameter(),
-            orderParameter(),           boundaryParameter(),       boundaryOpacityParameter(),
-            boundaryFarSideParameter(), clipParameter(),           outlineParameter()};
-}
+/// Isosurfaces in a volume (R21).
+class HybridRenderer : public QObject, public tetra::Renderer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "hybrid_renderer.json")
+    Q_INTERFACES(tetra::Renderer)
 
-std::unique_ptr<RendererSession> HybridRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,
-                                                      const Eigen::AlignedBox3d& bounds) const
-{
-    auto defaults = parameters(extentOf(*mesh, bounds));
-    return std::make_unique<HybridSession>(std::move(mesh), bounds, std::move(defaults));
-}
+public:
+    std::vector<Parameter> parameters(const FieldExtent& field) const override
+    {
+        return {transferParameter(field),   isovaluesParameter(field), shadedParameter(),
+                orderParameter(),           boundaryParameter(),       boundaryOpacityParameter(),
+                boundaryFarSideParameter(), clipParameter(),           outlineParameter()};
+    }
 
-Result<HybridOrder> hybridOrderOf(const std::string& text)
-{
-    if (text == exact)
-        return HybridOrder::Exact;
-    if (text == withCell)
-        return HybridOrder::WithCell;
-    return Error{ErrorKind::WrongUsage,
-                 Message::say("'%1' is no order of surfaces and volume: it is exact or with-cell.", text)};
-}
+    std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
+    {
+        return std::make_unique<HybridSession>(meshes);
+    }
+};
 
-} // namespace tetra
+#include "hybrid_renderer.moc"

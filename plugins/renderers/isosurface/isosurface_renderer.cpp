@@ -1,23 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/renderers/isosurface/isosurface_renderer.h"
-
 #include "plugins/api/boundary_parameters.h"
-#include "plugins/renderers/isosurface/isosurface_session.h"
+#include "plugins/api/renderer.h"
+#include "plugins/api/scene_parameters.h"
 
-namespace tetra {
+#include <tan/render.h>
 
-std::vector<Parameter> IsosurfaceRenderer::parameters(const FieldExtent& field) const
-{
-    return {
-        isovaluesParameter(field),        boundaryParameter(), boundaryOpacityParameter(), boundaryFarSideParameter(),
-        boundaryTransferParameter(field), clipParameter(),     outlineParameter()};
-}
+#include <QObject>
 
-std::unique_ptr<RendererSession> IsosurfaceRenderer::open(std::shared_ptr<const TetrahedralMesh> mesh,
-                                                          const Eigen::AlignedBox3d& bounds) const
-{
-    auto defaults = parameters(extentOf(*mesh, bounds));
-    return std::make_unique<IsosurfaceSession>(std::move(mesh), bounds, std::move(defaults));
-}
+namespace {
+using namespace tetra;
 
-} // namespace tetra
+/// Keeps what the two caches keep: another colour extracts nothing.
+class IsosurfaceSession : public RendererSession {
+public:
+    explicit IsosurfaceSession(const RendererMeshes& meshes)
+        : bounds_(meshes.bounds), surfaces_(meshes.mesh), boundary_(meshes.mesh)
+    {
+    }
+
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
+    {
+        auto scene = startScene(view, bounds_);
+        if (!scene)
+            return scene.error();
+        if (const Status added = addIsosurfaces(surfaces_, view, progress.part(0, 0.8), *scene); !added)
+            return added.error();
+        if (const Status added = addBoundary(boundary_, view, progress.part(0.8, 1), *scene); !added)
+            return added.error();
+        return std::make_shared<const Scene>(*std::move(scene));
+    }
+
+private:
+    Eigen::AlignedBox3d bounds_;
+    IsosurfaceCache surfaces_;
+    BoundaryCache boundary_;
+};
+
+} // namespace
+
+/// Surfaces on which the field has chosen values (R19).
+class IsosurfaceRenderer : public QObject, public tetra::Renderer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "isosurface_renderer.json")
+    Q_INTERFACES(tetra::Renderer)
+
+public:
+    std::vector<Parameter> parameters(const FieldExtent& field) const override
+    {
+        return {isovaluesParameter(field),
+                boundaryParameter(),
+                boundaryOpacityParameter(),
+                boundaryFarSideParameter(),
+                boundaryTransferParameter(field),
+                clipParameter(),
+                outlineParameter()};
+    }
+
+    std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
+    {
+        return std::make_unique<IsosurfaceSession>(meshes);
+    }
+};
+
+#include "isosurface_renderer.moc"

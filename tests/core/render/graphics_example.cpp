@@ -20,7 +20,7 @@ int main(int, char** arguments)
 
     tetra::Scene scene;
     scene.bounds = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2)};
-    scene.volume = *fog;
+    scene.drawables.push_back({.id = "fog", .shape = *fog});
     const tetra::PictureOptions options{.width = 320, .height = 240, .background = {0, 0, 0}};
     const auto picture = tetra::makeCpuBackend()->render(scene, tetra::fitted({}, scene.bounds), options);
     if (!picture)

@@ -168,15 +168,17 @@ void draw(const std::shared_ptr<const ExtractedMesh>& extracted, const ModelDesc
     const auto mesh = meshOf(extracted);
     Scene scene;
     scene.bounds = about.bounds;
-    scene.surfaces = taken(IsosurfaceCache(mesh).update(std::array{Isovalue{.value = 0.4}}), "isosurface");
-    require(!scene.surfaces.front().mesh->triangles.empty(), "an isosurface of some triangles");
-    scene.surfaces.push_back(taken(BoundaryCache(mesh).plain({.opacity = 0.2f}), "boundary"));
+    scene.drawables = taken(IsosurfaceCache(mesh).drawables(std::array{Isovalue{.value = 0.4}}), "isosurface");
+    require(!shapesOf<Surface>(scene).front()->mesh->triangles.empty(), "an isosurface of some triangles");
+    scene.drawables.push_back(
+        {.id = "boundary", .shape = taken(BoundaryCache(mesh).plain({.opacity = 0.2f}), "boundary")});
     auto function = fittedTransferFunction(volumeHistogram(*mesh, about.range.minimum, about.range.maximum, 64),
                                            about.bounds.diagonal().norm() / 40);
     function = taken(transferFunctionFromText(transferFunctionToText(function)), "transfer function");
     for (OpacityPoint& point : function.opacities)
         point.opacity /= 2;
-    scene.volume = taken(VolumeCache(mesh).update(function, true), "volume");
+    scene.drawables.push_back({.id = "volume", .shape = taken(VolumeCache(mesh).update(function, true), "volume")});
+    require(drawableOf(scene, "volume") != nullptr && drawableOf(scene, "fog") == nullptr, "drawables by their ids");
     const Picture picture =
         taken(makeCpuBackend()->render(scene, fitted({.azimuth = 50}, scene.bounds), {.width = 400, .height = 300}),
               "picture");

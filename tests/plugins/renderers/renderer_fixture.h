@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "plugins/api/renderer.h"
+#include "plugins/host/plugin_host.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 
-#include <QJsonObject>
-#include <QPluginLoader>
 #include <QTest>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace tetra::testing {
 
@@ -19,23 +23,39 @@ inline std::shared_ptr<const TetrahedralMesh> cone(std::uint32_t cells)
         latticeMesh(cells, 1, Split::Six, [](const Eigen::Vector3d& p) { return (p.array() - 0.5).matrix().norm(); }));
 }
 
+/// As the program has it: a plugin that was found and loaded by its host.
+inline const Renderer& rendererNamed(const std::string& id)
+{
+    static PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
+    const auto renderer = host.renderer(id);
+    if (!renderer)
+        qFatal("%s", renderer.error().text().c_str());
+    return *renderer->plugin;
+}
+
+inline std::unique_ptr<RendererSession> open(const std::string& id, std::shared_ptr<const TetrahedralMesh> mesh,
+                                             std::optional<FocusMesh> focus = {})
+{
+    return rendererNamed(id).open({std::move(mesh), std::move(focus), unitBox});
+}
+
 inline std::shared_ptr<const Scene> prepared(RendererSession& session, const ParameterValues& values)
 {
-    auto scene = session.prepare(values, {}, {});
+    auto scene = session.prepare({values}, {});
     if (!scene)
         qFatal("%s", scene.error().text().c_str());
     return *scene;
 }
 
 /// Checks that the renderer shows the boundary of its mesh as its parameters say, behind `before` other surfaces.
-inline void checkBoundary(const Renderer& renderer, std::size_t before)
+inline void checkBoundary(const std::string& id, std::size_t before)
 {
-    const auto session = renderer.open(cone(4), unitBox);
+    const auto session = open(id, cone(4));
     const auto boundaryOf = [&](const ParameterValues& values) {
         const auto scene = prepared(*session, values);
-        return scene->surfaces.size() == before + 1 ? scene->surfaces.back() : Surface();
+        return partsOf(*scene).surfaces.size() == before + 1 ? partsOf(*scene).surfaces.back() : Surface();
     };
-    QCOMPARE(prepared(*session, {})->surfaces.size(), before);
+    QCOMPARE(partsOf(*prepared(*session, {})).surfaces.size(), before);
     const Surface faint = boundaryOf({{"boundary", std::string("translucent")}, {"boundary-opacity", 0.4}});
     QVERIFY(faint.mesh);
     QCOMPARE(faint.mesh->triangles.size(), std::size_t(6 * 4 * 4 * 2));
@@ -49,19 +69,8 @@ inline void checkBoundary(const Renderer& renderer, std::size_t before)
     QVERIFY(!coloured.mesh->colours.empty());
     for (const Colour& colour : coloured.mesh->colours)
         QVERIFY(colour == (Colour{1, 0, 0}));
-    const auto wrong = session->prepare({{"boundary", std::string("translucent")}, {"boundary-opacity", 0.0}}, {}, {});
+    const auto wrong = session->prepare({{{"boundary", std::string("translucent")}, {"boundary-opacity", 0.0}}}, {});
     QVERIFY(!wrong && wrong.error().kind == ErrorKind::WrongUsage);
-}
-
-/// Checks that the file is a plugin that says that it is the renderer of this name, and loads.
-inline void checkRendererPlugin(const QString& file, const QString& id)
-{
-    QPluginLoader loader(file);
-    const QJsonObject metadata = loader.metaData().value("MetaData").toObject();
-    QCOMPARE(metadata.value("id").toString(), id);
-    QCOMPARE(metadata.value("kind").toString(), "renderer");
-    QVERIFY2(loader.instance() != nullptr, qPrintable(loader.errorString()));
-    QVERIFY(qobject_cast<Renderer*>(loader.instance()) != nullptr);
 }
 
 } // namespace tetra::testing

@@ -34,12 +34,12 @@ void beginInStatistics(DrivenWindow& window)
 
 Driver::Change toError(double percent)
 {
-    return [percent](Moment& moment, const DrivenWindow&) { moment.query.error = percent; };
+    return [percent](ViewValue& view, const DrivenWindow&) { view.query.error = percent; };
 }
 
 Driver::Change toBudget(bool on)
 {
-    return [on](Moment& moment, const DrivenWindow&) { moment.query.byBudget = on; };
+    return [on](ViewValue& view, const DrivenWindow&) { view.query.byBudget = on; };
 }
 
 Drivers presets()
@@ -69,9 +69,9 @@ Drivers accuracyControls()
         edit("accuracy.box", toError(2), &beginBetweenPresets),
         edit(
             "accuracy.budget",
-            [](Moment& moment, const DrivenWindow&) {
-                moment.query.byBudget = true;
-                moment.query.budget = 500'000; // the next round number
+            [](ViewValue& view, const DrivenWindow&) {
+                view.query.byBudget = true;
+                view.query.budget = 500'000; // the next round number
             },
             inDock("dock.accuracy")),
         edit("accuracy.byBudget", toBudget(true), inDock("dock.accuracy")),

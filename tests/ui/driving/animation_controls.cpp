@@ -12,10 +12,10 @@ namespace {
 /// Three views from other sides, the second one chosen.
 void beginWithKeyFrames(DrivenWindow& window)
 {
-    Animation animation = window.session().view().animation();
+    Animation animation = window.session().view().animation;
     animation.kind = Animation::Kind::KeyFrames;
     for (const double azimuth : {10.0, 70.0, 130.0}) {
-        FilmFrame frame = window.workbench.presentFrame(window.viewport().camera());
+        FilmFrame frame = frameOf(window.session().view());
         frame.camera.azimuth = azimuth;
         animation = withKey(animation, frame);
     }
@@ -30,7 +30,7 @@ Driver ofFilm(const QString& name, const AnimationEdit& change, Driver::Step pre
               Driver::Step use = {})
 {
     return edit(
-        "animation." + name, [change](Moment& moment, const DrivenWindow& window) { change(moment.animation, window); },
+        "animation." + name, [change](ViewValue& view, const DrivenWindow& window) { change(view.animation, window); },
         std::move(prepare), std::move(use));
 }
 
@@ -71,13 +71,11 @@ Drivers animationControls()
         ofFilm("frames", [](Animation& film, const DrivenWindow&) { film.turntable.frames += 1; }),
         ofKeyFrames(".add",
                     [](Animation& film, const DrivenWindow& window) {
-                        film.keys.push_back({film.keys.back().time + usualPause,
-                                             window.workbench.presentFrame(window.viewport().camera())});
+                        film.keys.push_back({film.keys.back().time + usualPause, frameOf(window.session().view())});
                     }),
-        ofKeyFrames(".update",
-                    [](Animation& film, const DrivenWindow& window) {
-                        film.keys[1].frame = window.workbench.presentFrame(window.viewport().camera());
-                    }),
+        ofKeyFrames(
+            ".update",
+            [](Animation& film, const DrivenWindow& window) { film.keys[1].frame = frameOf(window.session().view()); }),
         ofKeyFrames(".remove", &removeChosen),
         ofKeyFrames(".up", exchanges(1, 0)),
         ofKeyFrames(".down", exchanges(1, 2)),
@@ -85,7 +83,7 @@ Drivers animationControls()
     };
     const Drivers others{
         edit(
-            "animation.keys.show", [](Moment& moment, const DrivenWindow&) { moment.camera.azimuth = 70; },
+            "animation.keys.show", [](ViewValue& view, const DrivenWindow&) { view.camera.azimuth = 70; },
             &beginWithKeyFrames),
         showing("animation.play", &showsAFrame, inDock("dock.animation")),
         showing("animation.position", &showsAFrame, inDock("dock.animation")),

@@ -52,8 +52,8 @@ Driver::Step withGrid(const QString& builder)
         const auto grid = makeSample(request);
         if (!grid || !saveDataset(*window.host, *grid, path))
             qFatal("the grid could not be made");
-        window.workbench.importDataset(path, {}); // as if what the window asks were answered
-        if (!waitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000))
+        window.workbench.opening().importDataset(path, {}); // as if what the window asks were answered
+        if (!waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000))
             qFatal("the grid did not open");
         chooseBuilder(window, builder);
     };
@@ -125,10 +125,10 @@ Driver detail(const QString& name, const std::string& error)
 
 void beginBuilding(DrivenWindow& window)
 {
-    window.workbench.closeModel();
+    window.workbench.opening().closeModel();
     const auto path = writeNrrd(sampleDataset(largeSide), window.folderPath());
     window.window.open(QString::fromStdString(path));
-    const bool ready = waitFor([&] { return window.workbench.dataset()->source.path == path; }, 30'000);
+    const bool ready = waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000);
     chooseBuilder(window, "refinement");
     window.press("build.start", Qt::Key_Space);
     if (!ready || !waitFor([&] { return window.session().model() != nullptr; }, 60'000))

@@ -33,16 +33,16 @@ Drivers coloursOf(const QString& button, const ColourChange& changed, const Driv
 
 Driver::Change colourOfIsovalue(const Colour& colour)
 {
-    return [colour](Moment& moment, const DrivenWindow&) {
-        moment.isovalues.front().red = colour.red;
-        moment.isovalues.front().green = colour.green;
-        moment.isovalues.front().blue = colour.blue;
+    return [colour](ViewValue& view, const DrivenWindow&) {
+        view.isovalues.front().red = colour.red;
+        view.isovalues.front().green = colour.green;
+        view.isovalues.front().blue = colour.blue;
     };
 }
 
 Driver::Change colourOfBackground(const Colour& colour)
 {
-    return [colour](Moment& moment, const DrivenWindow&) { moment.background = colour; };
+    return [colour](ViewValue& view, const DrivenWindow&) { view.background = colour; };
 }
 
 Driver::Change colourOfPoint(const Colour& colour)
@@ -56,7 +56,7 @@ Driver::Change colourOfPoint(const Colour& colour)
 /// In a colour that is not in the palette.
 void makeIsovalueGrey(DrivenWindow& window)
 {
-    Isovalue isovalue = window.session().view().isovalues().front();
+    Isovalue isovalue = window.session().view().isovalues.front();
     isovalue.red = isovalue.green = isovalue.blue = 0.5F;
     window.session().setIsovalue(0, isovalue);
 }

@@ -47,16 +47,20 @@ void DrivenWindow::closeDialogs() const
 
 void DrivenWindow::openAnew()
 {
-    workbench.stopBuild(false);
+    workbench.building().stopBuild(false);
     waitUntil([this] { return !workbench.building().running(); }, "no build runs");
-    workbench.closeModel();
-    workbench.views().forget(filePath(model_)); // as at first
+    workbench.opening().closeModel();
+    workbench.opening().views().forget(filePath(model_)); // as at first
     window.open(model_);
     waitUntil([this] { return session().model() && settled(); }, "the model is open");
-    if (!workbench.dataset() || workbench.dataset()->source.path != volume_.toStdString()) {
+    if (!workbench.opening().dataset() || workbench.opening().dataset()->source.path != volume_.toStdString()) {
         window.open(volume_);
-        waitUntil([this] { return workbench.dataset() && workbench.dataset()->source.path == volume_.toStdString(); },
-                  "the dataset is open");
+        waitUntil(
+            [this] {
+                return workbench.opening().dataset() &&
+                       workbench.opening().dataset()->source.path == volume_.toStdString();
+            },
+            "the dataset is open");
     }
     session().undoStack().clear();
     resetLayout();
@@ -80,8 +84,8 @@ void DrivenWindow::startAnew()
     session().endGesture();
     session().undoStack().setIndex(0);
     resetLayout();
-    const bool isThere = opened_ && session().model() == opened_ && workbench.dataset() &&
-                         workbench.dataset()->source.path == volume_.toStdString() && now() == atFirst_;
+    const bool isThere = opened_ && session().model() == opened_ && workbench.opening().dataset() &&
+                         workbench.opening().dataset()->source.path == volume_.toStdString() && now() == atFirst_;
     if (!isThere)
         openAnew();
     session().undoStack().clear();
@@ -94,7 +98,7 @@ void DrivenWindow::startAnew()
 
 std::size_t DrivenWindow::addedPoint() const
 {
-    const std::vector<TransferPoint> points = transferPoints(before_.look.transfer);
+    const std::vector<TransferPoint> points = transferPoints(before_.appearance.transfer);
     const double middle = session().range().minimum + session().range().extent() / 2;
     const auto distance = [middle](const TransferPoint& point) { return std::abs(point.value - middle); };
     return static_cast<std::size_t>(std::ranges::min_element(points, {}, distance) - points.begin());

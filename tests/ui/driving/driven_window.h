@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/ui/moment.h"
 #include "tests/ui/window_fixture.h"
 
 class QDockWidget;
@@ -21,10 +20,10 @@ public:
     void startAnew();
     /// Keeps what is there now as what was there before.
     void remember();
-    const Moment& before() const noexcept { return before_; }
+    const ViewValue& before() const noexcept { return before_; }
     /// When the model had just been opened.
-    const Moment& atFirst() const noexcept { return atFirst_; }
-    Moment now() const { return momentOf(session(), viewport()); }
+    const ViewValue& atFirst() const noexcept { return atFirst_; }
+    const ViewValue& now() const { return session().view(); }
     int undoSteps() const { return session().undoStack().index(); }
     int stepsBefore() const noexcept { return stepsBefore_; }
 
@@ -49,8 +48,8 @@ private:
 
     QString model_;
     QString volume_;
-    Moment before_;
-    Moment atFirst_;
+    ViewValue before_;
+    ViewValue atFirst_;
     std::shared_ptr<const Model> opened_;
     int stepsBefore_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
+#include "ui/session/session_document.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -45,29 +46,24 @@ bool isSameLook(const TransferFunction& one, const TransferFunction& other, doub
            std::ranges::equal(one.opacities, other.opacities, sameOpacity);
 }
 
-Moment expectedBy(const Driver& driver, const DrivenWindow& window)
+ViewValue expectedBy(const Driver& driver, const DrivenWindow& window)
 {
-    Moment moment = window.before();
+    ViewValue view = window.before();
     if (driver.changes)
-        driver.changes(moment, window);
-    return moment;
+        driver.changes(view, window);
+    return view;
 }
 
-QStringList linesOf(const Moment& moment)
+QStringList linesOf(const ViewValue& view)
 {
     SessionDocument document;
-    document.query = moment.query;
-    document.look = moment.look;
-    document.isovalues = moment.isovalues;
-    document.camera = moment.camera;
-    document.background = moment.background;
-    document.annotations = moment.annotations;
-    document.animation = moment.animation;
+    document.view = view;
+    document.hasCamera = true;
     return QString::fromStdString(sessionToText(document, "/")).split('\n');
 }
 
-/// What is not as it should be: the first lines of the moments as files have them.
-QString differences(const Moment& is, const Moment& should)
+/// What is not as it should be: the first lines of the views as files have them.
+QString differences(const ViewValue& is, const ViewValue& should)
 {
     constexpr qsizetype mostLines = 12;
     const QStringList isLines = linesOf(is);
@@ -87,7 +83,7 @@ QString undoneAndRedone(DrivenWindow& window, const Driver& driver)
 {
     if (driver.steps == 0)
         return {};
-    const Moment after = window.now();
+    const ViewValue after = window.now();
     window.trigger(driver.steps > 0 ? "action.undo" : "action.redo");
     if (window.now() != window.before())
         return "undo does not bring back " + differences(window.now(), window.before());
@@ -148,10 +144,11 @@ AimFrom stepOfSlider(const Ends& ends)
 
 Driver::Change transfer(const TransferEdit& edited)
 {
-    return [edited](Moment& moment, const DrivenWindow& window) {
-        const TransferFunction should = edited(moment.look.transfer, window);
-        const TransferFunction is = window.session().view().look().transfer;
-        moment.look.transfer = isSameLook(is, should, invisibleValue * window.session().range().extent()) ? is : should;
+    return [edited](ViewValue& view, const DrivenWindow& window) {
+        const TransferFunction should = edited(view.appearance.transfer, window);
+        const TransferFunction is = window.session().view().appearance.transfer;
+        view.appearance.transfer =
+            isSameLook(is, should, invisibleValue * window.session().range().extent()) ? is : should;
     };
 }
 
@@ -160,10 +157,9 @@ TransferLimits rangeOf(const DrivenWindow& window)
     return {window.session().range().minimum, window.session().range().maximum};
 }
 
-void fitView(Moment& moment, const DrivenWindow& window)
+void fitView(ViewValue& view, const DrivenWindow& window)
 {
-    moment.camera =
-        fitted(moment.camera, window.session().model()->description().bounds, window.viewport().aspectRatio());
+    view.camera = fitted(view.camera, window.session().model()->description().bounds, window.viewport().aspectRatio());
 }
 
 Drivers allOf(std::initializer_list<Drivers> parts)
@@ -216,7 +212,7 @@ QString drive(DrivenWindow& window, const Driver& driver, const std::function<vo
         return "it is not seen";
     if (driver.opensAnother)
         return {};
-    if (const Moment expected = expectedBy(driver, window); window.now() != expected)
+    if (const ViewValue expected = expectedBy(driver, window); window.now() != expected)
         return "not as it should be: " + differences(window.now(), expected);
     if (window.undoSteps() != window.stepsBefore() + driver.steps)
         return QString("it is %1 steps to be undone").arg(window.undoSteps() - window.stepsBefore());

@@ -13,16 +13,16 @@ namespace tetra {
 struct Driver {
     using Step = std::function<void(DrivenWindow&)>;
     using Condition = std::function<bool(const DrivenWindow&)>;
-    /// Makes of the moment before the moment after: what it leaves alone must not change.
-    using Change = std::function<void(Moment& moment, const DrivenWindow& window)>;
+    /// Makes of the view before the view after: what it leaves alone must not change.
+    using Change = std::function<void(ViewValue& view, const DrivenWindow& window)>;
 
     QString name;              ///< object name; with a * at its end of all that begin so
-    Change changes{};          ///< none: the moment stays as it is
+    Change changes{};          ///< none: the view stays as it is
     Condition shows{};         ///< what is seen besides: not before, and soon after
     Step prepare{};            ///< what it needs
     Step use{};                ///< none: a command is triggered, a control used by keys as its kind is
     int steps = 0;             ///< by so many goes the undo stack on
-    bool opensAnother = false; ///< another file or none: then nothing is said of the moment
+    bool opensAnother = false; ///< another file or none: then nothing is said of the view
 
     bool drives(const QString& other) const;
 };
@@ -52,15 +52,15 @@ AimFrom stepOfBox(const QString& box);
 using Ends = std::function<TransferLimits(const DrivenWindow& window)>;
 AimFrom stepOfSlider(const Ends& ends);
 
-/// The number of a moment that `reach` finds goes where `aim` says, and nothing else does.
+/// The number of a view that `reach` finds goes where `aim` says, and nothing else does.
 template <class Reach> Driver::Change moves(Reach reach, AimFrom aim)
 {
-    return [reach, aim](Moment& moment, const DrivenWindow& window) {
-        using Number = std::remove_reference_t<decltype(reach(moment))>;
-        Moment now = window.now();
-        const auto [value, tolerance] = aim(window, static_cast<double>(reach(moment)));
+    return [reach, aim](ViewValue& view, const DrivenWindow& window) {
+        using Number = std::remove_reference_t<decltype(reach(view))>;
+        ViewValue now = window.now();
+        const auto [value, tolerance] = aim(window, static_cast<double>(reach(view)));
         const bool isThere = std::abs(static_cast<double>(reach(now)) - value) <= tolerance;
-        reach(moment) = isThere ? reach(now) : static_cast<Number>(value);
+        reach(view) = isThere ? reach(now) : static_cast<Number>(value);
     };
 }
 
@@ -71,7 +71,7 @@ Driver::Change transfer(const TransferEdit& edited);
 /// The values of the model.
 TransferLimits rangeOf(const DrivenWindow& window);
 /// A change: all of the domain is seen, from the same side.
-void fitView(Moment& moment, const DrivenWindow& window);
+void fitView(ViewValue& view, const DrivenWindow& window);
 
 Drivers allOf(std::initializer_list<Drivers> parts);
 

@@ -32,11 +32,11 @@ Driver openingRecent()
     return leaving(
         "action.recent.*",
         [before](const DrivenWindow& window) {
-            return window.session().model() != before->first || window.workbench.dataset() != before->second;
+            return window.session().model() != before->first || window.workbench.opening().dataset() != before->second;
         },
         [before](DrivenWindow& window) {
             fillRecentMenu(window);
-            *before = {window.session().model(), window.workbench.dataset()};
+            *before = {window.session().model(), window.workbench.opening().dataset()};
         });
 }
 
@@ -50,14 +50,14 @@ Drivers savingCommands()
     };
 }
 
-void addIsovalue(Moment& moment, const DrivenWindow& window)
+void addIsovalue(ViewValue& view, const DrivenWindow& window)
 {
-    moment.isovalues.push_back(nextIsovalue(moment.isovalues, window.session().range()));
+    view.isovalues.push_back(nextIsovalue(view.isovalues, window.session().range()));
 }
 
-void removeIsovalue(Moment& moment, const DrivenWindow&)
+void removeIsovalue(ViewValue& view, const DrivenWindow&)
 {
-    moment.isovalues.pop_back();
+    view.isovalues.pop_back();
 }
 
 Driver goingThroughEdits(const QString& name, int steps, Driver::Change changes, Driver::Step prepare)

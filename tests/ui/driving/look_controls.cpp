@@ -40,7 +40,7 @@ Driver setting(const QString& id, const ParameterValue& value, const std::functi
 {
     return redraw(
         "rendering.setting." + id,
-        [id, value](Moment& moment, const DrivenWindow&) { moment.look.settings[id.toStdString()] = value; },
+        [id, value](ViewValue& view, const DrivenWindow&) { view.appearance.settings[id.toStdString()] = value; },
         [isSo](const DrivenWindow& window) { return window.settled() && isSo(factsOf(*window.viewport().scene())); },
         inMode("hybrid", "dock.rendering"), std::move(use));
 }
@@ -69,7 +69,7 @@ Drivers renderingControls()
     };
     return {
         redraw(
-            "rendering.mode", [](Moment& moment, const DrivenWindow&) { moment.look.mode = "volume"; },
+            "rendering.mode", [](ViewValue& view, const DrivenWindow&) { view.appearance.mode = "volume"; },
             [](const DrivenWindow& window) {
                 return window.settled() && factsOf(*window.viewport().scene()).hasVolume;
             },
@@ -104,9 +104,9 @@ template <class Reach> Driver ofCamera(const QString& name, Reach reach)
 
 Driver lookingFrom(const QString& side, double azimuth, double elevation)
 {
-    const Driver::Change changes = [=](Moment& moment, const DrivenWindow&) {
-        moment.camera.azimuth = azimuth;
-        moment.camera.elevation = elevation;
+    const Driver::Change changes = [=](ViewValue& view, const DrivenWindow&) {
+        view.camera.azimuth = azimuth;
+        view.camera.elevation = elevation;
     };
     return edit("view.from." + side, changes, [](DrivenWindow& window) {
         Camera camera = window.viewport().camera();
@@ -120,22 +120,22 @@ Driver lookingFrom(const QString& side, double azimuth, double elevation)
 Drivers cameraControls()
 {
     return {
-        ofCamera("azimuth", [](Moment& moment) -> double& { return moment.camera.azimuth; }),
-        ofCamera("elevation", [](Moment& moment) -> double& { return moment.camera.elevation; }),
-        ofCamera("roll", [](Moment& moment) -> double& { return moment.camera.roll; }),
-        ofCamera("distance", [](Moment& moment) -> double& { return moment.camera.distance; }),
-        ofCamera("fieldOfView", [](Moment& moment) -> double& { return moment.camera.fieldOfView; }),
-        ofCamera("target.x", [](Moment& moment) -> double& { return moment.camera.target.x(); }),
-        ofCamera("target.y", [](Moment& moment) -> double& { return moment.camera.target.y(); }),
-        ofCamera("target.z", [](Moment& moment) -> double& { return moment.camera.target.z(); }),
+        ofCamera("azimuth", [](ViewValue& view) -> double& { return view.camera.azimuth; }),
+        ofCamera("elevation", [](ViewValue& view) -> double& { return view.camera.elevation; }),
+        ofCamera("roll", [](ViewValue& view) -> double& { return view.camera.roll; }),
+        ofCamera("distance", [](ViewValue& view) -> double& { return view.camera.distance; }),
+        ofCamera("fieldOfView", [](ViewValue& view) -> double& { return view.camera.fieldOfView; }),
+        ofCamera("target.x", [](ViewValue& view) -> double& { return view.camera.target.x(); }),
+        ofCamera("target.y", [](ViewValue& view) -> double& { return view.camera.target.y(); }),
+        ofCamera("target.z", [](ViewValue& view) -> double& { return view.camera.target.z(); }),
         edit(
-            "view.up", [](Moment& moment, const DrivenWindow&) { moment.camera.up = UpAxis::MinusZ; },
+            "view.up", [](ViewValue& view, const DrivenWindow&) { view.camera.up = UpAxis::MinusZ; },
             inDock("dock.view")),
         edit(
-            "view.projection", [](Moment& moment, const DrivenWindow&) { moment.camera.perspective = false; },
+            "view.projection", [](ViewValue& view, const DrivenWindow&) { view.camera.perspective = false; },
             inDock("dock.view")),
         edit(
-            "view.turning", [](Moment& moment, const DrivenWindow&) { moment.camera.trackball = true; },
+            "view.turning", [](ViewValue& view, const DrivenWindow&) { view.camera.trackball = true; },
             inDock("dock.view")),
         lookingFrom("front", 0, 0),
         lookingFrom("back", 180, 0),
@@ -159,18 +159,18 @@ Drivers annotationControls()
         const QString name = QString("view.annotation.") + annotationNames[i];
         drivers.push_back(edit(
             name,
-            [i](Moment& moment, const DrivenWindow&) {
-                moment.annotations.places[i].shown = !moment.annotations.places[i].shown;
+            [i](ViewValue& view, const DrivenWindow&) {
+                view.annotations.places[i].shown = !view.annotations.places[i].shown;
             },
             inDock("dock.view")));
         drivers.push_back(edit(
             name + ".corner",
-            [i](Moment& moment, const DrivenWindow&) {
-                Corner& corner = moment.annotations.places[i].corner;
+            [i](ViewValue& view, const DrivenWindow&) {
+                Corner& corner = view.annotations.places[i].corner;
                 corner = static_cast<Corner>(nextChoice(static_cast<int>(corner), 4));
             },
             [i](DrivenWindow& window) {
-                AnnotationState state = window.session().view().annotations();
+                AnnotationState state = window.session().view().annotations;
                 state.places[i].shown = true;
                 window.session().setAnnotations(state);
                 window.raise("dock.view");
@@ -184,12 +184,12 @@ Drivers viewControls()
     return {
         edit(
             "view.background",
-            [](Moment& moment, const DrivenWindow&) { moment.background = paletteColour(chosenColour); },
+            [](ViewValue& view, const DrivenWindow&) { view.background = paletteColour(chosenColour); },
             inDock("dock.view"), choosingColour("view.background")),
         edit(
-            "view.usualBackground", [](Moment& moment, const DrivenWindow&) { moment.background.reset(); },
+            "view.usualBackground", [](ViewValue& view, const DrivenWindow&) { view.background.reset(); },
             [](DrivenWindow& window) {
-                window.viewport().setBackground(Colour{1, 0, 0});
+                window.session().setBackground(Colour{1, 0, 0});
                 window.raise("dock.view");
             }),
         opening("view.load", "cameraDialog", inDock("dock.view")),
@@ -199,19 +199,19 @@ Drivers viewControls()
 
 Drivers isovalueControls()
 {
-    const auto value = [](Moment& moment) -> double& { return moment.isovalues.front().value; };
-    const auto opacity = [](Moment& moment) -> float& { return moment.isovalues.front().opacity; };
+    const auto value = [](ViewValue& view) -> double& { return view.isovalues.front().value; };
+    const auto opacity = [](ViewValue& view) -> float& { return view.isovalues.front().opacity; };
     // Percentages of whole numbers: one less than all.
     const AimFrom lessOpaque = [](const DrivenWindow&, double before) -> Aim { return {before - 0.01, 0.0051}; };
     const auto change = [](void (*changes)(Isovalue & isovalue)) {
-        return [changes](Moment& moment, const DrivenWindow&) { changes(moment.isovalues.front()); };
+        return [changes](ViewValue& view, const DrivenWindow&) { changes(view.isovalues.front()); };
     };
     const Driver::Step dock = inDock("dock.isovalues");
     return {
         edit("isovalue.0.visible", change([](Isovalue& isovalue) { isovalue.visible = false; }), dock),
         edit(
             "isovalue.0.remove",
-            [](Moment& moment, const DrivenWindow&) { moment.isovalues.erase(moment.isovalues.begin()); }, dock),
+            [](ViewValue& view, const DrivenWindow&) { view.isovalues.erase(view.isovalues.begin()); }, dock),
         edit("isovalue.0.value.slider", moves(value, stepOfSlider(&rangeOf)), dock),
         edit("isovalue.0.value.box", moves(value, stepOfBox("isovalue.0.value.box")), dock),
         edit("isovalue.0.opacity.slider", moves(opacity, lessOpaque), dock),
@@ -225,8 +225,8 @@ Drivers isovalueControls()
              dock, choosingColour("isovalue.0.colour")),
         edit(
             "isovalues.add",
-            [](Moment& moment, const DrivenWindow& window) {
-                moment.isovalues.push_back(nextIsovalue(moment.isovalues, window.session().range()));
+            [](ViewValue& view, const DrivenWindow& window) {
+                view.isovalues.push_back(nextIsovalue(view.isovalues, window.session().range()));
             },
             dock),
     };

@@ -34,11 +34,11 @@ double pickedValue(const DrivenWindow& window)
     return window.find<ValuePick>("viewport.pick").picked()->value;
 }
 
-void addIsovalueThere(Moment& moment, const DrivenWindow& window)
+void addIsovalueThere(ViewValue& view, const DrivenWindow& window)
 {
-    Isovalue isovalue = nextIsovalue(moment.isovalues, window.session().range());
+    Isovalue isovalue = nextIsovalue(view.isovalues, window.session().range());
     isovalue.value = pickedValue(window);
-    moment.isovalues.push_back(isovalue);
+    view.isovalues.push_back(isovalue);
 }
 
 TransferFunction withPointThere(const TransferFunction& function, const DrivenWindow& window)

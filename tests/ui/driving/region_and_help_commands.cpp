@@ -11,13 +11,13 @@ namespace {
 
 Driver::Change toShape(FocusState::Shape shape)
 {
-    return [shape](Moment& moment, const DrivenWindow&) { moment.query.focus.shape = shape; };
+    return [shape](ViewValue& view, const DrivenWindow&) { view.query.focus.shape = shape; };
 }
 
 /// The focus is somewhere else than the camera looks at.
 void switchFocusOn(DrivenWindow& window)
 {
-    FocusState focus = window.session().view().query().focus;
+    FocusState focus = window.session().view().query.focus;
     focus.shape = FocusState::Shape::Box;
     focus.centre *= 0.5;
     window.session().setFocus(focus);
@@ -30,9 +30,8 @@ Drivers regionCommands()
         edit("action.focusBox", toShape(FocusState::Shape::Box)),
         edit(
             "action.focusToView",
-            [](Moment& moment, const DrivenWindow&) { moment.query.focus.centre = moment.camera.target; },
-            &switchFocusOn),
-        edit("action.window", [](Moment& moment, const DrivenWindow&) { moment.query.window.enabled = true; }),
+            [](ViewValue& view, const DrivenWindow&) { view.query.focus.centre = view.camera.target; }, &switchFocusOn),
+        edit("action.window", [](ViewValue& view, const DrivenWindow&) { view.query.window.enabled = true; }),
     };
 }
 

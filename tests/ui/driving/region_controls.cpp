@@ -11,7 +11,7 @@ using Shape = FocusState::Shape;
 Driver::Step withFocus(Shape shape)
 {
     return [shape](DrivenWindow& window) {
-        FocusState focus = window.session().view().query().focus;
+        FocusState focus = window.session().view().query.focus;
         focus.shape = shape;
         focus.centre *= 0.5;
         window.session().setFocus(focus);
@@ -23,7 +23,7 @@ Driver::Step withFocus(Shape shape)
 Driver ofFocus(const QString& name, Shape shape, const std::function<void(FocusState&)>& change)
 {
     return edit(
-        "focus." + name, [change](Moment& moment, const DrivenWindow&) { change(moment.query.focus); },
+        "focus." + name, [change](ViewValue& view, const DrivenWindow&) { change(view.query.focus); },
         withFocus(shape));
 }
 
@@ -48,7 +48,7 @@ template <class Reach> Drivers vectorControls(const QString& name, const Driver:
     Drivers drivers;
     for (int axis = 0; axis < 3; ++axis)
         drivers.push_back(steps(name + '.' + QChar('x' + axis), prepare,
-                                [reach, axis](Moment& moment) -> double& { return reach(moment)[axis]; }));
+                                [reach, axis](ViewValue& view) -> double& { return reach(view)[axis]; }));
     return drivers;
 }
 
@@ -58,26 +58,26 @@ TransferLimits halfDiagonal(const DrivenWindow& window)
 }
 
 /// Place, size, error and fall-off of a model that was just opened.
-void resetFocus(Moment& moment, const DrivenWindow& window)
+void resetFocus(ViewValue& view, const DrivenWindow& window)
 {
-    const Shape shape = moment.query.focus.shape;
-    moment.query.focus = window.atFirst().query.focus;
-    moment.query.focus.shape = shape;
+    const Shape shape = view.query.focus.shape;
+    view.query.focus = window.atFirst().query.focus;
+    view.query.focus.shape = shape;
 }
 
-void moveFocusToView(Moment& moment, const DrivenWindow&)
+void moveFocusToView(ViewValue& view, const DrivenWindow&)
 {
-    moment.query.focus.centre = moment.camera.target;
+    view.query.focus.centre = view.camera.target;
 }
 
 Drivers focusControls()
 {
     const Driver::Step box = withFocus(Shape::Box);
     const Driver::Step sphere = withFocus(Shape::Sphere);
-    const auto centre = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.focus.centre; };
-    const auto size = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.focus.size; };
-    const auto radius = [](Moment& moment) -> double& { return moment.query.focus.radius; };
-    const auto falloff = [](Moment& moment) -> double& { return moment.query.focus.falloff; };
+    const auto centre = [](ViewValue& view) -> Eigen::Vector3d& { return view.query.focus.centre; };
+    const auto size = [](ViewValue& view) -> Eigen::Vector3d& { return view.query.focus.size; };
+    const auto radius = [](ViewValue& view) -> double& { return view.query.focus.radius; };
+    const auto falloff = [](ViewValue& view) -> double& { return view.query.focus.falloff; };
     const Drivers others{
         toShape("box", Shape::None, Shape::Box),
         toShape("sphere", Shape::None, Shape::Sphere),
@@ -97,7 +97,7 @@ Drivers focusControls()
 /// A window and a range of values, smaller than all there is.
 void beginInRegion(DrivenWindow& window)
 {
-    QueryState query = window.session().view().query();
+    QueryState query = window.session().view().query;
     query.window.enabled = true;
     query.window.window.box.least += 0.2 * (query.window.window.box.largest - query.window.window.box.least);
     const ValueRange range = window.session().range();
@@ -111,7 +111,7 @@ Driver ofQuery(const QString& name, const std::function<void(QueryState&, const 
                const Driver::Step& prepare)
 {
     return edit(
-        "region." + name, [change](Moment& moment, const DrivenWindow& window) { change(moment.query, window); },
+        "region." + name, [change](ViewValue& view, const DrivenWindow& window) { change(view.query, window); },
         prepare);
 }
 
@@ -120,10 +120,10 @@ Driver ofQuery(const QString& name, const std::function<void(QueryState&, const 
 Drivers regionControls()
 {
     const Driver::Step begin = &beginInRegion;
-    const auto from = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.window.window.box.least; };
-    const auto to = [](Moment& moment) -> Eigen::Vector3d& { return moment.query.window.window.box.largest; };
-    const auto least = [](Moment& moment) -> double& { return moment.query.values.least; };
-    const auto largest = [](Moment& moment) -> double& { return moment.query.values.largest; };
+    const auto from = [](ViewValue& view) -> Eigen::Vector3d& { return view.query.window.window.box.least; };
+    const auto to = [](ViewValue& view) -> Eigen::Vector3d& { return view.query.window.window.box.largest; };
+    const auto least = [](ViewValue& view) -> double& { return view.query.values.least; };
+    const auto largest = [](ViewValue& view) -> double& { return view.query.values.largest; };
     const Drivers others{
         ofQuery(
             "window", [](QueryState& query, const DrivenWindow&) { query.window.enabled = true; },

@@ -23,7 +23,7 @@ namespace {
 
 const TransferFunction& transferOf(const DrivenWindow& window)
 {
-    return window.session().view().look().transfer;
+    return window.session().view().appearance.transfer;
 }
 
 /// Points in no order of values or opacities, so that each edit has something to do.
@@ -335,11 +335,11 @@ void selectAllWithNothingCopied(DrivenWindow& window)
     selectAll(window);
 }
 
-void addIsovalueInTheMiddle(Moment& moment, const DrivenWindow& window)
+void addIsovalueInTheMiddle(ViewValue& view, const DrivenWindow& window)
 {
-    Isovalue isovalue = nextIsovalue(moment.isovalues, window.session().range());
+    Isovalue isovalue = nextIsovalue(view.isovalues, window.session().range());
     isovalue.value = middleOf(rangeOf(window));
-    moment.isovalues.push_back(isovalue);
+    view.isovalues.push_back(isovalue);
 }
 
 } // namespace

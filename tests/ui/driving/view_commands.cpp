@@ -16,7 +16,7 @@ using CameraEdit = std::function<void(Camera& camera)>;
 Driver cameraCommand(const QString& name, const CameraEdit& change, Driver::Step prepare = {})
 {
     return edit(
-        "action." + name, [change](Moment& moment, const DrivenWindow&) { change(moment.camera); }, std::move(prepare));
+        "action." + name, [change](ViewValue& view, const DrivenWindow&) { change(view.camera); }, std::move(prepare));
 }
 
 Driver sideCommand(const QString& side, double azimuth, double elevation, Driver::Step prepare = {})
@@ -67,10 +67,10 @@ Drivers orientationCommands()
     };
 }
 
-void resets(Moment& moment, const DrivenWindow& window)
+void resets(ViewValue& view, const DrivenWindow& window)
 {
-    moment = window.atFirst();
-    fitView(moment, window);
+    view = window.atFirst();
+    fitView(view, window);
 }
 
 /// All of the view becomes another one.
@@ -80,14 +80,14 @@ void changeEverything(DrivenWindow& window)
     session.setError(1.5);
     session.addIsovalue();
     session.setSetting("outline", false);
-    AnnotationState annotations = session.view().annotations();
+    AnnotationState annotations = session.view().annotations;
     annotations[AnnotationKind::Title].shown = true;
     session.setAnnotations(annotations);
-    Animation animation = session.view().animation();
+    Animation animation = session.view().animation;
     animation.framesPerSecond = 12;
     session.setAnimation(animation);
-    window.viewport().seeFrom(NamedView::Top);
-    window.viewport().setBackground(Colour{1, 0, 0});
+    session.setCamera(seenFrom(session.view().camera, NamedView::Top));
+    window.session().setBackground(Colour{1, 0, 0});
 }
 
 Drivers wholeViewCommands()
@@ -102,9 +102,9 @@ Drivers wholeViewCommands()
 Driver mode(const QString& id, const QString& before, bool hasVolume, std::size_t surfaces)
 {
     return redraw(
-        "action.mode." + id, [id](Moment& moment, const DrivenWindow&) { moment.look.mode = id.toStdString(); },
+        "action.mode." + id, [id](ViewValue& view, const DrivenWindow&) { view.appearance.mode = id.toStdString(); },
         [=](const DrivenWindow& window) {
-            const bool isChosen = window.session().view().look().mode == id.toStdString();
+            const bool isChosen = window.session().view().appearance.mode == id.toStdString();
             const SceneFacts scene = isChosen && window.settled() ? factsOf(*window.viewport().scene()) : SceneFacts{};
             return scene.lines > 0 && scene.hasVolume == hasVolume && scene.surfaces == surfaces;
         },
@@ -122,8 +122,8 @@ Drivers annotationCommands()
     Drivers drivers;
     for (std::size_t i = 0; i < annotationCount; ++i)
         drivers.push_back(
-            edit(QString("action.annotation.") + annotationNames[i], [i](Moment& moment, const DrivenWindow&) {
-                moment.annotations.places[i].shown = !moment.annotations.places[i].shown;
+            edit(QString("action.annotation.") + annotationNames[i], [i](ViewValue& view, const DrivenWindow&) {
+                view.annotations.places[i].shown = !view.annotations.places[i].shown;
             }));
     return drivers;
 }

@@ -2,8 +2,6 @@
 // The format: DICOM PS3.5 (data structures and encoding) and PS3.10 (files).
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/folder.h"
-#include "core/base/mapped_file.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
 
 #include <algorithm>

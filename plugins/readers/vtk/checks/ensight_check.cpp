@@ -3,9 +3,6 @@
 // is counted (vtkEnSightGoldReader.cxx, vtkEnSight6Reader.cxx).
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-#include "core/base/text.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>

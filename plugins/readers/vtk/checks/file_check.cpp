@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/file_check.h"
 
-#include "core/base/folder.h"
 #include "plugins/readers/vtk/checks/format_checks.h"
 #include "plugins/readers/vtk/checks/slice_names.h"
 

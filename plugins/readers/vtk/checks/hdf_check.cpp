@@ -2,8 +2,6 @@
 // The format: https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-
 #include <string_view>
 
 namespace tetra {

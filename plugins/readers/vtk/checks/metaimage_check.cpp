@@ -2,9 +2,6 @@
 // The format: https://itk.org/Wiki/ITK/MetaIO/Documentation; where its library goes other ways, as the library does.
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-#include "core/base/text.h"
-
 #include <zlib.h>
 
 #include <algorithm>

@@ -2,8 +2,6 @@
 // The format: https://www.ccpem.ac.uk/mrc_format/mrc2014.php
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-
 #include <cstring>
 
 namespace tetra {

@@ -2,8 +2,6 @@
 // The format: https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-
 #include <optional>
 #include <span>
 #include <string_view>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/slice_names.h"
 
-#include "core/base/folder.h"
-
 #include <algorithm>
 #include <string>
 #include <string_view>

@@ -2,8 +2,6 @@
 // The format: TIFF Revision 6.0, Adobe 1992; BigTIFF: http://www.awaresystems.be/imaging/tiff/bigtiff.html
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-
 #include <algorithm>
 #include <array>
 #include <map>

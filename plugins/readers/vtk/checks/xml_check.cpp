@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/format_checks.h"
 
-#include "core/base/mapped_file.h"
-#include "core/base/text.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

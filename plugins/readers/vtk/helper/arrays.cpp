@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/arrays.h"
 
-#include "core/base/text.h"
-
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkPointData.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/findings.h"
 
-#include "core/base/text.h"
 #include "plugins/readers/vtk/helper/arrays.h"
 #include "plugins/readers/vtk/helper/cell_findings.h"
 #include "plugins/readers/vtk/helper/grid_findings.h"

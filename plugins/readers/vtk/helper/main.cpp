@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program in which VTK reads a file for the plugin: takes one request from its input and writes messages to its
 // output (plugins/readers/vtk/vtk_exchange.h). It may break down: the plugin bears that.
-#include "core/base/memory.h"
 #include "plugins/readers/vtk/checks/file_check.h"
 #include "plugins/readers/vtk/helper/contents.h"
 #include "plugins/readers/vtk/helper/findings.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/plot3d_source.h"
 
-#include "core/base/text.h"
-
 #include <vtkMultiBlockPLOT3DReader.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/tecplot_source.h"
 
-#include "core/base/mapped_file.h"
 #include "plugins/readers/vtk/tecplot_text.h"
 
 #include <vtkCellArray.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/xml_sources.h"
 
-#include "core/base/text.h"
 #include "plugins/readers/vtk/checks/format_checks.h"
 
 #include <vtkDataArraySelection.h>

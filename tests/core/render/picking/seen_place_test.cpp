@@ -2,6 +2,7 @@
 #include "core/render/picking/picking.h"
 #include "core/render/volume/volume_mesh.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 
 #include <tan/render.h>
 
@@ -74,7 +75,7 @@ PickingRay alongY(double x, double z)
 void SeenPlaceTest::volumesAgreeWithSmallSteps()
 {
     const TransferFunction function = peaks();
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeOf(latticeMesh(4, extent, Split::Five, slanted), function);
     QRandomGenerator random(11);
     const auto coordinate = [&] { return random.bounded(extent); };
@@ -103,10 +104,10 @@ void SeenPlaceTest::volumesAgreeWithSmallSteps()
             continue;
         }
         ++seenOnes;
-        QVERIFY(seen && !seen->surface);
+        QVERIFY(seen && seen->drawable.starts_with("volume"));
         QVERIFY(std::abs(seen->share + std::expm1(-depth)) < 1e-4);
         const double t = (seen->place - line.origin).dot(line.direction);
-        QVERIFY(std::abs(seen->value - slanted(seen->place)) < 1e-5);
+        QVERIFY(std::abs(*seen->value - slanted(seen->place)) < 1e-5);
         // Two places may take as much to a millionth: then either will do.
         if (std::abs(t - place) > 2 * step + 1e-4) {
             double there = 0;
@@ -123,68 +124,68 @@ void SeenPlaceTest::aFallingValueIsFound()
     // The value falls along the line, and only a thin range of it is seen.
     const auto falling = [](const Eigen::Vector3d& place) { return 1 - 0.1 * place.y(); };
     const TransferFunction thin = transferFunctionFromPoints({{0.39, {}, 0}, {0.4, {}, 0.9F}, {0.41, {}, 0}}, 1);
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeOf(latticeMesh(3, extent, Split::Six, falling), thin);
     const auto seen = seenPlace(scene, alongY(3.3, 4.4));
     QVERIFY(seen.has_value());
-    QVERIFY(std::abs(seen->value - 0.4) < 0.005);
+    QVERIFY(std::abs(*seen->value - 0.4) < 0.005);
     QVERIFY(std::abs(seen->place.y() - 6) < 0.05);
 }
 
 void SeenPlaceTest::clipPlanesCutVolumeAndSurface()
 {
-    Scene scene;
+    SceneParts scene;
     scene.surfaces = {wall(2, 1), wall(7, 1)};
     scene.clipPlanes = {{{0, 1, 0}, 5}};
     auto seen = seenPlace(scene, alongY(1, 1));
-    QVERIFY(seen && seen->surface == std::optional<std::size_t>(1));
+    QVERIFY(seen && seen->drawable == "surface-1");
     QVERIFY(std::abs(seen->place.y() - 7) < 1e-9);
     scene.surfaces.clear();
     const TransferFunction opaque = transferFunctionFromPoints({{0, {}, 0.999F}}, 1);
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), opaque);
     seen = seenPlace(scene, alongY(1, 1));
     QVERIFY(seen && std::abs(seen->place.y() - 5) < 1e-9);
-    QVERIFY(std::abs(seen->value - slanted(seen->place)) < 1e-6);
+    QVERIFY(std::abs(*seen->value - slanted(seen->place)) < 1e-6);
     scene.clipPlanes.push_back({{0, -1, 0}, -4}); // nothing is left
     QVERIFY(!seenPlace(scene, alongY(1, 1)));
 }
 
 void SeenPlaceTest::theSurfaceThatTakesMostIsSeen()
 {
-    Scene scene;
+    SceneParts scene;
     scene.surfaces = {wall(8, 1), wall(2, 0.2F), wall(4, 0.5F)};
     auto seen = seenPlace(scene, alongY(1, 1)); // takes 0.2, 0.8 * 0.5 = 0.4, and 0.8 * 0.5 of what is left
-    QVERIFY(seen && seen->surface == std::optional<std::size_t>(2));
+    QVERIFY(seen && seen->drawable == "surface-2");
     QVERIFY(std::abs(seen->share - 0.4) < 1e-6);
     scene.surfaces[1].opacity = 0.7F;
     seen = seenPlace(scene, alongY(1, 1));
-    QVERIFY(seen && seen->surface == std::optional<std::size_t>(1));
+    QVERIFY(seen && seen->drawable == "surface-1");
     // The diagonal of the wall is an edge of two triangles: it takes the light once.
     scene.surfaces = {wall(2, 0.4F), wall(3, 1)};
     seen = seenPlace(scene, alongY(0, 0));
-    QVERIFY(seen && seen->surface == std::optional<std::size_t>(1));
-    QCOMPARE(surfaceCrossings(scene.surfaces, alongY(0, 0), {}).size(), std::size_t(2));
+    QVERIFY(seen && seen->drawable == "surface-1");
+    QCOMPARE(surfaceCrossings(Scene(scene), alongY(0, 0), {}).size(), std::size_t(2));
 }
 
 void SeenPlaceTest::aDenseCloudHidesASurface()
 {
-    Scene scene;
+    SceneParts scene;
     scene.surfaces = {wall(5, 1)};
     const auto constant = [](const Eigen::Vector3d&) { return 0.5; };
     scene.volume = volumeOf(latticeMesh(3, extent, Split::Five, constant), {{}, {{0.5, 0.5F}}});
     auto seen = seenPlace(scene, alongY(3.1, 2.2)); // 1 - 0.5^5 before the wall
-    QVERIFY(seen && !seen->surface);
+    QVERIFY(seen && seen->drawable.starts_with("volume"));
     QVERIFY(std::abs(seen->place.y()) < 1e-5); // the front takes most
     QVERIFY(std::abs(seen->share - (1 - std::pow(0.5, 5))) < 1e-5);
     scene.volume = volumeOf(latticeMesh(3, extent, Split::Five, constant), {{}, {{0.5, 0.05F}}});
     seen = seenPlace(scene, alongY(3.1, 2.2));
-    QVERIFY(seen && seen->surface);
+    QVERIFY(seen && seen->drawable == "surface-0");
     QVERIFY(std::abs(seen->share - std::pow(0.95, 5)) < 1e-5);
 }
 
 void SeenPlaceTest::nothingIsSeenOfWhatIsTransparent()
 {
-    Scene scene;
+    SceneParts scene;
     QVERIFY(!seenPlace(scene, alongY(1, 1)));
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), {{}, {{0.5, 0.0001F}}});
     QVERIFY(!seenPlace(scene, alongY(1, 1)));
@@ -199,7 +200,7 @@ void SeenPlaceTest::nothingIsSeenOfWhatIsTransparent()
 void SeenPlaceTest::betweenTwoCellsTheLightIsTakenOnce()
 {
     const auto constant = [](const Eigen::Vector3d&) { return 0.5; };
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, constant), {{}, {{0.5, 0.01F}}});
     // Within faces between cubes, along their edges, and through corners.
     for (const auto& [x, z] : {std::pair(5.0, 3.0), std::pair(5.0, 5.0), std::pair(2.0, 5.0)}) {
@@ -214,16 +215,16 @@ void SeenPlaceTest::theFocusIsLookedAtInItsPart()
     const auto coarse = [](const Eigen::Vector3d&) { return 0.2; };
     const auto fine = [](const Eigen::Vector3d&) { return 0.8; };
     const TransferFunction function = transferFunctionFromPoints({{0.2, {}, 0.01F}, {0.8, {}, 0.9F}}, 1);
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, coarse), function);
-    scene.focus = FocusVolume{volumeOf(latticeMesh(2, extent, Split::Five, fine), function), Sphere{{5, 5, 5}, 2}, 1};
+    scene.focus = FinePart{volumeOf(latticeMesh(2, extent, Split::Five, fine), function), Sphere{{5, 5, 5}, 2}, 1};
     auto seen = seenPlace(scene, alongY(5.1, 4.9));
     QVERIFY(seen.has_value());
-    QVERIFY(std::abs(seen->value - 0.8) < 1e-6);
+    QVERIFY(std::abs(*seen->value - 0.8) < 1e-6);
     QVERIFY(std::abs(seen->place.y() - 2.5) < 0.02); // half of the border
     seen = seenPlace(scene, alongY(1, 1));           // beside it
     QVERIFY(seen.has_value());
-    QVERIFY(std::abs(seen->value - 0.2) < 1e-6);
+    QVERIFY(std::abs(*seen->value - 0.2) < 1e-6);
     scene.focus->region = Box{{4, 3, 4}, {6, 7, 6}};
     seen = seenPlace(scene, alongY(5.1, 4.9));
     QVERIFY(seen && std::abs(seen->place.y() - 2.5) < 1e-6);
@@ -231,7 +232,7 @@ void SeenPlaceTest::theFocusIsLookedAtInItsPart()
 
 void SeenPlaceTest::cancelledIsNothing()
 {
-    Scene scene;
+    SceneParts scene;
     scene.volume = volumeOf(latticeMesh(2, extent, Split::Five, slanted), peaks());
     std::stop_source stop;
     stop.request_stop();

@@ -226,7 +226,7 @@ void RayIntegrator::through(Light& light, const Piece& piece) const
     std::ranges::sort(met);
     double from = 0;
     for (const auto& [at, layer] : met) {
-        if (scene_.order == HybridOrder::Exact) {
+        if (!scene_.wholeCells) {
             march(light, piece, from, at);
             from = at;
         }

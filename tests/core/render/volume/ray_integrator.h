@@ -26,7 +26,7 @@ struct IsoLayer {
 /// What an integrator draws beside the volume.
 struct RayScene {
     std::vector<IsoLayer> layers;
-    HybridOrder order = HybridOrder::Exact;
+    bool wholeCells = false;
     std::vector<ClipPlane> clipPlanes;
     bool shaded = false;
     /// Rays begin as far before the domain as in a scene with these bounds; empty: those of the mesh.

@@ -3,6 +3,7 @@
 #include "core/render/scene_checks.h"
 #include "core/render/volume/volume_renderer.h"
 #include "tests/core/render/lattice_mesh.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/core/render/volume/ray_integrator.h"
 #include "tests/core/render/volume/volume_meshes.h"
 
@@ -331,7 +332,7 @@ void VolumePictureTest::theLargestPicturesAreWhole()
 
     // Back ends draw larger ones in parts.
     const auto shared = std::make_shared<const TetrahedralMesh>(mesh);
-    Scene scene{{}, {}, bounds};
+    SceneParts scene{{}, {}, bounds};
     scene.volume = Volume{std::make_shared<const VolumeMesh>(makeVolumeMesh(shared).value()),
                           std::make_shared<const VolumeTransfer>(makeVolumeTransfer(mesh, black).value())};
     for (const auto& [columns, rows] : {std::pair{largestPictureSide, 1}, {1, largestPictureSide}}) {

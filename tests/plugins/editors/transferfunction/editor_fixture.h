@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plugins/editors/transferfunction/transfer_canvas.h"
-#include "tests/ui/moment.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 
 #include <tan/transfer.h>
@@ -25,14 +25,14 @@ public:
         session().setTransfer(
             sequentialTransferFunction(session().range().minimum, session().range().maximum, function().unitDistance));
         // In the plot the isovalue stands where no test drags anything.
-        Isovalue isovalue = session().view().isovalues().front();
+        Isovalue isovalue = session().view().isovalues.front();
         isovalue.value = (session().range().minimum + session().range().maximum) / 2;
         session().setIsovalue(0, isovalue);
         find<QAction>("action.mode.volume").trigger();
-        [&] { QTRY_VERIFY(settled() && viewport().scene()->volume); }();
+        [&] { QTRY_VERIFY(settled() && testing::partsOf(*viewport().scene()).volume); }();
         opened_ = session().model();
         session().undoStack().clear();
-        start_ = momentOf(session(), viewport());
+        start_ = session().view();
     }
 
     /// Brings back what was there at first, and says whether that is so; then another test can begin.
@@ -61,11 +61,11 @@ public:
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(&canvas(), &leave);
         [&] { QTRY_VERIFY(settled()); }();
-        return momentOf(session(), viewport()) == start_;
+        return session().view() == start_;
     }
 
     Session& session() const { return workbench.session(); }
-    const TransferFunction& transfer() const { return session().view().look().transfer; }
+    const TransferFunction& transfer() const { return session().view().appearance.transfer; }
     /// As the editor shows it.
     JoinedFunction function() const { return joined(transfer()); }
     int undoSteps() const { return session().undoStack().index(); }
@@ -91,7 +91,7 @@ public:
 
 private:
     std::shared_ptr<const Model> opened_;
-    Moment start_;
+    ViewValue start_;
 };
 
 /// An editor as it is at first: the one that a test before has used, if that can go back.

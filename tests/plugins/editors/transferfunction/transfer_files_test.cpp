@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 
 #include "core/transfer/colour_map.h"
@@ -30,7 +31,7 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
-    const TransferFunction& function() const { return session().view().look().transfer; }
+    const TransferFunction& function() const { return session().view().appearance.transfer; }
     int undoSteps() const { return session().undoStack().index(); }
     void choose(const char* dialog, const QString& path) const;
     QString written(const char* name, const QByteArray& text) const;
@@ -61,7 +62,7 @@ void TransferFilesTest::init()
     window_->window.open(model_);
     QTRY_VERIFY(session().model() && window_->settled());
     window_->find<QAction>("action.mode.volume").trigger();
-    QTRY_VERIFY(window_->settled() && window_->viewport().scene()->volume);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).volume);
 }
 
 void TransferFilesTest::cleanup()

@@ -30,7 +30,7 @@ private slots:
 
 private:
     JoinedFunction function() const { return editor_->function(); }
-    const std::vector<Isovalue>& isovalues() const { return editor_->session().view().isovalues(); }
+    const std::vector<Isovalue>& isovalues() const { return editor_->session().view().isovalues; }
     double atShare(double share) const
     {
         return std::lerp(editor_->session().range().minimum, editor_->session().range().maximum, share);

@@ -104,13 +104,13 @@ void TransferPickTest::theMenuAddsPointAndIsovalue()
     pick();
     const double value = picked()->value;
     const int steps = editor_->undoSteps();
-    const int isovalues = editor_->session().view().isovalueCount();
+    const auto isovalues = editor_->session().view().isovalues.size();
     const JoinedFunction before = editor_->function();
     action("point").trigger();
     QCOMPARE(editor_->function(), withPoint(before, value)->function);
     action("isovalue").trigger();
-    QCOMPARE(editor_->session().view().isovalueCount(), isovalues + 1);
-    QCOMPARE(editor_->session().view().isovalues().back().value, value);
+    QCOMPARE(editor_->session().view().isovalues.size(), isovalues + 1);
+    QCOMPARE(editor_->session().view().isovalues.back().value, value);
     QCOMPARE(editor_->undoSteps(), steps + 2);
     action("forget").trigger();
     QVERIFY(!picked());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hybrid renderer: surfaces and volume of one mesh in one scene.
 #include "core/render/volume/volume_mesh.h"
-#include "plugins/renderers/hybrid/hybrid_renderer.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
 
 #include <tan/mesh.h>
@@ -18,7 +18,7 @@ class HybridRendererTest : public QObject {
 private slots:
     void parametersAreThoseOfBothAndTheOrder()
     {
-        const auto parameters = HybridRenderer().parameters({{-10, 30}, unitBox});
+        const auto parameters = rendererNamed("hybrid").parameters({{-10, 30}, unitBox});
         for (const char* id : {"transfer", "isovalues", "shaded", "order", "boundary", "boundary-opacity",
                                "boundary-far-side", "clip", "outline"})
             QVERIFY2(std::ranges::count(parameters, id, &Parameter::id) == 1, id);
@@ -31,18 +31,18 @@ private slots:
     void surfacesLieInTheVolume()
     {
         const auto mesh = cone(8);
-        const auto session = HybridRenderer().open(mesh, unitBox);
+        const auto session = open("hybrid", mesh);
         const auto scene = prepared(*session, {});
-        QCOMPARE(scene->surfaces.size(), std::size_t(1));
-        QVERIFY(!scene->surfaces[0].mesh->triangles.empty());
-        QVERIFY(scene->volume->mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
-        QVERIFY(scene->hybridOrder == HybridOrder::Exact);
-        QCOMPARE(scene->lines.size(), std::size_t(1));
+        QCOMPARE(partsOf(*scene).surfaces.size(), std::size_t(1));
+        QVERIFY(!partsOf(*scene).surfaces[0].mesh->triangles.empty());
+        QVERIFY(partsOf(*scene).volume->mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
+        QVERIFY(!partsOf(*scene).wholeCells);
+        QCOMPARE(partsOf(*scene).lines.size(), std::size_t(1));
     }
 
     void valuesBecomeTheScene()
     {
-        const auto session = HybridRenderer().open(cone(8), unitBox);
+        const auto session = open("hybrid", cone(8));
         const std::vector<Isovalue> isovalues = {{0.2, 1, 0, 0, 0.25f, true}, {0.4, 0, 1, 0, 1, true}};
         const ParameterValues values = {{"isovalues", isovalues},
                                         {"shaded", true},
@@ -50,27 +50,27 @@ private slots:
                                         {"clip", std::string("0,1,0,0.5")},
                                         {"outline", false}};
         const auto scene = prepared(*session, values);
-        QCOMPARE(scene->surfaces.size(), std::size_t(2));
-        QCOMPARE(scene->surfaces[0].opacity, 0.25f);
-        QVERIFY(scene->volume->shaded);
-        QVERIFY(scene->hybridOrder == HybridOrder::WithCell);
+        QCOMPARE(partsOf(*scene).surfaces.size(), std::size_t(2));
+        QCOMPARE(partsOf(*scene).surfaces[0].opacity, 0.25f);
+        QVERIFY(partsOf(*scene).volume->shaded);
+        QVERIFY(partsOf(*scene).wholeCells);
         QCOMPARE(scene->clipPlanes.size(), std::size_t(1));
-        QVERIFY(scene->lines.empty());
+        QVERIFY(partsOf(*scene).lines.empty());
 
         const auto again = prepared(*session, {{"isovalues", isovalues}});
-        QCOMPARE(again->surfaces[1].mesh, scene->surfaces[1].mesh);
-        QCOMPARE(again->volume->mesh, scene->volume->mesh);
-        QCOMPARE(again->volume->transfer, scene->volume->transfer);
+        QCOMPARE(partsOf(*again).surfaces[1].mesh, partsOf(*scene).surfaces[1].mesh);
+        QCOMPARE(partsOf(*again).volume->mesh, partsOf(*scene).volume->mesh);
+        QCOMPARE(partsOf(*again).volume->transfer, partsOf(*scene).volume->transfer);
     }
 
     void badValuesAreErrors()
     {
-        const auto session = HybridRenderer().open(cone(8), unitBox);
-        const auto order = session->prepare({{"order", std::string("random")}}, {}, {});
+        const auto session = open("hybrid", cone(8));
+        const auto order = session->prepare({{{"order", std::string("random")}}}, {});
         QCOMPARE(order.error().kind, ErrorKind::WrongUsage);
         QVERIFY(order.error().text().find("'random'") != std::string::npos);
-        QCOMPARE(session->prepare({{"clip", std::string("0,0,0,0")}}, {}, {}).error().kind, ErrorKind::WrongUsage);
-        QVERIFY(!session->prepare({{"transfer", TransferFunction{{}, {}, -1}}}, {}, {}).ok());
+        QCOMPARE(session->prepare({{{"clip", std::string("0,0,0,0")}}}, {}).error().kind, ErrorKind::WrongUsage);
+        QVERIFY(!session->prepare({{{"transfer", TransferFunction{{}, {}, -1}}}}, {}).ok());
     }
 
     void reportsBothParts()
@@ -81,14 +81,12 @@ private slots:
             falls |= fraction < last;
             last = fraction;
         });
-        QVERIFY(HybridRenderer().open(cone(8), unitBox)->prepare({}, {}, progress).ok());
+        QVERIFY(open("hybrid", cone(8))->prepare({}, progress).ok());
         QCOMPARE(last, 1.0);
         QVERIFY(!falls);
     }
 
-    void showsTheBoundary() { checkBoundary(HybridRenderer(), 1); }
-
-    void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "hybrid"); }
+    void showsTheBoundary() { checkBoundary("hybrid", 1); }
 };
 
 QTEST_GUILESS_MAIN(HybridRendererTest)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The volume renderer: its parameters become a scene; what is costly is made once.
 #include "core/render/volume/volume_mesh.h"
-#include "plugins/renderers/volume/volume_renderer.h"
+#include "tests/core/render/scene_parts.h"
 #include "tests/plugins/renderers/renderer_fixture.h"
 
 #include <tan/mesh.h>
@@ -22,7 +22,7 @@ class VolumeRendererTest : public QObject {
 private slots:
     void defaultsFitTheField()
     {
-        const auto parameters = VolumeRenderer().parameters({{-10, 30}, unitBox});
+        const auto parameters = rendererNamed("volume").parameters({{-10, 30}, unitBox});
         for (const auto& parameter : parameters)
             QVERIFY(!parameter.id.empty() && !parameter.label.empty() && !parameter.explanation.empty());
         const auto function = parameterValue<TransferFunction>(parameters, {}, "transfer");
@@ -38,70 +38,68 @@ private slots:
     /// As for --help, before there is a model.
     void defaultsOfNothingAreUsable()
     {
-        const auto function = parameterValue<TransferFunction>(VolumeRenderer().parameters({}), {}, "transfer");
+        const auto function = parameterValue<TransferFunction>(rendererNamed("volume").parameters({}), {}, "transfer");
         QVERIFY(checkTransferFunction(function).ok());
     }
 
     void missingValuesAreDefaults()
     {
         const auto mesh = cone(6);
-        const auto scene = prepared(*VolumeRenderer().open(mesh, unitBox), {});
-        QVERIFY(scene->volume.has_value());
-        QVERIFY(scene->volume->mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
-        QCOMPARE(scene->volume->transfer->classes.size(), mesh->tetrahedra.size());
-        QVERIFY(!scene->volume->shaded);
-        QVERIFY(scene->surfaces.empty() && scene->clipPlanes.empty());
-        QCOMPARE(scene->lines.size(), std::size_t(1));
+        const auto scene = prepared(*open("volume", mesh), {});
+        QVERIFY(partsOf(*scene).volume.has_value());
+        QVERIFY(partsOf(*scene).volume->mesh->mesh->tetrahedra == inSpatialOrder(*mesh)->tetrahedra);
+        QCOMPARE(partsOf(*scene).volume->transfer->classes.size(), mesh->tetrahedra.size());
+        QVERIFY(!partsOf(*scene).volume->shaded);
+        QVERIFY(partsOf(*scene).surfaces.empty() && scene->clipPlanes.empty());
+        QCOMPARE(partsOf(*scene).lines.size(), std::size_t(1));
         QVERIFY(scene->bounds.isApprox(unitBox));
     }
 
     void valuesBecomeTheScene()
     {
-        const auto session = VolumeRenderer().open(cone(6), unitBox);
+        const auto session = open("volume", cone(6));
         const auto scene = prepared(
             *session, {{"transfer", step}, {"shaded", true}, {"clip", std::string("0,1,0,0.5")}, {"outline", false}});
-        QVERIFY(scene->volume->shaded);
-        QCOMPARE(scene->volume->transfer->segments.size(), std::size_t(2));
-        QVERIFY(scene->lines.empty());
+        QVERIFY(partsOf(*scene).volume->shaded);
+        QCOMPARE(partsOf(*scene).volume->transfer->segments.size(), std::size_t(2));
+        QVERIFY(partsOf(*scene).lines.empty());
         QCOMPARE(scene->clipPlanes.size(), std::size_t(1));
         QCOMPARE(scene->clipPlanes[0].offset, 0.5);
     }
 
     void onlyAnotherFunctionIsMadeReady()
     {
-        const auto session = VolumeRenderer().open(cone(6), unitBox);
+        const auto session = open("volume", cone(6));
         const auto first = prepared(*session, {{"transfer", step}});
         const auto lit = prepared(*session, {{"transfer", step}, {"shaded", true}});
-        QCOMPARE(lit->volume->mesh, first->volume->mesh);
-        QCOMPARE(lit->volume->transfer, first->volume->transfer);
+        QCOMPARE(partsOf(*lit).volume->mesh, partsOf(*first).volume->mesh);
+        QCOMPARE(partsOf(*lit).volume->transfer, partsOf(*first).volume->transfer);
         const auto other = prepared(*session, {});
-        QCOMPARE(other->volume->mesh, first->volume->mesh);
-        QVERIFY(other->volume->transfer != first->volume->transfer);
+        QCOMPARE(partsOf(*other).volume->mesh, partsOf(*first).volume->mesh);
+        QVERIFY(partsOf(*other).volume->transfer != partsOf(*first).volume->transfer);
     }
 
     void badValuesAreErrors()
     {
-        const auto session = VolumeRenderer().open(cone(6), unitBox);
+        const auto session = open("volume", cone(6));
         TransferFunction wrong = step;
         wrong.unitDistance = 0;
-        QVERIFY(!session->prepare({{"transfer", wrong}}, {}, {}).ok());
-        QCOMPARE(session->prepare({{"clip", std::string("0,0,0,0")}}, {}, {}).error().kind, ErrorKind::WrongUsage);
+        QVERIFY(!session->prepare({{{"transfer", wrong}}}, {}).ok());
+        QCOMPARE(session->prepare({{{"clip", std::string("0,0,0,0")}}}, {}).error().kind, ErrorKind::WrongUsage);
         std::stop_source stop;
         stop.request_stop();
-        QCOMPARE(session->prepare({}, {}, Progress(stop.get_token(), {})).error().kind, ErrorKind::Cancelled);
-        QVERIFY(session->prepare({}, {}, {}).ok());
+        QCOMPARE(session->prepare({}, Progress(stop.get_token(), {})).error().kind, ErrorKind::Cancelled);
+        QVERIFY(session->prepare({}, {}).ok());
     }
 
     void emptyMeshShowsTheOutline()
     {
-        const auto scene = prepared(*VolumeRenderer().open(std::make_shared<TetrahedralMesh>(), unitBox), {});
-        QVERIFY(scene->volume->mesh->mesh->tetrahedra.empty());
-        QCOMPARE(scene->lines.size(), std::size_t(1));
+        const auto scene = prepared(*open("volume", std::make_shared<TetrahedralMesh>()), {});
+        QVERIFY(partsOf(*scene).volume->mesh->mesh->tetrahedra.empty());
+        QCOMPARE(partsOf(*scene).lines.size(), std::size_t(1));
     }
 
-    void showsTheBoundary() { checkBoundary(VolumeRenderer(), 0); }
-
-    void pluginLoads() { checkRendererPlugin(TAN_PLUGIN_FILE, "volume"); }
+    void showsTheBoundary() { checkBoundary("volume", 0); }
 };
 
 QTEST_GUILESS_MAIN(VolumeRendererTest)

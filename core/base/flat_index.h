@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/base.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+namespace tetra {
+
+/// Spreads integers over 64 bits, the upper ones best: Fibonacci hashing.
+struct FibonacciHash {
+    std::uint64_t operator()(std::uint64_t key) const noexcept { return key * 0x9e3779b97f4a7c15u; }
+};
+
+/// Numbers keys by their first appearance: the first key is 0, the next one that differs is 1, and so on. What belongs
+/// to a key lies in an array of the caller's, under its number.
+///
+///     FlatIndex<std::uint64_t> edges;
+///     std::vector<Eigen::Vector3f> middles; // of each edge
+///     for (...) {
+///         const std::uint32_t number = edges.numberOf(edgeKey(a, b));
+///         if (number == middles.size()) // the edge is new
+///             middles.push_back((positions[a] + positions[b]) / 2);
+///     }
+///
+/// A hash table by open addressing: slots that hold numbers, at most half of them, and the keys in order. Against
+/// std::unordered_map there is no allocation a key, no pointer to follow, the numbers do not depend on the library, and
+/// the keys can be walked in their order. Whether a key is new is as a rule hard to predict, so that decides no branch.
+/// Nothing can be taken out but everything.
+///
+/// Keys can be copied byte by byte, and every key equals itself; at most 2^32 - 2 differ. `Hash` gives 64 bits of which
+/// the upper ones are spread. Hash and equality may have data: keys that are indices into an array can be compared by
+/// what lies there. 8 to 16 bytes a key, and the key once or twice. All members are O(1) a key, growing included. May
+/// throw std::bad_alloc.
+template <class Key, class Hash = FibonacciHash, class Equal = std::equal_to<Key>> class FlatIndex {
+    static_assert(std::is_trivially_copyable_v<Key>);
+
+public:
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    explicit FlatIndex(Hash hash = {}, Equal equal = {}) : hash_(hash), equal_(equal) {}
+
+    /// Forgets all keys, but keeps their memory for the next ones. Makes slots for `expected` different keys; twice as
+    /// many as come leave room for them to lie where they belong, fewer are rehashed as they come. O(expected).
+    void clear(std::size_t expected = 0)
+    {
+        count_ = 0;
+        makeSlots(slotsFor(expected + 1));
+    }
+
+    /// The key's number; it gets one if it has none.
+    std::uint32_t numberOf(const Key& key)
+    {
+        reserve(1);
+        Numbering numbering = begin();
+        const std::uint32_t number = numbering.numberOf(key);
+        count_ = numbering.count;
+        return number;
+    }
+
+    /// Calls take(i, number) for the number of each keys[i], in order: sooner done than one by one. Makes slots for all
+    /// of them. `take` does not look at this index.
+    template <class Take> void numberAll(std::span<const Key> keys, Take&& take)
+    {
+        reserve(keys.size());
+        Numbering numbering = begin();
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            take(i, numbering.numberOf(keys[i]));
+        count_ = numbering.count;
+    }
+
+    /// The key's number, or none.
+    std::uint32_t find(const Key& key) const noexcept
+    {
+        if (count_ == 0)
+            return none;
+        std::size_t slot = hash_(key) >> shift_;
+        while (slots_[slot] != none && !equal_(keys_[slots_[slot]], key))
+            slot = (slot + 1) & (slots_.size() - 1);
+        return slots_[slot];
+    }
+    bool contains(const Key& key) const noexcept { return find(key) != none; }
+
+    /// The different keys, each under its number.
+    std::span<const Key> keys() const noexcept { return {keys_.data(), count_}; }
+    std::size_t size() const noexcept { return count_; }
+
+private:
+    static constexpr std::size_t fewestSlots = 16;
+
+    /// What numbering takes, small enough to be kept in registers.
+    struct Numbering {
+        std::uint32_t* slots;
+        Key* keys;
+        std::size_t mask;
+        int shift;
+        std::uint32_t count;
+        [[no_unique_address]] Hash hash;
+        [[no_unique_address]] Equal equal;
+
+        /// As if the key were new and had the next number already: an empty slot, whose number is larger than all, then
+        /// reads as that.
+        std::uint32_t numberOf(const Key& key)
+        {
+            keys[count] = key;
+            for (std::size_t slot = hash(key) >> shift;; slot = (slot + 1) & mask) {
+                const std::uint32_t number = std::min(slots[slot], count);
+                slots[slot] = number;
+                if (equal(keys[number], key)) {
+                    count += number == count ? 1 : 0;
+                    return number;
+                }
+            }
+        }
+    };
+
+    Numbering begin() noexcept
+    {
+        return {slots_.data(), keys_.data(), slots_.size() - 1, shift_, count_, hash_, equal_};
+    }
+
+    static std::size_t slotsFor(std::size_t keys) { return std::bit_ceil(std::max(fewestSlots, 2 * keys)); }
+
+    /// For so many keys more, and the one that is tried.
+    void reserve(std::size_t more)
+    {
+        const std::size_t most = count_ + more + 1;
+        if (keys_.size() < most)
+            keys_.resize(std::max(most, 2 * keys_.size()));
+        if (slots_.size() < 2 * most)
+            makeSlots(slotsFor(most));
+    }
+
+    void makeSlots(std::size_t size)
+    {
+        slots_.assign(size, none);
+        shift_ = 64 - std::countr_zero(size);
+        for (std::uint32_t number = 0; number < count_; ++number) {
+            std::size_t slot = hash_(keys_[number]) >> shift_;
+            while (slots_[slot] != none)
+                slot = (slot + 1) & (size - 1);
+            slots_[slot] = number;
+        }
+    }
+
+    Buffer<std::uint32_t> slots_; ///< the number of the key that lies there, or none
+    Buffer<Key> keys_;            ///< as many as count_, and room
+    std::uint32_t count_ = 0;
+    int shift_ = 0; ///< what leaves a slot of a hash
+    [[no_unique_address]] Hash hash_;
+    [[no_unique_address]] Equal equal_;
+};
+
+} // namespace tetra

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+
+#include <tan/render.h>
+
+#include <algorithm>
+#include <string>
+
+namespace tetra {
+namespace {
+
+/// Numbers of a model as both its forms take them.
+struct ModelNumbers {
+    float least, perValue; ///< (value - least) * perValue is in [0, 1] within the range
+    Colour colour;
+
+    ModelNumbers(double smallest, double largest, const Colour& ofIt)
+        : least(static_cast<float>(smallest)),
+          perValue(largest > smallest ? static_cast<float>(1 / (largest - smallest)) : 0), colour(ofIt)
+    {
+    }
+
+    void set(const OpticalPieces& pieces, std::size_t i, float opacity) const
+    {
+        pieces.red[i] = colour.red * opacity;
+        pieces.green[i] = colour.green * opacity;
+        pieces.blue[i] = colour.blue * opacity;
+        pieces.transmittance[i] = 1 - opacity;
+    }
+
+    /// A shader that gives this opacity; a number of the text is `float(...)`, as GLSL reads 1 as a whole number.
+    std::string shader(const std::string& opacity) const
+    {
+        const auto number = [](float value) { return "float(" + formatNumber(value) + ")"; };
+        return "const float least = " + number(least) + ", perValue = " + number(perValue) +
+               ";\n"
+               "vec4 lightOfPiece(float entry, float exit, float way, float gradient)\n{\n    float opacity = " +
+               opacity + ";\n    return vec4(vec3(" + number(colour.red) + ", " + number(colour.green) + ", " +
+               number(colour.blue) + ") * opacity, opacity);\n}\n";
+    }
+};
+
+} // namespace
+
+std::shared_ptr<const OpticalModel> maximumIntensity(double least, double largest, const Colour& colour)
+{
+    const ModelNumbers numbers(least, largest, colour);
+    OpticalModel model;
+    model.combiner = Combiner::Maximum;
+    model.evaluate = [numbers](const OpticalPieces& pieces) {
+        for (std::size_t i = 0; i < pieces.count; ++i) {
+            const float most = std::max(pieces.entry[i], pieces.exit[i]);
+            numbers.set(pieces, i, std::clamp((most - numbers.least) * numbers.perValue, 0.0f, 1.0f));
+        }
+    };
+    model.shader = numbers.shader("clamp((max(entry, exit) - least) * perValue, 0.0, 1.0)");
+    return std::make_shared<const OpticalModel>(std::move(model));
+}
+
+std::shared_ptr<const OpticalModel> xRay(double least, double largest, double opaqueLength, const Colour& colour)
+{
+    const ModelNumbers numbers(least, largest, colour);
+    const auto perLength = static_cast<float>(opaqueLength > 0 ? 1 / opaqueLength : 0);
+    OpticalModel model;
+    model.combiner = Combiner::Sum;
+    model.evaluate = [numbers, perLength](const OpticalPieces& pieces) {
+        for (std::size_t i = 0; i < pieces.count; ++i) {
+            const float mean = (pieces.entry[i] + pieces.exit[i]) / 2;
+            const float share = std::clamp((mean - numbers.least) * numbers.perValue, 0.0f, 1.0f);
+            numbers.set(pieces, i, std::min(share * pieces.length[i] * perLength, 1.0f));
+        }
+    };
+    model.shader = numbers.shader("min(clamp(((entry + exit) * 0.5 - least) * perValue, 0.0, 1.0) * way * float(" +
+                                  formatNumber(perLength) + "), 1.0)");
+    return std::make_shared<const OpticalModel>(std::move(model));
+}
+
+} // namespace tetra

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <plugins/api/scene_parameters.h>
+
+#include <QObject>
+
+namespace {
+using namespace tetra;
+
+class Shells : public RendererSession {
+public:
+    explicit Shells(const RendererMeshes& meshes) : meshes_(meshes), surfaces_(meshes.mesh) {}
+
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
+    {
+        auto scene = startScene(view, meshes_.bounds);
+        if (!scene)
+            return scene.error();
+        const auto function = view.value<TransferFunction>(transferId);
+        const auto count = view.value<std::int64_t>("shells");
+        const ValueRange range = extentOf(*meshes_.mesh, meshes_.bounds).range;
+        std::vector<Isovalue> isovalues;
+        for (std::int64_t i = 1; i <= count; ++i) {
+            const double value = range.minimum + range.extent() * double(i) / double(count + 1);
+            const auto [red, green, blue] = evaluateUnmasked(function, value).colour;
+            isovalues.push_back({value, float(red), float(green), float(blue), 0.4f});
+        }
+        auto shells = surfaces_.drawables(isovalues, progress);
+        if (!shells)
+            return shells.error();
+        std::ranges::move(*shells, std::back_inserter(scene->drawables));
+        return std::make_shared<const Scene>(*std::move(scene));
+    }
+
+private:
+    RendererMeshes meshes_;
+    IsosurfaceCache surfaces_;
+};
+} // namespace
+
+/// Shows isosurfaces of equally spaced values.
+class ShellsRenderer : public QObject, public tetra::Renderer {
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "shells_renderer.json")
+    Q_INTERFACES(tetra::Renderer)
+
+public:
+    std::vector<Parameter> parameters(const FieldExtent& field) const override
+    {
+        Parameter shells;
+        shells.id = "shells";
+        shells.label = "Shells";
+        shells.explanation = "How many.";
+        shells.defaultValue = std::int64_t{4};
+        shells.minimum = 1;
+        shells.maximum = 20;
+        return {transferParameter(field), shells, clipParameter(), outlineParameter()};
+    }
+    std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
+    {
+        return std::make_unique<Shells>(meshes);
+    }
+};
+
+#include "shells_renderer.moc"

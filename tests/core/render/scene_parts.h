@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/render.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace tetra::testing {
+
+/// The fine part of a blend.
+struct FinePart {
+    Volume fine;
+    std::variant<Box, Sphere> region;
+    double border = 0;
+};
+
+/// A scene by the kinds of its shapes, to be put together and taken apart.
+struct SceneParts {
+    std::vector<Surface> surfaces{};
+    std::vector<LineSet> lines{};
+    Eigen::AlignedBox3d bounds{};
+    std::optional<Volume> volume{};
+    std::optional<FinePart> focus{}; ///< of the volume
+    bool wholeCells = false;         ///< of the volume
+    std::vector<ClipPlane> clipPlanes{};
+
+    operator Scene() const // NOLINT(google-explicit-constructor): tests hand it on as a scene
+    {
+        Scene scene{.bounds = bounds, .clipPlanes = clipPlanes};
+        const auto add = [&](const std::string& kind, Shape shape) {
+            scene.drawables.push_back(
+                {.id = kind + "-" + std::to_string(scene.drawables.size()), .shape = std::move(shape)});
+        };
+        for (const Surface& surface : surfaces)
+            add("surface", surface);
+        for (const LineSet& set : lines)
+            add("lines", set);
+        if (volume) {
+            Volume outside = *volume;
+            outside.wholeCells = wholeCells;
+            if (focus)
+                add("volume", FocusVolume{outside, focus->fine, focus->region, focus->border});
+            else
+                add("volume", outside);
+        }
+        return scene;
+    }
+};
+
+inline SceneParts partsOf(const Scene& scene)
+{
+    SceneParts parts{.bounds = scene.bounds, .clipPlanes = scene.clipPlanes};
+    for (const Drawable& drawable : scene.drawables) {
+        if (const auto* surface = std::get_if<Surface>(&drawable.shape))
+            parts.surfaces.push_back(*surface);
+        else if (const auto* lines = std::get_if<LineSet>(&drawable.shape))
+            parts.lines.push_back(*lines);
+        else if (const auto* volume = std::get_if<Volume>(&drawable.shape))
+            parts.volume = *volume;
+        else if (const auto* focus = std::get_if<FocusVolume>(&drawable.shape)) {
+            parts.volume = focus->outside;
+            parts.focus = FinePart{focus->fine, focus->region, focus->border};
+        }
+    }
+    parts.wholeCells = parts.volume && parts.volume->wholeCells;
+    return parts;
+}
+
+} // namespace tetra::testing

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/appearance.h"
+
+#include "plugins/api/boundary_parameters.h"
+
+#include <tan/transfer.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+constexpr std::array<std::string_view, 4> firstModes{"isosurface", "volume", "hybrid", "focus"};
+/// Opacities below this cannot be seen, and a surface that cannot be seen is hidden, not transparent.
+constexpr float leastOpacity = 0.01F;
+constexpr double unitDistances = 40; ///< in the diagonal, where no renderer says otherwise
+
+auto rank(const Provided<Renderer>& mode)
+{
+    return std::ranges::find(firstModes, std::string_view(mode.id)) - firstModes.begin();
+}
+
+bool fits(const Parameter& parameter, const ParameterValue& value)
+{
+    if (!haveOneType(value, parameter.defaultValue))
+        return false;
+    const auto* text = std::get_if<std::string>(&value);
+    return text == nullptr || parameter.choices.empty() ||
+           std::ranges::find(parameter.choices, *text) != parameter.choices.end();
+}
+
+/// The default that the first mode with this parameter has.
+template <class T> const T* firstDefault(const std::vector<std::vector<Parameter>>& modes, std::string_view id)
+{
+    for (const auto& parameters : modes)
+        for (const Parameter& parameter : parameters)
+            if (const T* value = std::get_if<T>(&parameter.defaultValue); value != nullptr && parameter.id == id)
+                return value;
+    return nullptr;
+}
+
+std::vector<std::vector<Parameter>> parametersOf(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
+{
+    std::vector<std::vector<Parameter>> parameters;
+    for (const Provided<Renderer>& mode : modes)
+        parameters.push_back(mode.plugin->parameters(field));
+    return parameters;
+}
+
+} // namespace
+
+std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
+{
+    auto modes = host.renderers();
+    std::ranges::stable_sort(modes, {}, rank);
+    return modes;
+}
+
+Appearance startingAppearance(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field,
+                              DomainClass domain)
+{
+    const auto parameters = parametersOf(modes, field);
+    const auto* transfer = firstDefault<TransferFunction>(parameters, transferId);
+    const double diagonal = field.bounds.isEmpty() ? unitDistances : field.bounds.diagonal().norm();
+    Appearance appearance{modes.empty() ? std::string() : modes.front().id,
+                          transfer != nullptr ? *transfer
+                                              : sequentialTransferFunction(field.range.minimum, field.range.maximum,
+                                                                           diagonal / unitDistances)};
+    if (domain == DomainClass::Irregular)
+        appearance.settings[boundaryId] = std::string(boundaryTranslucent);
+    return appearance;
+}
+
+std::vector<Isovalue> startingIsovalues(const std::vector<Provided<Renderer>>& modes, const FieldExtent& field)
+{
+    const auto parameters = parametersOf(modes, field);
+    const auto* isovalues = firstDefault<std::vector<Isovalue>>(parameters, isovaluesId);
+    return isovalues != nullptr ? *isovalues : std::vector<Isovalue>{};
+}
+
+Isovalue corrected(Isovalue isovalue, const ValueRange& range)
+{
+    isovalue.value = std::clamp(isovalue.value, range.minimum, range.maximum);
+    isovalue.opacity = std::clamp(isovalue.opacity, leastOpacity, 1.0F);
+    return isovalue;
+}
+
+ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Appearance& appearance,
+                               const std::vector<Isovalue>& isovalues)
+{
+    ParameterValues values;
+    for (const Parameter& parameter : parameters) {
+        if (parameter.id == isovaluesId && std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue))
+            values[parameter.id] = isovalues;
+        else if (parameter.id == transferId && std::holds_alternative<TransferFunction>(parameter.defaultValue))
+            values[parameter.id] = appearance.transfer;
+        else if (const auto found = appearance.settings.find(parameter.id);
+                 found != appearance.settings.end() && fits(parameter, found->second))
+            values[parameter.id] = found->second;
+    }
+    return values;
+}
+
+std::vector<Parameter> matteringParameters(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    std::vector<Parameter> mattering;
+    for (const Parameter& parameter : parameters)
+        if (matters(parameter, parameters, values))
+            mattering.push_back(parameter);
+    return mattering;
+}
+
+bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id)
+{
+    return std::ranges::find(parameters, id, &Parameter::id) != parameters.end();
+}
+
+std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameters)
+{
+    std::vector<Parameter> settings;
+    for (const Parameter& parameter : parameters)
+        if (!std::holds_alternative<std::vector<Isovalue>>(parameter.defaultValue) &&
+            !std::holds_alternative<TransferFunction>(parameter.defaultValue) &&
+            !std::holds_alternative<OwnValue>(parameter.defaultValue))
+            settings.push_back(parameter);
+    return settings;
+}
+
+} // namespace tetra

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/view_value.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace tetra {
+namespace {
+
+/// In the order of ViewPart.
+template <class View> auto partsOf(View& view)
+{
+    return std::tie(view.query, view.appearance.mode, view.appearance.transfer, view.appearance.settings,
+                    view.isovalues, view.annotations, view.animation, view.camera, view.background);
+}
+
+constexpr auto partCount = std::tuple_size_v<decltype(partsOf(std::declval<const ViewValue&>()))>;
+
+/// Calls `call` with the number of each part, as a constant.
+template <class Call> void forEachPart(Call call)
+{
+    [&]<std::size_t... Part>(std::index_sequence<Part...>)
+    {
+        (call(std::integral_constant<std::size_t, Part>()), ...);
+    }
+    (std::make_index_sequence<partCount>());
+}
+
+constexpr ViewPart partNumbered(std::size_t number)
+{
+    return static_cast<ViewPart>(1 << number);
+}
+
+} // namespace
+
+ViewParts differingParts(const ViewValue& one, const ViewValue& other)
+{
+    ViewParts differing;
+    forEachPart([&](auto part) {
+        differing.setFlag(partNumbered(part), std::get<part>(partsOf(one)) != std::get<part>(partsOf(other)));
+    });
+    return differing;
+}
+
+PartialView::PartialView(const ViewValue& view, ViewParts parts)
+{
+    parts_.reserve(static_cast<std::size_t>(qPopulationCount(static_cast<quint32>(parts.toInt()))));
+    forEachPart([&](auto part) {
+        if (parts & partNumbered(part))
+            parts_.emplace_back(std::in_place_index<part>, std::get<part>(partsOf(view)));
+    });
+}
+
+ViewValue PartialView::putInto(ViewValue view) const
+{
+    for (const Part& part : parts_)
+        std::visit([&](const auto& value) { std::get<std::decay_t<decltype(value)>&>(partsOf(view)) = value; }, part);
+    return view;
+}
+
+ViewParts PartialView::parts() const
+{
+    ViewParts parts;
+    for (const Part& part : parts_)
+        parts |= partNumbered(part.index());
+    return parts;
+}
+
+void PartialView::complete(const PartialView& others)
+{
+    const ViewParts own = parts();
+    for (const Part& part : others.parts_)
+        if (!(own & partNumbered(part.index())))
+            parts_.push_back(part);
+    std::ranges::sort(parts_, {}, &Part::index);
+}
+
+FilmFrame frameOf(const ViewValue& view)
+{
+    return {view.camera,      view.appearance.transfer, view.isovalues,
+            view.query.error, view.query.byBudget,      view.query.budget};
+}
+
+ViewValue withFrame(ViewValue view, const FilmFrame& frame)
+{
+    view.camera = frame.camera;
+    view.appearance.transfer = frame.transfer;
+    view.isovalues = frame.isovalues;
+    view.query.error = frame.error;
+    view.query.byBudget = frame.byBudget;
+    view.query.budget = frame.budget;
+    return view;
+}
+
+ViewValue viewAtFrame(const ViewValue& view, int frame)
+{
+    return withFrame(view, frameOf(view.animation, frameOf(view), frame));
+}
+
+} // namespace tetra

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/animation.h"
+#include "ui/session/annotation_state.h"
+#include "ui/session/appearance.h"
+#include "ui/session/query_state.h"
+
+#include <QFlags>
+
+#include <variant>
+
+namespace tetra {
+
+/// How a model is looked at, all of it: a value. Session shows it and makes its changes undoable, files keep it
+/// (view_json.h), pictures and films are made of it (view_picture.h).
+struct ViewValue {
+    QueryState query{};      ///< which mesh of the model
+    Appearance appearance{}; ///< how that is drawn
+    std::vector<Isovalue> isovalues{};
+    AnnotationState annotations{}; ///< what is written over the picture
+    Animation animation{};         ///< the film
+    Camera camera{};
+    std::optional<Colour> background{}; ///< none: the one that fits the desktop's colours
+    bool operator==(const ViewValue&) const = default;
+};
+
+/// The parts of a view that edits tell apart.
+enum class ViewPart {
+    Query = 1,
+    Mode = 2,
+    Transfer = 4,
+    Settings = 8,
+    Isovalues = 16,
+    Annotations = 32,
+    Animation = 64,
+    Camera = 128,
+    Background = 256,
+    Appearance = Mode | Transfer | Settings,
+    Scene = Query | Appearance | Isovalues, ///< what the scene is made of
+};
+Q_DECLARE_FLAGS(ViewParts, ViewPart)
+Q_DECLARE_OPERATORS_FOR_FLAGS(ViewParts)
+
+ViewParts differingParts(const ViewValue& one, const ViewValue& other);
+
+/// Some parts of a view, and no more: what a long history of edits keeps of each.
+class PartialView {
+public:
+    PartialView(const ViewValue& view, ViewParts parts);
+    ViewValue putInto(ViewValue view) const;
+    ViewParts parts() const;
+    /// With the parts of `others` that it has not.
+    void complete(const PartialView& others);
+    bool operator==(const PartialView&) const = default;
+
+private:
+    /// Each part is of a type of its own, in the order of ViewPart.
+    using Part = std::variant<QueryState, std::string, TransferFunction, ParameterValues, std::vector<Isovalue>,
+                              AnnotationState, Animation, Camera, std::optional<Colour>>;
+    std::vector<Part> parts_; ///< in that order
+};
+
+/// What of a view can move in a film.
+FilmFrame frameOf(const ViewValue& view);
+/// The view with what a frame of a film shows.
+ViewValue withFrame(ViewValue view, const FilmFrame& frame);
+/// What is seen at a frame of the view's film; a turntable starts from the view.
+ViewValue viewAtFrame(const ViewValue& view, int frame);
+
+} // namespace tetra
