@@ -4,13 +4,11 @@
 #include "core/data/cells/clean_cells.h"
 #include "plugins/host/colour_text.h"
 #include "plugins/host/dataset_opening.h"
-#include "plugins/host/dataset_saving.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/load_error.h"
 #include "plugins/host/model_building.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_text.h"
-#include "plugins/writers/mesh_file.h"
-#include "plugins/writers/surface_file.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/message_text.h"
@@ -228,8 +226,8 @@ private:
         add("a folder as a file", errorOf(FileWriter::create(folder_)));
         add("a name too long", errorOf(FileWriter::create(folder_ / std::string(300, 'n'))));
         add("no space left", fullDisk());
-        add("a mesh in an unknown format", errorOf(checkMeshFileName("mesh.doc")));
-        add("a surface in an unknown format", errorOf(checkSurfaceFileName("surface.doc")));
+        add("a mesh in an unknown format", errorOf(checkWritable(*host_, WrittenContent::Mesh, "mesh.doc")));
+        add("a surface in an unknown format", errorOf(checkWritable(*host_, WrittenContent::Surface, "surface.doc")));
         add("a dataset in an unknown format", errorOf(saveDataset(*host_, sampleDataset(4), "volume.doc", {}, {})));
         const std::array inputs{made("input.nrrd", "x")};
         add("output as input", errorOf(checkOutput(inputs[0], inputs)));
