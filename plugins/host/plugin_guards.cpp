@@ -3,6 +3,7 @@
 
 #include "core/base/checksum.h"
 #include "plugins/host/plugin_call.h"
+#include "plugins/host/renderer_guard.h"
 
 #include <algorithm>
 
@@ -215,6 +216,11 @@ std::unique_ptr<const Reader> guarded(const Reader& plugin, GuardTarget target)
 std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target)
 {
     return std::make_unique<GuardedWriter>(plugin, std::move(target));
+}
+
+std::unique_ptr<const Renderer> guarded(const Renderer& plugin, GuardTarget target)
+{
+    return guardedRenderer(std::move(target.id), plugin);
 }
 
 } // namespace tetra

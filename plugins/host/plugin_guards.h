@@ -3,6 +3,7 @@
 
 #include "plugins/api/builder.h"
 #include "plugins/api/reader.h"
+#include "plugins/api/renderer.h"
 #include "plugins/api/writer.h"
 
 #include <functional>
@@ -28,8 +29,9 @@ struct GuardTarget {
 std::unique_ptr<const Builder> guarded(const Builder& plugin, GuardTarget target);
 std::unique_ptr<const Reader> guarded(const Reader& plugin, GuardTarget target);
 std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target);
+std::unique_ptr<const Renderer> guarded(const Renderer& plugin, GuardTarget target); ///< renderer_guard.h
 
 using PluginGuard = std::variant<std::monostate, std::unique_ptr<const Builder>, std::unique_ptr<const Reader>,
-                                 std::unique_ptr<const Writer>>;
+                                 std::unique_ptr<const Writer>, std::unique_ptr<const Renderer>>;
 
 } // namespace tetra

@@ -6,7 +6,6 @@
 #include "plugins/host/dependency_order.h"
 #include "plugins/host/load_error.h"
 #include "plugins/host/plugin_folders.h"
-#include "plugins/host/renderer_guard.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -277,31 +276,6 @@ Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::stri
                                                                  : Message::say("There is: %1.", joined(ids)))};
 }
 
-const Renderer* PluginHost::guarded(const Provided<Renderer>& renderer)
-{
-    const std::lock_guard lock(mutex_);
-    std::unique_ptr<Renderer>& guard = guards_[renderer.id];
-    if (!guard)
-        guard = guardedRenderer(renderer.id, *renderer.plugin);
-    return guard.get();
-}
-
-std::vector<Provided<Renderer>> PluginHost::renderers()
-{
-    auto renderers = all<Renderer>(PluginKind::Renderer);
-    for (Provided<Renderer>& renderer : renderers)
-        renderer.plugin = guarded(renderer);
-    return renderers;
-}
-
-Result<Provided<Renderer>> PluginHost::renderer(const std::string& id)
-{
-    auto renderer = one<Renderer>(PluginKind::Renderer, id);
-    if (renderer)
-        renderer->plugin = guarded(*renderer);
-    return renderer;
-}
-
 Status PluginHost::loadRequired(const Entry& entry)
 {
     for (const std::string& id : entry.status.metadata.requiredIds) {
@@ -364,7 +338,7 @@ Status PluginHost::open(Entry& entry)
     case PluginKind::Builder: entry.guard = guarded(*qobject_cast<Builder*>(object), std::move(target)); break;
     case PluginKind::Reader: entry.guard = guarded(*qobject_cast<Reader*>(object), std::move(target)); break;
     case PluginKind::Writer: entry.guard = guarded(*qobject_cast<Writer*>(object), std::move(target)); break;
-    case PluginKind::Renderer:
+    case PluginKind::Renderer: entry.guard = guarded(*qobject_cast<Renderer*>(object), std::move(target)); break;
     case PluginKind::Editor: break;
     }
     entry.status.state = PluginState::Loaded;

@@ -13,7 +13,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -41,8 +40,8 @@ struct PluginStatus {
     Message error; ///< why it is disabled or refused, and the remedy
 };
 
-/// A loaded plugin, which lives until the program ends. Of builders, readers and writers it is a guard, which lets no
-/// exception through (plugin_guards.h).
+/// A loaded plugin, which lives until the program ends. Of all but editors it is a guard, which lets no exception
+/// through (plugin_guards.h, renderer_guard.h).
 template <class Interface> struct Provided {
     std::string id;
     std::string name;
@@ -78,15 +77,14 @@ public:
     /// All usable plugins of a kind, by id; loads them. One that cannot be loaded is missing here, and whenFailing()
     /// says why.
     std::vector<Provided<Builder>> builders() { return all<Builder>(PluginKind::Builder); }
-    /// Renderers come guarded (renderer_guard.h).
-    std::vector<Provided<Renderer>> renderers();
+    std::vector<Provided<Renderer>> renderers() { return all<Renderer>(PluginKind::Renderer); }
     std::vector<Provided<Reader>> readers() { return all<Reader>(PluginKind::Reader); }
     std::vector<Provided<Writer>> writers() { return all<Writer>(PluginKind::Writer); }
     std::vector<Provided<Editor>> editors() { return all<Editor>(PluginKind::Editor); }
 
     /// One plugin; loads it. The error says why it cannot be had, or which ones there are.
     Result<Provided<Builder>> builder(const std::string& id) { return one<Builder>(PluginKind::Builder, id); }
-    Result<Provided<Renderer>> renderer(const std::string& id);
+    Result<Provided<Renderer>> renderer(const std::string& id) { return one<Renderer>(PluginKind::Renderer, id); }
     Result<Provided<Editor>> editor(const std::string& id) { return one<Editor>(PluginKind::Editor, id); }
     Result<Provided<Reader>> reader(const std::string& id) { return one<Reader>(PluginKind::Reader, id); }
 
@@ -123,7 +121,6 @@ private:
     Error lacking(const Message& reason);
     void tell(const Error& error) const;
     Status loadRequired(const Entry& entry);
-    const Renderer* guarded(const Provided<Renderer>& renderer);
 
     template <class Interface> Result<Provided<Interface>> one(PluginKind kind, const std::string& id)
     {
@@ -134,7 +131,7 @@ private:
     }
     template <class Interface> static const Interface* face(const Loaded& loaded)
     {
-        if constexpr (std::is_same_v<Interface, Renderer> || std::is_same_v<Interface, Editor>)
+        if constexpr (std::is_same_v<Interface, Editor>)
             return qobject_cast<Interface*>(loaded.object);
         else
             return std::get<std::unique_ptr<const Interface>>(*loaded.guard).get();
@@ -152,9 +149,8 @@ private:
     }
 
     PluginHostOptions options_;
-    mutable std::mutex mutex_; ///< guards the next four after construction
+    mutable std::mutex mutex_; ///< guards the next three after construction
     std::vector<std::unique_ptr<Entry>> entries_;
-    std::map<std::string, std::unique_ptr<Renderer>> guards_; ///< of renderers, by id
     Status complete_;
     std::function<void(const Error&)> tell_;
 };

@@ -25,7 +25,7 @@ FieldExtent extentOf(const RendererMeshes& meshes)
 bool hasType(const Parameter& parameter, const ParameterValues& values)
 {
     const auto found = values.find(parameter.id);
-    return found != values.end() && found->second.index() == parameter.defaultValue.index();
+    return found != values.end() && haveOneType(found->second, parameter.defaultValue);
 }
 
 Status checkChoice(const Parameter& parameter, const ParameterValue& value)

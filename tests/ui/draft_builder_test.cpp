@@ -25,12 +25,11 @@ class WatchedSession : public RendererSession {
 public:
     WatchedSession(std::unique_ptr<RendererSession> inner, Watch& watch) : inner_(std::move(inner)), watch_(watch) {}
     ~WatchedSession() override { watch_.gone.release(); }
-    Result<std::shared_ptr<const Scene>> prepare(const ParameterValues& values, const Camera& camera,
-                                                 const Progress& progress) override
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
     {
         watch_.begun.release();
         watch_.go.acquire();
-        return inner_->prepare(values, camera, progress);
+        return inner_->prepare(view, progress);
     }
 
 private:
@@ -42,10 +41,10 @@ class WatchedRenderer : public Renderer {
 public:
     WatchedRenderer(const Renderer& inner, Watch& watch) : inner_(inner), watch_(watch) {}
     std::vector<Parameter> parameters(const FieldExtent& field) const override { return inner_.parameters(field); }
-    std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh> mesh,
-                                          const Eigen::AlignedBox3d& bounds) const override
+    RendererNeeds needs() const override { return inner_.needs(); }
+    std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
     {
-        return std::make_unique<WatchedSession>(inner_.open(std::move(mesh), bounds), watch_);
+        return std::make_unique<WatchedSession>(inner_.open(meshes), watch_);
     }
 
 private:
@@ -156,8 +155,9 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     elsewhere.query.error = 3.0;
     builder.requestLook(elsewhere); // of a mesh that is not known yet: as if it had not been asked for
     builder.requestLook(full.request);
-    QTRY_VERIFY(newest().size() == expected && !newest().front().scene->volume->shaded);
-    QCOMPARE(newest().front().scene->volume->mesh, before.front().scene->volume->mesh);
+    QTRY_VERIFY(newest().size() == expected && !testing::partsOf(*newest().front().scene).volume->shaded);
+    QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
+             testing::partsOf(*before.front().scene).volume->mesh);
 }
 
 /// Cleared while a draft is being made, which is finished then.

@@ -74,7 +74,7 @@ private slots:
         low.setValue(middle);
         const double shown = low.value();
         QCOMPARE(session().undoStack().index(), steps + 1);
-        const auto band = std::get<OwnValue>(session().view().look().settings.at("band"));
+        const auto band = std::get<OwnValue>(session().view().appearance.settings.at("band"));
         QCOMPARE(band.type, std::string("example.band"));
         QVERIFY(band.text.find("\"low\"") != std::string::npos);
         session().undoStack().undo();
@@ -83,11 +83,7 @@ private slots:
         QCOMPARE(low.value(), shown);
 
         // A session keeps it.
-        std::optional<Error> error;
-        Look again;
-        readLook(JsonFields(toJson(session().view().look()), "look", error), again, error);
-        QVERIFY(!error);
-        QCOMPARE(again.settings, session().view().look().settings);
+        QCOMPARE(settingsKept(), session().view().appearance.settings);
         session().setMode("isosurface");
         QVERIFY(!low.isEnabled());
     }
@@ -99,27 +95,32 @@ private slots:
         QCOMPARE(x.value(), 1.0);
         QCOMPARE(window_->find<QDoubleSpinBox>("rendering.setting.light.z").value(), 3.0);
         x.setValue(7);
-        const auto& settings = session().view().look().settings;
+        const auto& settings = session().view().appearance.settings;
         QCOMPARE(std::get<Eigen::Vector3d>(settings.at("light")), Eigen::Vector3d(7, 2, 3));
         auto& paint = window_->find<ColourButton>("rendering.setting.paint");
         QCOMPARE(paint.colour(), QColor(Qt::red));
         paint.setColour(Qt::blue);
         emit paint.colourChosen(Qt::blue);
-        QCOMPARE(std::get<Colour>(session().view().look().settings.at("paint")), (Colour{0, 0, 1}));
+        QCOMPARE(std::get<Colour>(session().view().appearance.settings.at("paint")), (Colour{0, 0, 1}));
         session().undoStack().undo();
         QCOMPARE(paint.colour(), QColor(Qt::red));
         session().undoStack().undo();
         QCOMPARE(x.value(), 1.0);
-        std::optional<Error> error;
         session().undoStack().redo();
         session().undoStack().redo();
-        Look again;
-        readLook(JsonFields(toJson(session().view().look()), "look", error), again, error);
-        QCOMPARE(again.settings, session().view().look().settings);
+        QCOMPARE(settingsKept(), session().view().appearance.settings);
     }
 
 private:
     Session& session() const { return window_->workbench.session(); }
+    /// As a session that is saved and opened again has them.
+    ParameterValues settingsKept() const
+    {
+        std::optional<Error> error;
+        ViewValue again;
+        readView(JsonFields(toJson(session().view()), {}, error), again);
+        return error ? ParameterValues() : again.appearance.settings;
+    }
 
     QTemporaryDir folder_;
     QString model_;

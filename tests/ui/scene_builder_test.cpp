@@ -241,16 +241,18 @@ void SceneBuilderTest::theSurfacesOfAnotherRendererAreSaved()
     SceneRequest wanted = request(2, {});
     wanted.renderer = &renderer;
     const auto file = [&](const char* name) { return std::filesystem::path(folder_.filePath(name).toStdString()); };
-    QVERIFY(writeSurfaces({wanted, std::nullopt, file("surfaces.obj")}, {}).ok());
+    const auto host = hostOfThisBuild();
+    QVERIFY(writeSurfaces(*host, {wanted, std::nullopt, file("surfaces.obj")}, {}).ok());
     QFile text(folder_.filePath("surfaces.obj"));
     QVERIFY(text.open(QIODevice::ReadOnly));
     const QByteArray content = text.readAll();
     QCOMPARE(content.count("\ng my_slice"), qsizetype(1));
     QCOMPARE(content.count("\nf "), qsizetype(1));
-    QVERIFY(writeSurfaces({wanted, std::nullopt, file("surfaces.vtp")}, {}).ok()); // with the value of each vertex
+    QVERIFY(
+        writeSurfaces(*host, {wanted, std::nullopt, file("surfaces.vtp")}, {}).ok()); // with the value of each vertex
     scene.drawables.pop_back();
     scene.drawables.front().saved = false;
-    QCOMPARE(writeSurfaces({wanted, std::nullopt, file("none.obj")}, {}).error().kind, ErrorKind::WrongUsage);
+    QCOMPARE(writeSurfaces(*host, {wanted, std::nullopt, file("none.obj")}, {}).error().kind, ErrorKind::WrongUsage);
 }
 
 QTEST_GUILESS_MAIN(SceneBuilderTest)

@@ -28,38 +28,38 @@ std::vector<Parameter> SessionEditorHost::parameters() const
     return parameters;
 }
 
-/// What the look holds: the one transfer function for all parameters of that type, others by their ids.
+/// The transfer function that all modes share; other values are settings.
 const ParameterValue& SessionEditorHost::value(const std::string& id) const
 {
-    const Appearance& look = session_.view().appearance;
+    const Appearance& appearance = session_.view().appearance;
     ParameterValue& given = given_[id];
-    const auto all = id == transferId ? std::vector<Parameter>() : workbench_.scenes().renderingParameters();
-    const auto parameter = std::ranges::find(all, id, &Parameter::id);
-    const bool isTransfer = id == transferId || (parameter != all.end() &&
-                                                 std::holds_alternative<TransferFunction>(parameter->defaultValue));
-    if (isTransfer) {
+    if (id == transferId) {
         const auto* function = std::get_if<TransferFunction>(&given);
-        if (function == nullptr || *function != look.transfer)
-            given = look.transfer;
+        if (function == nullptr || *function != appearance.transfer)
+            given = appearance.transfer;
         return given;
     }
+    const auto all = workbench_.scenes().renderingParameters();
+    const auto parameter = std::ranges::find(all, id, &Parameter::id);
     if (parameter == all.end())
         return given;
-    const auto chosen = look.settings.find(id);
-    const bool isChosen = chosen != look.settings.end() && haveOneType(chosen->second, parameter->defaultValue);
+    const auto chosen = appearance.settings.find(id);
+    const bool isChosen = chosen != appearance.settings.end() && haveOneType(chosen->second, parameter->defaultValue);
     return given = isChosen ? chosen->second : parameter->defaultValue;
 }
 
 void SessionEditorHost::setValue(const std::string& id, const ParameterValue& value)
 {
-    if (const auto* function = std::get_if<TransferFunction>(&value))
+    const auto* function = std::get_if<TransferFunction>(&value);
+    if (function != nullptr && id == transferId)
         return session_.setTransfer(*function);
     const auto all = workbench_.scenes().renderingParameters();
     const auto parameter = std::ranges::find(all, id, &Parameter::id);
     if (parameter == all.end() || !haveOneType(parameter->defaultValue, value))
         return;
     const auto* own = std::get_if<OwnValue>(&value);
-    if (own == nullptr || !parameter->mistake || parameter->mistake(own->text).empty())
+    const bool isRefused = own != nullptr && parameter->mistake && !parameter->mistake(own->text).empty();
+    if (!isRefused && (function == nullptr || checkTransferFunction(*function)))
         session_.setSetting(id, value);
 }
 
@@ -98,8 +98,7 @@ void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(
     const auto tells = [call](EditorChange change) { return [call, change] { call(change); }; };
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
-    session_.whenChanged(ViewPart::Transfer, receiver, tells(EditorChange::Value));
-    session_.whenChanged(ViewPart::Settings, receiver, tells(EditorChange::Value));
+    session_.whenChanged(ViewPart::Appearance, receiver, tells(EditorChange::Value));
     session_.whenChanged(ViewPart::Isovalues, receiver, tells(EditorChange::Isovalues));
     connect(pick_, &ValuePick::pickedChanged, receiver, tells(EditorChange::Picked));
 }

@@ -159,7 +159,7 @@ TransferLimits rangeOf(const DrivenWindow& window)
 
 void fitView(ViewValue& view, const DrivenWindow& window)
 {
-    view.camera = fitted(view.camera, window.session().model()->description().bounds, window.viewport().aspectRatio());
+    view.camera = fitted(view.camera, window.session().model()->description().bounds, window.session().shape());
 }
 
 Drivers allOf(std::initializer_list<Drivers> parts)

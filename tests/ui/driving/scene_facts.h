@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <tan/render.h>
+#include "tests/core/render/scene_parts.h"
 
 #include <array>
 #include <vector>
@@ -22,17 +22,18 @@ struct SceneFacts {
 
 inline SceneFacts factsOf(const Scene& scene)
 {
+    const testing::SceneParts parts = testing::partsOf(scene);
     SceneFacts facts;
-    facts.hasVolume = scene.volume.has_value();
-    facts.shaded = scene.volume && scene.volume->shaded;
-    facts.withCell = scene.hybridOrder == HybridOrder::WithCell;
-    facts.lines = scene.lines.size();
-    facts.surfaces = scene.surfaces.size();
-    if (!scene.surfaces.empty()) {
-        facts.lastOpacity = scene.surfaces.back().opacity;
-        facts.backFacesOnly = scene.surfaces.back().backFacesOnly;
+    facts.hasVolume = parts.volume.has_value();
+    facts.shaded = parts.volume && parts.volume->shaded;
+    facts.withCell = parts.wholeCells;
+    facts.lines = parts.lines.size();
+    facts.surfaces = parts.surfaces.size();
+    if (!parts.surfaces.empty()) {
+        facts.lastOpacity = parts.surfaces.back().opacity;
+        facts.backFacesOnly = parts.surfaces.back().backFacesOnly;
     }
-    for (const ClipPlane& plane : scene.clipPlanes)
+    for (const ClipPlane& plane : parts.clipPlanes)
         facts.clipPlanes.push_back({plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset});
     return facts;
 }

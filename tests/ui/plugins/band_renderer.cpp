@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/api/scene_parameters.h"
+#include "plugins/api/renderer.h"
 
 #include <QObject>
 
@@ -9,7 +9,7 @@ namespace {
 class BandSession : public RendererSession {
 public:
     explicit BandSession(const Eigen::AlignedBox3d& bounds) : bounds_(bounds) {}
-    Result<std::shared_ptr<const Scene>> prepare(const ParameterValues&, const Camera&, const Progress&) override
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView&, const Progress&) override
     {
         Scene scene;
         scene.bounds = bounds_;
@@ -41,10 +41,9 @@ public:
         light.defaultValue = Eigen::Vector3d(1, 2, 3);
         return {band, colour, light};
     }
-    std::unique_ptr<RendererSession> open(std::shared_ptr<const TetrahedralMesh>,
-                                          const Eigen::AlignedBox3d& bounds) const override
+    std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
     {
-        return std::make_unique<BandSession>(bounds);
+        return std::make_unique<BandSession>(meshes.bounds);
     }
 };
 
