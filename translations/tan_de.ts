@@ -148,8 +148,8 @@
         <translation>&amp;Plugins …</translation>
     </message>
     <message>
-        <source>The plugins that were found</source>
-        <translation>Die gefundenen Plugins</translation>
+        <source>Installed plugins</source>
+        <translation>Installierte Plugins</translation>
     </message>
     <message>
         <source>&amp;About TAn</source>
@@ -464,7 +464,7 @@
         <translation>Zeigt Volumendaten in jeder Genauigkeit.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu or gl.</source>
+        <source>Rendering back end: auto, cpu or gl.</source>
         <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
     </message>
     <message>
@@ -545,6 +545,10 @@
     <message>
         <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
         <translation>Filme vom Modell: eine Runde um es herum oder ein Weg durch Schlüsselbilder, die Sie wählen.</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfer</translation>
     </message>
 </context>
 <context>
@@ -675,14 +679,21 @@
     </message>
 </context>
 <context>
-    <name>Manual</name>
+    <name>Language</name>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
-        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn dort, wo Sphinx installiert ist (python3-sphinx, python3-myst-parser, furo); dieselben Texte liegen im Ordner docs der Quellen.</translation>
+        <source>en</source>
+        <translation>de</translation>
     </message>
+</context>
+<context>
+    <name>Manual</name>
     <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>
         <translation>Hier öffnet kein Programm Webseiten. Installieren Sie einen Webbrowser, oder lesen Sie %1.</translation>
+    </message>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <translation>Das Handbuch ist nicht installiert. Installieren Sie das Paket tan noch einmal mit seiner Dokumentation, oder bauen Sie TAn dort, wo Sphinx installiert ist (python3-sphinx, python3-myst-parser, furo); dieselben Texte liegen im Ordner docs der Quellen.</translation>
     </message>
 </context>
 <context>
@@ -802,864 +813,10 @@
     </message>
 </context>
 <context>
-    <name>Plugin</name>
-    <message>
-        <source>Delaunay refinement</source>
-        <translation>Delaunay-Verfeinerung</translation>
-    </message>
-    <message>
-        <source>Starts from the corners and inserts the point of the largest error until the error is small enough.</source>
-        <translation>Beginnt mit den Ecken und fügt jeweils den Punkt mit dem größten Fehler ein, bis der Fehler klein genug ist.</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
-        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit gezeigt werden kann.</translation>
-    </message>
-    <message>
-        <source>% of the value range</source>
-        <translation>% des Wertebereichs</translation>
-    </message>
-    <message>
-        <source>Tables of points</source>
-        <translation>Tabellen von Punkten</translation>
-    </message>
-    <message>
-        <source>Reads scattered points with a value each from CSV, TSV and blank-separated text.</source>
-        <translation>Liest verstreute Punkte mit je einem Wert aus CSV, TSV und durch Leerzeichen getrenntem Text.</translation>
-    </message>
-    <message>
-        <source>CSV writer</source>
-        <translation>CSV-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes the points of any dataset as a table: x, y, z and value.</source>
-        <translation>Schreibt die Punkte jedes Datensatzes als Tabelle: x, y, z und Wert.</translation>
-    </message>
-    <message>
-        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
-        <translation>Tabelle von Punkten (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
-    </message>
-    <message>
-        <source>Table of points (*.csv)</source>
-        <translation>Tabelle von Punkten (*.csv)</translation>
-    </message>
-    <message>
-        <source>Meshes of cells</source>
-        <translation>Zellnetze</translation>
-    </message>
-    <message>
-        <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
-        <translation>Liest Netze aus Tetraedern, Hexaedern, Prismen und Pyramiden aus VTK-XML (.vtu) und AVS UCD (.inp).</translation>
-    </message>
-    <message>
-        <source>VTK unstructured grid (*.vtu)</source>
-        <translation>Unstrukturiertes VTK-Gitter (*.vtu)</translation>
-    </message>
-    <message>
-        <source>AVS UCD mesh (*.inp)</source>
-        <translation>AVS-UCD-Netz (*.inp)</translation>
-    </message>
-    <message>
-        <source>Array</source>
-        <translation>Feld</translation>
-    </message>
-    <message>
-        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
-        <translation>Das Feld, dessen Werte genommen werden, von Punkten oder Zellen; ohne Angabe das, das die Datei aktiv nennt, sonst das erste.</translation>
-    </message>
-    <message>
-        <source>Component</source>
-        <translation>Komponente</translation>
-    </message>
-    <message>
-        <source>Of arrays with several components: magnitude, or a number from 0.</source>
-        <translation>Bei Feldern mit mehreren Komponenten: magnitude für den Betrag, oder eine Nummer ab 0.</translation>
-    </message>
-    <message>
-        <source>Cutting the cells</source>
-        <translation>Zerlegen der Zellen</translation>
-    </message>
-    <message>
-        <source>Checking the mesh</source>
-        <translation>Prüfen des Netzes</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Orte</translation>
-    </message>
-    <message>
-        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
-        <translation>Tabellen von Punkten: die Spalten für x, y und z, nach Name oder Nummer, wie lon,lat,depth oder 1,2,3; &apos;automatic&apos; nimmt die mit den Namen x, y und z, sonst die ersten drei.</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
-        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
-        <translation>Welche Werte genommen werden, nach Name oder Nummer; &apos;automatic&apos; nimmt die ersten.</translation>
-    </message>
-    <message>
-        <source>Skip incomplete rows</source>
-        <translation>Unvollständige Zeilen auslassen</translation>
-    </message>
-    <message>
-        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
-        <translation>Tabellen von Punkten: Zeilen auslassen, denen eine Zahl fehlt, statt die Datei abzulehnen.</translation>
-    </message>
-    <message>
-        <source>Scattered points: refinement fills their convex hull.</source>
-        <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
-    </message>
-    <message>
-        <source>Finding the convex hull</source>
-        <translation>Suche der konvexen Hülle</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Gewichte</translation>
-    </message>
-    <message>
-        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
-        <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch &apos;;&apos; getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten &apos;,boden&apos;) in der Entfernung &apos;reichweite&apos;; es gilt das größte Gewicht. Beispiele: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
-    </message>
-    <message>
-        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
-        <translation>Ein unregelmäßiges Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
-    </message>
-    <message>
-        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Ein krummliniges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
-    </message>
-    <message>
-        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
-    </message>
-    <message>
-        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
-        <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
-    </message>
-    <message>
-        <source>Block</source>
-        <translation>Block</translation>
-    </message>
-    <message>
-        <source>cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>Warping</source>
-        <translation>Verwerfung</translation>
-    </message>
-    <message>
-        <source>% of the diagonal</source>
-        <translation>% der Diagonale</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>Auswahl</translation>
-    </message>
-    <message>
-        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
-        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt; „paper“ vergleicht beide in den Einheiten der Daten, wie der Aufsatz, zum Vergleich mit ihm. Beide bewahren Zellen vor dem Umklappen.</translation>
-    </message>
-    <message>
-        <source>normalised</source>
-        <translation>normiert</translation>
-    </message>
-    <message>
-        <source>paper</source>
-        <translation>Aufsatz</translation>
-    </message>
-    <message>
-        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
-        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung.</translation>
-    </message>
-    <message>
-        <source>Distributing the points</source>
-        <translation>Die Punkte werden verteilt</translation>
-    </message>
-    <message>
-        <source>Refining</source>
-        <translation>Verfeinern</translation>
-    </message>
-    <message>
-        <source>Isosurfaces</source>
-        <translation>Isoflächen</translation>
-    </message>
-    <message>
-        <source>Shows the surfaces on which the field has the chosen values, each with a colour and an opacity.</source>
-        <translation>Zeigt die Flächen, auf denen das Feld die gewählten Werte hat, jede mit Farbe und Deckkraft.</translation>
-    </message>
-    <message>
-        <source>Isovalues</source>
-        <translation>Isowerte</translation>
-    </message>
-    <message>
-        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
-        <translation>Die Werte, deren Flächen gezeigt werden, jeder mit Farbe und Deckkraft.</translation>
-    </message>
-    <message>
-        <source>Bounding box</source>
-        <translation>Begrenzungsquader</translation>
-    </message>
-    <message>
-        <source>Shows the edges of the box that the data fill.</source>
-        <translation>Zeigt die Kanten des Quaders, den die Daten füllen.</translation>
-    </message>
-    <message>
-        <source>Volumes on regular lattices</source>
-        <translation>Volumen auf regelmäßigen Gittern</translation>
-    </message>
-    <message>
-        <source>Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described.</source>
-        <translation>Liest NRRD-Dateien mit Daten darin oder daneben, roh, gzip oder Text, und beschriebene Rohdateien.</translation>
-    </message>
-    <message>
-        <source>NRRD writer</source>
-        <translation>NRRD-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes volumes on regular lattices as NRRD files, raw or gzip.</source>
-        <translation>Schreibt Volumen auf regelmäßigen Gittern als NRRD-Dateien, roh oder gzip.</translation>
-    </message>
-    <message>
-        <source>NRRD volume (*.nrrd *.nhdr)</source>
-        <translation>NRRD-Volumen (*.nrrd *.nhdr)</translation>
-    </message>
-    <message>
-        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
-        <translation>Rohes Volumen (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
-    </message>
-    <message>
-        <source>Reading</source>
-        <translation>Lesen</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
-        <translation>Rohdateien: die Zahl der Punkte entlang x (läuft am schnellsten), y und z, etwa 256x256x128.</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Typ</translation>
-    </message>
-    <message>
-        <source>Raw files: the type of a sample.</source>
-        <translation>Rohdateien: der Typ eines Abtastwerts.</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Bytefolge</translation>
-    </message>
-    <message>
-        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
-        <translation>Rohdateien: little (PC) oder big endian, für Typen aus mehr als einem Byte.</translation>
-    </message>
-    <message>
-        <source>little</source>
-        <translation>Little-Endian (PC)</translation>
-    </message>
-    <message>
-        <source>big</source>
-        <translation>Big-Endian</translation>
-    </message>
-    <message>
-        <source>Skip</source>
-        <translation>Überspringen</translation>
-    </message>
-    <message>
-        <source>Raw files: the length of a header before the samples.</source>
-        <translation>Rohdateien: die Länge eines Kopfes vor den Abtastwerten.</translation>
-    </message>
-    <message>
-        <source>bytes</source>
-        <translation>Bytes</translation>
-    </message>
-    <message>
-        <source>Spacing</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-        <translation>Rohdateien: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Ursprung</translation>
-    </message>
-    <message>
-        <source>Raw files: the position of the first point, as in 0,0,0.</source>
-        <translation>Rohdateien: die Lage des ersten Punkts, etwa 0,0,0.</translation>
-    </message>
-    <message>
-        <source>uint8</source>
-        <translation>uint8</translation>
-    </message>
-    <message>
-        <source>int8</source>
-        <translation>int8</translation>
-    </message>
-    <message>
-        <source>uint16</source>
-        <translation>uint16</translation>
-    </message>
-    <message>
-        <source>int16</source>
-        <translation>int16</translation>
-    </message>
-    <message>
-        <source>uint32</source>
-        <translation>uint32</translation>
-    </message>
-    <message>
-        <source>int32</source>
-        <translation>int32</translation>
-    </message>
-    <message>
-        <source>float</source>
-        <translation>float</translation>
-    </message>
-    <message>
-        <source>double</source>
-        <translation>double</translation>
-    </message>
-    <message>
-        <source>builder</source>
-        <translation>Erbauer</translation>
-    </message>
-    <message>
-        <source>renderer</source>
-        <translation>Darsteller</translation>
-    </message>
-    <message>
-        <source>reader</source>
-        <translation>Leser</translation>
-    </message>
-    <message>
-        <source>writer</source>
-        <translation>Schreiber</translation>
-    </message>
-    <message>
-        <source>editor</source>
-        <translation>Editor</translation>
-    </message>
-    <message>
-        <source>found</source>
-        <translation>gefunden</translation>
-    </message>
-    <message>
-        <source>loaded</source>
-        <translation>geladen</translation>
-    </message>
-    <message>
-        <source>disabled</source>
-        <translation>abgeschaltet</translation>
-    </message>
-    <message>
-        <source>refused</source>
-        <translation>abgelehnt</translation>
-    </message>
-    <message>
-        <source>PLOT3D grids</source>
-        <translation>PLOT3D-Gitter</translation>
-    </message>
-    <message>
-        <source>Reads curvilinear grids with a scalar of their solution from binary PLOT3D files of any byte order and precision.</source>
-        <translation>Liest krummlinige Gitter mit einem Skalar ihrer Lösung aus binären PLOT3D-Dateien jeder Bytefolge und Genauigkeit.</translation>
-    </message>
-    <message>
-        <source>PLOT3D writer</source>
-        <translation>PLOT3D-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes datasets on grids as a PLOT3D grid file and a solution file beside it.</source>
-        <translation>Schreibt Datensätze auf Gittern als PLOT3D-Gitterdatei und eine Lösungsdatei daneben.</translation>
-    </message>
-    <message>
-        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
-        <translation>PLOT3D-Gitter und -Lösung (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
-    </message>
-    <message>
-        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
-        <translation>Welcher Skalar der Lösung: „automatisch“ nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
-    </message>
-    <message>
-        <source>Solution file</source>
-        <translation>Lösungsdatei</translation>
-    </message>
-    <message>
-        <source>The PLOT3D solution of the grid; without it the one beside it with a fitting name.</source>
-        <translation>Die PLOT3D-Lösung des Gitters; ohne sie die daneben mit passendem Namen.</translation>
-    </message>
-    <message>
-        <source>VTK readers</source>
-        <translation>VTK-Leser</translation>
-    </message>
-    <message>
-        <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
-        <translation>Liest VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM und mehr, mit Hilfe von VTK.</translation>
-    </message>
-    <message>
-        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
-        <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Zeitschritt</translation>
-    </message>
-    <message>
-        <source>Of files with several time steps: which one, from 1.</source>
-        <translation>Bei Dateien mit mehreren Zeitschritten: welcher, ab 1.</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Teil</translation>
-    </message>
-    <message>
-        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
-        <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
-    </message>
-    <message>
-        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
-        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
-    </message>
-    <message>
-        <source>VTK legacy (*.vtk)</source>
-        <translation>VTK, altes Format (*.vtk)</translation>
-    </message>
-    <message>
-        <source>VTK HDF (*.vtkhdf *.hdf)</source>
-        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
-    </message>
-    <message>
-        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
-        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
-    </message>
-    <message>
-        <source>EnSight (*.case *.encas)</source>
-        <translation>EnSight (*.case *.encas)</translation>
-    </message>
-    <message>
-        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
-        <translation>NetCDF, CF-Konventionen (*.nc *.cdf)</translation>
-    </message>
-    <message>
-        <source>CGNS (*.cgns)</source>
-        <translation>CGNS (*.cgns)</translation>
-    </message>
-    <message>
-        <source>MetaImage (*.mhd *.mha)</source>
-        <translation>MetaImage (*.mhd *.mha)</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii *.nii.gz)</source>
-        <translation>NIfTI (*.nii *.nii.gz)</translation>
-    </message>
-    <message>
-        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
-        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4 *.map)</translation>
-    </message>
-    <message>
-        <source>TIFF stack (*.tif *.tiff)</source>
-        <translation>TIFF-Stapel (*.tif *.tiff)</translation>
-    </message>
-    <message>
-        <source>DICOM series (*.dcm *.dicom)</source>
-        <translation>DICOM-Serie (*.dcm *.dicom)</translation>
-    </message>
-    <message>
-        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
-        <translation>PLOT3D, auch Text (*.xyz *.x *.g *.p3d *.q)</translation>
-    </message>
-    <message>
-        <source>GAMBIT (*.neu)</source>
-        <translation>GAMBIT (*.neu)</translation>
-    </message>
-    <message>
-        <source>Fluent (*.cas)</source>
-        <translation>Fluent (*.cas)</translation>
-    </message>
-    <message>
-        <source>OpenFOAM (*.foam controlDict)</source>
-        <translation>OpenFOAM (*.foam controlDict)</translation>
-    </message>
-    <message>
-        <source>Tecplot text (*.tec *.tp)</source>
-        <translation>Tecplot-Text (*.tec *.tp)</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Gitter</translation>
-    </message>
-    <message>
-        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
-        <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
-    </message>
-    <message>
-        <source>density</source>
-        <translation>density</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>pressure</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>energy</translation>
-    </message>
-    <message>
-        <source>velocity_magnitude</source>
-        <translation>velocity_magnitude</translation>
-    </message>
-    <message>
-        <source>momentum_magnitude</source>
-        <translation>momentum_magnitude</translation>
-    </message>
-    <message>
-        <source>momentum_x</source>
-        <translation>momentum_x</translation>
-    </message>
-    <message>
-        <source>momentum_y</source>
-        <translation>momentum_y</translation>
-    </message>
-    <message>
-        <source>momentum_z</source>
-        <translation>momentum_z</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>temperature</translation>
-    </message>
-    <message>
-        <source>mach</source>
-        <translation>mach</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Shows the field as a translucent cloud: a transfer function gives each value its colour and opacity.</source>
-        <translation>Zeigt das Feld als durchscheinende Wolke: Eine Transferfunktion gibt jedem Wert Farbe und Deckkraft.</translation>
-    </message>
-    <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
-        <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
-        <translation>Zeigt das Feld als Volumen, das im Fokus feiner ist als außerhalb und an dessen Rand überblendet.</translation>
-    </message>
-    <message>
-        <source>Volume with isosurfaces</source>
-        <translation>Volumen mit Isoflächen</translation>
-    </message>
-    <message>
-        <source>Shows the field as a translucent cloud with surfaces of chosen values in it.</source>
-        <translation>Zeigt das Feld als durchscheinende Wolke, in der Flächen gewählter Werte liegen.</translation>
-    </message>
-    <message>
-        <source>Transfer function</source>
-        <translation>Transferfunktion</translation>
-    </message>
-    <message>
-        <source>The colour and the opacity of each value.</source>
-        <translation>Farbe und Deckkraft jedes Wertes.</translation>
-    </message>
-    <message>
-        <source>Shaded</source>
-        <translation>Beleuchtet</translation>
-    </message>
-    <message>
-        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
-        <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
-    </message>
-    <message>
-        <source>Clip planes</source>
-        <translation>Schnittebenen</translation>
-    </message>
-    <message>
-        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
-        <translation>Schneidet weg, was vor einer Ebene liegt: nx,ny,nz,Abstand zeigt die Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Reihenfolge</translation>
-    </message>
-    <message>
-        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
-        <translation>Wie Flächen und Volumen geordnet werden: &apos;exakt&apos; oder wie im Aufsatz &apos;mit der Zelle&apos;, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>exakt</translation>
-    </message>
-    <message>
-        <source>with-cell</source>
-        <translation>mit der Zelle</translation>
-    </message>
-    <message>
-        <source>Decimation by edge collapse</source>
-        <translation>Vergröberung durch Kantenschrumpfen</translation>
-    </message>
-    <message>
-        <source>Starts from the whole mesh and takes away the points that matter least; takes meshes of any shape and keeps their cavities.</source>
-        <translation>Beginnt mit dem ganzen Netz und nimmt die Punkte weg, auf die es am wenigsten ankommt; nimmt Netze jeder Form und erhält ihre Hohlräume.</translation>
-    </message>
-    <message>
-        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
-        <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
-    </message>
-    <message>
-        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-        <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
-    </message>
-    <message>
-        <source>rounds</source>
-        <translation>Runden</translation>
-    </message>
-    <message>
-        <source>Evaluating vertices</source>
-        <translation>Die Knoten werden bewertet</translation>
-    </message>
-    <message>
-        <source>Collapsing</source>
-        <translation>Kanten schrumpfen</translation>
-    </message>
-    <message>
-        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
-        <translation>Verstreute Punkte haben keine Tetraeder, mit denen die Vergröberung beginnen könnte. Verfeinern Sie sie stattdessen.</translation>
-    </message>
-    <message>
-        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
-        <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
-    </message>
-    <message>
-        <source>Transfer function editor</source>
-        <translation>Editor der Transferfunktion</translation>
-    </message>
-    <message>
-        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
-        <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
-    </message>
-    <message>
-        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
-        <translation>Wahrscheinlichkeitsdichte des 3d-Elektrons im Wasserstoffatom: zwei Keulen und ein Ring</translation>
-    </message>
-    <message>
-        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
-        <translation>das Testsignal von Marschner und Lobb: Wellen, die schwer wiederzugeben sind</translation>
-    </message>
-    <message>
-        <source>white noise, the worst case: no sample tells of its neighbour</source>
-        <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
-    </message>
-    <message>
-        <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
-        <translation>Strömung vor einer Halbkugel: ein krummliniges Gitter mit zusammengefallener Achse</translation>
-    </message>
-    <message>
-        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
-        <translation>Strömung um einen Zylinder: ein krummliniges Gitter, das sich in sich schließt</translation>
-    </message>
-    <message>
-        <source>flow through a bent duct: a curvilinear grid</source>
-        <translation>Strömung durch einen gebogenen Kanal: ein krummliniges Gitter</translation>
-    </message>
-    <message>
-        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
-        <translation>eine Schicht an einer Wand: ein rechtwinkliges Gitter mit wachsenden Abständen</translation>
-    </message>
-    <message>
-        <source>random points in a ball, with waves that grow finer outwards</source>
-        <translation>zufällige Punkte in einer Kugel, mit Wellen, die nach außen feiner werden</translation>
-    </message>
-    <message>
-        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
-        <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Boundary</source>
-        <translation>Berandung</translation>
-    </message>
-    <message>
-        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
-        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, so dass man sieht, was darin ist, oder in den Farben, die die Transferfunktion den „Werten“ dort gibt.</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
-        <source>translucent</source>
-        <translation>durchscheinend</translation>
-    </message>
-    <message>
-        <source>values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
-        <translation>Die Deckkraft einer durchscheinenden Berandung; 1 verdeckt, was dahinter liegt.</translation>
-    </message>
-    <message>
-        <source>Back faces only</source>
-        <translation>Nur Rückseiten</translation>
-    </message>
-    <message>
-        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
-        <translation>Zeigt nur die hinteren Wände des Randes, von innen, und lässt die der Kamera zugewandten weg.</translation>
-    </message>
-    <message>
-        <source>Finest error</source>
-        <translation>Feinster Fehler</translation>
-    </message>
-    <message>
-        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
-        <translation>Lässt Netze mit kleineren Fehlern aus dem Modell weg, sodass es kleiner wird; 0 behält alles.</translation>
-    </message>
-    <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
-    </message>
-    <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
-    </message>
-    <message>
-        <source>VTK XML writer</source>
-        <translation>VTK-XML-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra as VTK XML unstructured grids, and surfaces as polydata.</source>
-        <translation>Schreibt Tetraedernetze als unstrukturierte VTK-XML-Gitter und Flächen als Polydata.</translation>
-    </message>
-    <message>
-        <source>Legacy VTK writer</source>
-        <translation>Schreiber für ältere VTK-Dateien</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra and surfaces as legacy VTK files.</source>
-        <translation>Schreibt Tetraedernetze und Flächen als ältere VTK-Dateien.</translation>
-    </message>
-    <message>
-        <source>PLY writer</source>
-        <translation>PLY-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra and surfaces as PLY files.</source>
-        <translation>Schreibt Tetraedernetze und Flächen als PLY-Dateien.</translation>
-    </message>
-    <message>
-        <source>STL writer</source>
-        <translation>STL-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes surfaces as STL files.</source>
-        <translation>Schreibt Flächen als STL-Dateien.</translation>
-    </message>
-    <message>
-        <source>OBJ writer</source>
-        <translation>OBJ-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes surfaces as Wavefront text.</source>
-        <translation>Schreibt Flächen als Wavefront-Text.</translation>
-    </message>
-    <message>
-        <source>glTF writer</source>
-        <translation>glTF-Schreiber</translation>
-    </message>
-    <message>
-        <source>Writes surfaces as binary glTF files.</source>
-        <translation>Schreibt Flächen als binäre glTF-Dateien.</translation>
-    </message>
-    <message>
-        <source>NRRD volumes</source>
-        <translation>NRRD-Volumen</translation>
-    </message>
-    <message>
-        <source>Tables of points</source>
-        <translation>Punkttabellen</translation>
-    </message>
-    <message>
-        <source>PLOT3D grids with a solution file</source>
-        <translation>PLOT3D-Gitter mit Lösungsdatei</translation>
-    </message>
-    <message>
-        <source>VTK XML unstructured grids</source>
-        <translation>Unstrukturierte Gitter, VTK-XML</translation>
-    </message>
-    <message>
-        <source>VTK XML polydata</source>
-        <translation>Polydata, VTK-XML</translation>
-    </message>
-    <message>
-        <source>VTK legacy files</source>
-        <translation>Ältere VTK-Dateien</translation>
-    </message>
-    <message>
-        <source>PLY files</source>
-        <translation>PLY-Dateien</translation>
-    </message>
-    <message>
-        <source>STL files</source>
-        <translation>STL-Dateien</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ files</source>
-        <translation>Wavefront-OBJ-Dateien</translation>
-    </message>
-    <message>
-        <source>Binary glTF files</source>
-        <translation>Binäre glTF-Dateien</translation>
-    </message>
-    <message>
-        <source>Transfer</source>
-        <translation>Transfer</translation>
-    </message>
-    <message>
-        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-        <translation>Die Transferfunktion gibt jedem Wert eine Farbe und eine Deckkraft für das Volumen.</translation>
-    </message>
-</context>
-<context>
     <name>PluginChoice</name>
     <message>
         <source>Boundary: %1</source>
         <translation>Rand: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PointClipboard</name>
-    <message>
-        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
-        <translation>Die Zwischenablage enthält keine Punkte einer Transferfunktion. Kopieren Sie welche hier oder in einem anderen Fenster. %1</translation>
     </message>
 </context>
 <context>
@@ -1770,1109 +927,6 @@
     <message>
         <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
         <translation>Zufallswerte, der schlimmste Fall für jedes Verfahren; regelmäßiges Gitter, %1, von TAn berechnet. Sehenswert: die Statistik, denn auch bei einem großen Fehler werden fast alle Punkte gebraucht.</translation>
-    </message>
-</context>
-<context>
-    <name>Sentence</name>
-    <message>
-        <source>&apos;%1&apos; does not exist, or its folder may not be entered. Check the name.</source>
-        <translation>„%1“ gibt es nicht, oder der Ordner ist nicht zugänglich. Prüfen Sie den Namen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a folder. Choose a file inside it.</source>
-        <translation>„%1“ ist ein Ordner. Wählen Sie eine Datei darin.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a device or a pipe. Give a file.</source>
-        <translation>„%1“ ist ein Gerät oder eine Pipe. Wählen Sie eine Datei.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
-        <translation>„%1“ ist leer. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be read: %2.</source>
-        <translation>„%1“ kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
-        <source>Cannot read &apos;%1&apos;: %2</source>
-        <translation>„%1“ kann nicht gelesen werden: %2</translation>
-    </message>
-    <message>
-        <source>%1. Check its name and folder.</source>
-        <translation>%1. Prüfen Sie Name und Ordner.</translation>
-    </message>
-    <message>
-        <source>%1. Ask its owner for the right to read it.</source>
-        <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
-    </message>
-    <message>
-        <source>it is a folder. Name a file in it.</source>
-        <translation>Das ist ein Ordner. Nennen Sie eine Datei darin.</translation>
-    </message>
-    <message>
-        <source>it is not a regular file. Copy its content into one first.</source>
-        <translation>Das ist keine gewöhnliche Datei. Kopieren Sie den Inhalt erst in eine.</translation>
-    </message>
-    <message>
-        <source>Cannot open &apos;%1&apos;: too many files are open. Close some of them.</source>
-        <translation>„%1“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.</translation>
-    </message>
-    <message>
-        <source>No reader is installed.</source>
-        <translation>Es ist kein Leser installiert.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; cannot be read: %2.</source>
-        <translation>Die Datei „%1“ kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
-        <translation>Die Datei „%1“ ist zu groß für das, was hier gesucht wird.</translation>
-    </message>
-    <message>
-        <source>In &apos;%1&apos;: %2</source>
-        <translation>In „%1“: %2</translation>
-    </message>
-    <message>
-        <source>it is empty. Get or make the file again.</source>
-        <translation>Sie ist leer. Holen oder erzeugen Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it changed while it was read. Read it again.</source>
-        <translation>Sie hat sich beim Lesen verändert. Lesen Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>it holds no points.</source>
-        <translation>Sie enthält keine Punkte.</translation>
-    </message>
-    <message>
-        <source>it is not a text.</source>
-        <translation>Sie ist kein Text.</translation>
-    </message>
-    <message>
-        <source>it is of no format that VTK reads.</source>
-        <translation>Ihr Format liest VTK nicht.</translation>
-    </message>
-    <message>
-        <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
-        <translation>Sie hat kein Feld „%1“. Wählen Sie eines von diesen: %2.</translation>
-    </message>
-    <message>
-        <source>it has no array &apos;%1&apos;. There are: %2.</source>
-        <translation>Sie hat kein Feld „%1“. Es gibt: %2.</translation>
-    </message>
-    <message>
-        <source>it has no array with a number for each point or cell. Write it with one.</source>
-        <translation>Sie hat kein Feld mit einer Zahl für jeden Punkt oder jede Zelle. Schreiben Sie sie mit einem.</translation>
-    </message>
-    <message>
-        <source>it has no values, of points or of cells.</source>
-        <translation>Sie hat keine Werte, weder von Punkten noch von Zellen.</translation>
-    </message>
-    <message>
-        <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>
-        <translation>Sie sollte %1 enthalten, es sind aber nur %2. Sie ist abgeschnitten, oder die Beschreibung (Größen, Typ, zu überspringende Bytes) ist falsch.</translation>
-    </message>
-    <message>
-        <source>it should hold %1, but there are %2, %3 too many. Its description is wrong: check the sizes, the type and the bytes to skip.</source>
-        <translation>Sie sollte %1 enthalten, es sind aber %2, %3 zu viel. Die Beschreibung ist falsch: Prüfen Sie Größen, Typ und zu überspringende Bytes.</translation>
-    </message>
-    <message>
-        <source>%1 samples of type %2, %3 bytes</source>
-        <translation>%1 Abtastwerte vom Typ %2, %3 Bytes</translation>
-    </message>
-    <message>
-        <source>%1 bytes</source>
-        <translation>%1 Bytes</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3). Replace them by numbers first.</source>
-        <translation>%1 ihrer %2 Abtastwerte sind NaN oder unendlich, der erste am Punkt (%3). Ersetzen Sie sie zuerst durch Zahlen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has an unknown format. %2</source>
-        <translation>„%1“ hat ein unbekanntes Format. %2</translation>
-    </message>
-    <message>
-        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
-        <translation>Das Handbuch und „tan info --help“ nennen die Dateien, die gelesen werden; Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
-        <translation>„%1“ ist gepackt. Entpacken Sie die Datei zuerst mit „%2“, und öffnen Sie, was darin ist.</translation>
-    </message>
-    <message>
-        <source>Cannot read &apos;%1&apos;: %2 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
-        <translation>„%1“ kann nicht gelesen werden: %2 (Die Datei wurde für sich allein entpackt. Wenn sie andere nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
-    </message>
-    <message>
-        <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
-        <translation>Sie ist mit gzip komprimiert und beschädigt oder abgeschnitten. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it is compressed with gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
-        <translation>Sie ist mit gzip komprimiert und kann nicht nach „%1“ entpackt werden: %2. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
-    </message>
-    <message>
-        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
-        <translation>Sie ist mit gzip komprimiert und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
-    </message>
-    <message>
-        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
-        <translation>VTK meldet: %1 Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
-        <translation>Sie hat %1 Byte, und ihr Kopf verlangt %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
-        <translation>Ihre Datendatei „%1“ hat %2 Byte, und der Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>its data file &apos;%1&apos; is missing. Copy it into the folder of this one: the two belong together.</source>
-        <translation>Ihre Datendatei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
-    </message>
-    <message>
-        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
-        <translation>Ihre Datei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Sie gehören zusammen.</translation>
-    </message>
-    <message>
-        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy the file again.</source>
-        <translation>Ihre Datei „%1“ endet in Zeile %2, zu früh für alle Angaben (%3). Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
-        <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren Sie die Datei noch einmal, oder exportieren Sie sie neu.</translation>
-    </message>
-    <message>
-        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
-        <translation>Seite %1 liegt hinter ihrem Ende bei %2 Byte. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it ends within its header. It is cut short: copy the file again.</source>
-        <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it ends within its appended data. It is cut short: copy the file again.</source>
-        <translation>Sie endet in ihren angehängten Daten. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
-        <translation>Sie ist eine Liste von Dateien, eine für jeden Zeitschritt oder Teil. Öffnen Sie eine davon, etwa „%1“.</translation>
-    </message>
-    <message>
-        <source>it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView.</source>
-        <translation>Sie ist eine binäre UCD-Datei, und nur Text wird gelesen. Schreiben Sie sie als Text oder als .vtu, etwa mit ParaView.</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK braucht für sie mehr als %1 Speicher, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
-        <translation>VTK braucht für sie mehr als %1 Speicher, die Hälfte dessen, was dieser Rechner hat. Sie ist beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK braucht für sie mehr als %1 Sekunden des Prozessors, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
-        <translation>VTK braucht für sie mehr Speicher als die %1, die Programme hier nehmen dürfen. Erhöhen Sie die Grenze (ulimit -v).</translation>
-    </message>
-    <message>
-        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
-        <translation>Das System hat VTK beendet, was es tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
-    </message>
-    <message>
-        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
-        <translation>VTK hat minutenlang auf seinen Datenträger gewartet. Sehen Sie nach, ob er antwortet, oder kopieren Sie die Datei auf einen anderen.</translation>
-    </message>
-    <message>
-        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
-        <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die VTK-Leser zu starten (%1). Schließen Sie andere Programme, oder erhöhen Sie die Grenze (ulimit).</translation>
-    </message>
-    <message>
-        <source>The file ends without an end of line: if it was cut short there, its last number is wrong.</source>
-        <translation>Die Datei endet ohne Zeilenende: Wenn sie dort abgeschnitten wurde, ist ihre letzte Zahl falsch.</translation>
-    </message>
-    <message>
-        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
-        <translation>1 Zelle heißt linear und hat die Ecken einer quadratischen: Sie wurde als solche genommen.</translation>
-    </message>
-    <message>
-        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
-        <translation>%1 Zellen heißen linear und haben die Ecken von quadratischen: Sie wurden als solche genommen.</translation>
-    </message>
-    <message>
-        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
-        <translation>Der Leser von VTK ist abgestürzt. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Exportieren Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
-        <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“ dort, wo die Datei liegt (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
-        <translation>„%1“ ist beschädigt: %2. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
-    </message>
-    <message>
-        <source>its header makes no sense</source>
-        <translation>Sein Kopf ergibt keinen Sinn</translation>
-    </message>
-    <message>
-        <source>the checksum of its header is wrong</source>
-        <translation>Die Prüfsumme seines Kopfes ist falsch</translation>
-    </message>
-    <message>
-        <source>the checksum of its text is wrong</source>
-        <translation>Die Prüfsumme seines Textes ist falsch</translation>
-    </message>
-    <message>
-        <source>the checksum of section &apos;%1&apos; is wrong</source>
-        <translation>Die Prüfsumme des Abschnitts „%1“ ist falsch</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes and should have %2</source>
-        <translation>Es hat %1 Bytes und sollte %2 haben</translation>
-    </message>
-    <message>
-        <source>section &apos;%1&apos; is missing</source>
-        <translation>Der Abschnitt „%1“ fehlt</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
-        <translation>„%1“ ist abgeschnitten: Es hat %2 Bytes und sollte %3 haben. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
-        <translation>„%1“ ist leer. Modelle werden aus Datensätzen gebaut.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a TAn model: it does not begin like one. Models are made by &apos;tan build&apos;.</source>
-        <translation>„%1“ ist kein TAn-Modell: Es beginnt nicht wie eines. Modelle werden aus Datensätzen gebaut.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was written with the other byte order. Build it again on this machine.</source>
-        <translation>„%1“ wurde in der anderen Bytefolge geschrieben. Bauen Sie es auf diesem Rechner neu.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has format version %2; this program reads up to version %3. Install a later version of TAn.</source>
-        <translation>„%1“ hat die Formatversion %2; dieses Programm liest bis Version %3. Installieren Sie eine spätere Version von TAn.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
-        <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
-        <translation>„%1“ wurde abgeschnitten oder geändert, während die Datei offen war, sodass falsch wäre, was daraus gemacht wurde. Öffnen Sie sie noch einmal; gelingt das nicht, holen oder erzeugen Sie sie neu.</translation>
-    </message>
-    <message>
-        <source>Cannot write &apos;%1&apos;: %2. %3</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2. %3</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; does not exist: create it or choose another.</source>
-        <translation>Den Ordner „%1“ gibt es nicht: Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a folder: choose another.</source>
-        <translation>„%1“ ist kein Ordner: Wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <source>It is a folder: name a file in it.</source>
-        <translation>Das ist ein Ordner: Nennen Sie eine Datei darin.</translation>
-    </message>
-    <message>
-        <source>Choose another folder, or change the permissions of this one.</source>
-        <translation>Wählen Sie einen anderen Ordner, oder ändern Sie die Rechte von diesem.</translation>
-    </message>
-    <message>
-        <source>Choose a folder on a disk that can be written.</source>
-        <translation>Wählen Sie einen Ordner auf einem beschreibbaren Datenträger.</translation>
-    </message>
-    <message>
-        <source>Free some space or choose another disk.</source>
-        <translation>Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
-    </message>
-    <message>
-        <source>Choose a disk that allows larger files, or raise the limit (ulimit -f).</source>
-        <translation>Wählen Sie einen Datenträger, der größere Dateien erlaubt, oder heben Sie die Grenze an (ulimit -f).</translation>
-    </message>
-    <message>
-        <source>Choose a shorter name.</source>
-        <translation>Wählen Sie einen kürzeren Namen.</translation>
-    </message>
-    <message>
-        <source>Choose another folder or disk.</source>
-        <translation>Wählen Sie einen anderen Ordner oder Datenträger.</translation>
-    </message>
-    <message>
-        <source>it is not a regular file</source>
-        <translation>Es ist keine gewöhnliche Datei</translation>
-    </message>
-    <message>
-        <source>Choose another name.</source>
-        <translation>Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>the file is read-only</source>
-        <translation>Die Datei ist schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>Choose another name, or make it writable.</source>
-        <translation>Wählen Sie einen anderen Namen, oder machen Sie sie beschreibbar.</translation>
-    </message>
-    <message>
-        <source>it does not name a file</source>
-        <translation>Das benennt keine Datei</translation>
-    </message>
-    <message>
-        <source>Name a file.</source>
-        <translation>Nennen Sie eine Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot work in &apos;%1&apos;: %2. %3</source>
-        <translation>In „%1“ kann nicht gearbeitet werden: %2. %3</translation>
-    </message>
-    <message>
-        <source>another program is building this model</source>
-        <translation>Ein anderes Programm baut dieses Modell gerade</translation>
-    </message>
-    <message>
-        <source>Wait for it, or give the model another name.</source>
-        <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Choose another folder for the model.</source>
-        <translation>Wählen Sie einen anderen Ordner für das Modell.</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>Datei oder Ordner nicht gefunden</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>Keine Berechtigung</translation>
-    </message>
-    <message>
-        <source>Operation not permitted</source>
-        <translation>Nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>Input/output error</source>
-        <translation>Ein-/Ausgabefehler</translation>
-    </message>
-    <message>
-        <source>Cannot allocate memory</source>
-        <translation>Nicht genug Speicher</translation>
-    </message>
-    <message>
-        <source>Resource temporarily unavailable</source>
-        <translation>Im Augenblick nicht verfügbar</translation>
-    </message>
-    <message>
-        <source>Device or resource busy</source>
-        <translation>Gerät oder Datei in Benutzung</translation>
-    </message>
-    <message>
-        <source>Invalid cross-device link</source>
-        <translation>Auf einem anderen Datenträger</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>Kein Ordner</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>Das ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>Invalid argument</source>
-        <translation>Ungültiges Argument</translation>
-    </message>
-    <message>
-        <source>Too many open files</source>
-        <translation>Zu viele offene Dateien</translation>
-    </message>
-    <message>
-        <source>Too many open files in system</source>
-        <translation>Zu viele offene Dateien im ganzen System</translation>
-    </message>
-    <message>
-        <source>File too large</source>
-        <translation>Datei zu groß</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>Kein Platz mehr auf dem Datenträger</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>Dateisystem nur lesbar</translation>
-    </message>
-    <message>
-        <source>File name too long</source>
-        <translation>Dateiname zu lang</translation>
-    </message>
-    <message>
-        <source>Too many levels of symbolic links</source>
-        <translation>Zu viele symbolische Verweise hintereinander</translation>
-    </message>
-    <message>
-        <source>Disk quota exceeded</source>
-        <translation>Speicherkontingent überschritten</translation>
-    </message>
-    <message>
-        <source>Stale file handle</source>
-        <translation>Die Datei gibt es auf dem Server nicht mehr</translation>
-    </message>
-    <message>
-        <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
-        <translation>Das Ziel „%1“ ist die Quelle „%2“. Geben Sie dem Ziel einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
-        <translation>„%1“ gibt es und ist kein TAn-Modell, wird also nicht überschrieben. Geben Sie dem Modell einen anderen Namen, oder entfernen Sie die Datei zuerst.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; for samples cannot be made: %2. Make it writable, or free some space.</source>
-        <translation>Der Ordner „%1“ für Beispiele kann nicht angelegt werden: %2. Machen Sie ihn beschreibbar, oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
-        <translation>„%1“ endet weder auf .csv noch auf .json, in denen Statistiken geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
-    </message>
-    <message>
-        <source>There is no surface to save: add an isovalue, or show one.</source>
-        <translation>Es gibt keine Fläche zu speichern: Fügen Sie einen Isowert hinzu, oder zeigen Sie einen.</translation>
-    </message>
-    <message>
-        <source>A film needs two key frames at least. Add another view.</source>
-        <translation>Ein Film braucht mindestens zwei Schlüsselbilder. Fügen Sie noch eine Ansicht hinzu.</translation>
-    </message>
-    <message>
-        <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
-        <translation>Das Video konnte nicht erzeugt werden: %1 meldet „%2“. Wählen Sie ein anderes Format oder PNG-Bilder.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to write &apos;%1&apos;.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to write &apos;%1&apos;. Close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben. Schließen Sie andere Programme.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to read &apos;%1&apos;. Close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu lesen. Schließen Sie andere Programme.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close other programs.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für das Netz dieser Genauigkeit. Wählen Sie eine gröbere, oder schließen Sie andere Programme.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für dieses Netz. Wählen Sie einen größeren Fehler, einen kleineren Fokus oder ein Budget.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für das Netz des Fokus. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for a picture of this size.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe und Szene. Machen Sie das Bild kleiner, oder senken Sie die Genauigkeit des Netzes.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für die Isofläche. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für die Isoflächen. Zeigen Sie weniger davon, oder senken Sie die Genauigkeit des Netzes.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz als Volumen zu zeichnen. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for this part. Take a smaller one.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für diesen Teil. Nehmen Sie einen kleineren.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the mesh. Take a part of it.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für das Netz. Nehmen Sie einen Teil davon.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um dieses Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um dieses krummlinige Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um diese Punkte zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Punkte.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data.</source>
-        <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz zu vergröbern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Daten.</translation>
-    </message>
-    <message>
-        <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
-        <translation>Der feinste Fehler (%1 %) ist größer als der Fehler, bei dem aufgehört wird (%2 %). Wählen Sie einen kleineren feinsten Fehler, oder 0, um alles zu behalten.</translation>
-    </message>
-    <message>
-        <source>Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
-        <translation>Die Vergröberung von %1 braucht etwa %2 Arbeitsspeicher, und dieser Rechner hat %3. Nehmen Sie einen Bereich davon oder weniger Punkte, oder verfeinern Sie es stattdessen, wenn es ein Gitter ist.</translation>
-    </message>
-    <message>
-        <source>%1 points and %2 tetrahedra</source>
-        <translation>%1 Punkten und %2 Tetraedern</translation>
-    </message>
-    <message>
-        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
-        <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
-    </message>
-    <message>
-        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
-        <translation>Das Plugin „%1“ ist gescheitert: %2. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
-    </message>
-    <message>
-        <source>The build was stopped before there was a mesh of known error, so there is nothing to keep.</source>
-        <translation>Der Bau wurde angehalten, ehe es ein Netz mit bekanntem Fehler gab; es gibt also nichts zu behalten.</translation>
-    </message>
-    <message>
-        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
-        <translation>Der Bau braucht etwa %1 auf dem Datenträger von „%2“ (%3), und %4 sind frei. Schaffen Sie Platz, wählen Sie einen anderen Datenträger oder einen größeren Fehler.</translation>
-    </message>
-    <message>
-        <source>The builder &apos;%1&apos; does not accept &apos;%2&apos;: %3</source>
-        <translation>„%1“ nimmt „%2“ nicht an: %3</translation>
-    </message>
-    <message>
-        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
-        <translation>Die Blockgröße „%1“ ist weder „automatic“ noch „none“ noch eine Zahl von Zellen ab 1.</translation>
-    </message>
-    <message>
-        <source>The weight &apos;%1&apos; cannot be used: %2.</source>
-        <translation>Das Gewicht „%1“ ist nicht brauchbar: %2.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a number</source>
-        <translation>„%1“ ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>it has %1 numbers, and the form is %2</source>
-        <translation>Es hat %1 Zahlen, und die Form ist %2</translation>
-    </message>
-    <message>
-        <source>its reach is %1 and must be at least 0</source>
-        <translation>Seine Reichweite ist %1 und muss mindestens 0 sein</translation>
-    </message>
-    <message>
-        <source>its reach is %1 and must be above 0</source>
-        <translation>Seine Reichweite ist %1 und muss größer als 0 sein</translation>
-    </message>
-    <message>
-        <source>its floor is %1 and must be from %2 to 1</source>
-        <translation>Sein Mindestwert ist %1 und muss von %2 bis 1 sein</translation>
-    </message>
-    <message>
-        <source>a weight begins with &apos;point:&apos;, &apos;box:&apos; or &apos;value:&apos;</source>
-        <translation>Ein Gewicht beginnt mit „point:“, „box:“ oder „value:“</translation>
-    </message>
-    <message>
-        <source>its first corner must be the smaller one along every axis</source>
-        <translation>Seine erste Ecke muss entlang jeder Achse die kleinere sein</translation>
-    </message>
-    <message>
-        <source>The mesh has %1. Repair the mesh in the program that made it.</source>
-        <translation>Das Netz hat %1. Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
-    </message>
-    <message>
-        <source>No cell of the mesh has a volume: nothing is left.</source>
-        <translation>Keine Zelle des Netzes hat ein Volumen: Es bleibt nichts übrig.</translation>
-    </message>
-    <message>
-        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
-        <translation>Das gröbste Netz von „%1“ hat %2 Tetraeder, mehr als das Budget von %3. Erlauben Sie mindestens so viele.</translation>
-    </message>
-    <message>
-        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
-        <translation>Das gröbste Netz hat %1 Tetraeder, mehr als das Budget von %2. Erlauben Sie mindestens so viele.</translation>
-    </message>
-    <message>
-        <source>The error in the focus is larger than that outside. Swap them.</source>
-        <translation>Der Fehler im Fokus ist größer als der außerhalb. Vertauschen Sie die beiden.</translation>
-    </message>
-    <message>
-        <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
-        <translation>Das Netz des Fokus wurde zu groß. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
-        <translation>„%1“ ist keine Schnittebene: Geben Sie vier Zahlen nx,ny,nz,Abstand an, die ersten drei nicht alle null; gezeigt werden Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
-    </message>
-    <message>
-        <source>The model of the session cannot be opened. %1</source>
-        <translation>Das Modell der Sitzung kann nicht geöffnet werden. %1</translation>
-    </message>
-    <message>
-        <source>%1: The session cannot be read: %2</source>
-        <translation>%1: Die Sitzung kann nicht gelesen werden: %2</translation>
-    </message>
-    <message>
-        <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation>„format“ ist nicht „%1“.</translation>
-    </message>
-    <message>
-        <source>this program knows version %1 of sessions only.</source>
-        <translation>Dieses Programm kennt nur Version %1 von Sitzungen.</translation>
-    </message>
-    <message>
-        <source>it names no model in &quot;model.path&quot;.</source>
-        <translation>Sie nennt kein Modell in „model.path“.</translation>
-    </message>
-    <message>
-        <source>The transfer function cannot be read: %1</source>
-        <translation>Die Transferfunktion kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>The transfer function cannot be read. %1</source>
-        <translation>Die Transferfunktion kann nicht gelesen werden. %1</translation>
-    </message>
-    <message>
-        <source>The ParaView preset cannot be read: %1</source>
-        <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>The preset &apos;%1&apos; cannot be used: %2.</source>
-        <translation>Die Vorlage „%1“ kann nicht benutzt werden: %2.</translation>
-    </message>
-    <message>
-        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
-        <translation>Die Vorlage „%1“ kann nicht geändert werden: %2. Prüfen Sie die Rechte des Ordners, und ob Platz ist.</translation>
-    </message>
-    <message>
-        <source>Not valid JSON: %1</source>
-        <translation>Kein gültiges JSON: %1</translation>
-    </message>
-    <message>
-        <source>This is no camera. %1</source>
-        <translation>Das ist keine Kamera. %1</translation>
-    </message>
-    <message>
-        <source>This is no camera: it holds no JSON object, in braces.</source>
-        <translation>Das ist keine Kamera: Es enthält kein JSON-Objekt in geschweiften Klammern.</translation>
-    </message>
-    <message>
-        <source>The key &quot;%1&quot; of the camera %2 (%3).</source>
-        <translation>Der Schlüssel „%1“ der Kamera %2 (%3).</translation>
-    </message>
-    <message>
-        <source>is no number from %1 to %2</source>
-        <translation>ist keine Zahl von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>is neither true nor false</source>
-        <translation>ist weder true noch false</translation>
-    </message>
-    <message>
-        <source>is not a list of three numbers</source>
-        <translation>ist keine Liste von drei Zahlen</translation>
-    </message>
-    <message>
-        <source>is not known</source>
-        <translation>ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>expected a value (%1).</source>
-        <translation>Ein Wert fehlt (%1).</translation>
-    </message>
-    <message>
-        <source>line %1, column %2</source>
-        <translation>Zeile %1, Spalte %2</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
-        <translation>Der Speicher der Grafikkarte reicht nicht für ein Bild dieser Größe. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
-        <translation>Der Speicher der Grafikkarte reicht nicht für dieses Bild. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
-        <translation>Der Speicher der Grafikkarte reicht nicht für dieses Volumen. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
-        <translation>Der Speicher der Grafikkarte reicht nicht für diese Fläche. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
-        <translation>Der OpenGL-Kontext ist nicht benutzbar, vielleicht weil die Grafikkarte zurückgesetzt wurde. Lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>The OpenGL driver has version %1; TAn needs 3.3. Use the CPU back end, or another driver.</source>
-        <translation>Der OpenGL-Treiber hat Version %1; TAn braucht 3.3. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber.</translation>
-    </message>
-    <message>
-        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
-        <translation>OpenGL schneidet Szenen an höchstens %1 Ebenen. Nehmen Sie weniger, oder lassen Sie den Prozessor zeichnen.</translation>
-    </message>
-    <message>
-        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
-        <translation>Es braucht das Plugin „%1“, das fehlt oder nicht benutzbar ist. Installieren Sie es.</translation>
-    </message>
-    <message>
-        <source>It needs the plugin &quot;%1&quot;, which cannot be used: %2</source>
-        <translation>Es braucht das Plugin „%1“, das nicht benutzbar ist: %2</translation>
-    </message>
-    <message>
-        <source>It is not a plugin, or is damaged: %1 Install it again, or remove the file.</source>
-        <translation>Es ist kein Plugin oder beschädigt: %1 Installieren Sie es noch einmal, oder entfernen Sie die Datei.</translation>
-    </message>
-    <message>
-        <source>Another plugin has the same id and was found first: %1. Remove one of the two.</source>
-        <translation>Ein anderes Plugin hat dieselbe Kennung und wurde zuerst gefunden: %1. Entfernen Sie eines der beiden.</translation>
-    </message>
-    <message>
-        <source>The library %1 is missing. %2</source>
-        <translation>Die Bibliothek %1 fehlt. %2</translation>
-    </message>
-    <message>
-        <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
-        <translation>Es wurde mit Qt %1 gebaut, und dieses Programm läuft mit Qt %2. Installieren Sie das Plugin für dieses Qt.</translation>
-    </message>
-    <message>
-        <source>A part of %1 of the %2 points.</source>
-        <translation>Ein Teil von %1 der %2 Punkte.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron inside the region was left out: it touches the others only at a vertex or an edge.</source>
-        <translation>1 Tetraeder im Bereich wurde weggelassen: Es berührt die anderen nur an einem Knoten oder einer Kante.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra inside the region were left out: they touch the others only at a vertex or an edge.</source>
-        <translation>%1 Tetraeder im Bereich wurden weggelassen: Sie berühren die anderen nur an einem Knoten oder einer Kante.</translation>
-    </message>
-    <message>
-        <source>The values belong to cells: each point got the mean of the cells around it.</source>
-        <translation>Die Werte gehören zu Zellen: Jeder Punkt bekam das Mittel der Zellen um ihn.</translation>
-    </message>
-    <message>
-        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
-        <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
-    </message>
-    <message>
-        <source>All cells had inverted orientation and were corrected.</source>
-        <translation>Alle Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
-    </message>
-    <message>
-        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
-        <translation>Was ihre Punkte verbindet (Linien, Polygone), wurde weggelassen: Es sind verstreute Punkte.</translation>
-    </message>
-    <message>
-        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
-        <translation>Ein Gitter mit ausgeblendeten Zellen oder Werten, die keine Zahlen sind: ein unregelmäßiges Netz ohne diese.</translation>
-    </message>
-    <message>
-        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
-        <translation>%1 ihrer Teile haben kein „%2“ und wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>%1 of its parts are no irregular meshes and were left out.</source>
-        <translation>%1 ihrer Teile sind keine unregelmäßigen Netze und wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
-        <translation>Sie enthält %1 Teile; dies ist der namens „%2“. Einen anderen wählt „Teil“.</translation>
-    </message>
-    <message>
-        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
-        <translation>Zeitschritt %1 von %2. Einen anderen wählt „Zeitschritt“.</translation>
-    </message>
-    <message>
-        <source>%1 points whose value is no number were left out.</source>
-        <translation>%1 Punkte, deren Wert keine Zahl ist, wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>The samples were multiplied and shifted as the header of the file asks.</source>
-        <translation>Die Abtastwerte wurden multipliziert und verschoben, wie der Kopf der Datei es verlangt.</translation>
-    </message>
-    <message>
-        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
-        <translation>Aus ganzen Zahlen von 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
-    </message>
-    <message>
-        <source>VTK says: %1</source>
-        <translation>VTK meldet: %1</translation>
-    </message>
-    <message>
-        <source>1 cell is a vertex, line or polygon without volume and not part of the mesh.</source>
-        <translation>1 Zelle ist ein Punkt, eine Linie oder ein Vieleck ohne Volumen und gehört nicht zum Netz.</translation>
-    </message>
-    <message>
-        <source>%1 cells are a vertex, line or polygon without volume and not part of the mesh.</source>
-        <translation>%1 Zellen sind Punkte, Linien oder Vielecke ohne Volumen und gehören nicht zum Netz.</translation>
-    </message>
-    <message>
-        <source>1 cell is blanked out in the file: a hole.</source>
-        <translation>1 Zelle ist in der Datei ausgeblendet: ein Loch.</translation>
-    </message>
-    <message>
-        <source>%1 cells are blanked out in the file: a hole.</source>
-        <translation>%1 Zellen sind in der Datei ausgeblendet: ein Loch.</translation>
-    </message>
-    <message>
-        <source>1 cell has a value that is not finite and became a hole.</source>
-        <translation>1 Zelle hat einen Wert, der nicht endlich ist, und wurde ein Loch.</translation>
-    </message>
-    <message>
-        <source>%1 cells have a value that is not finite and became a hole.</source>
-        <translation>%1 Zellen haben einen Wert, der nicht endlich ist, und wurden ein Loch.</translation>
-    </message>
-    <message>
-        <source>1 cell names a corner twice, has no volume and was left out.</source>
-        <translation>1 Zelle nennt eine Ecke zweimal, hat kein Volumen und wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>%1 cells name a corner twice, have no volume and were left out.</source>
-        <translation>%1 Zellen nennen eine Ecke zweimal, haben kein Volumen und wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>1 cell without volume was left out.</source>
-        <translation>1 Zelle ohne Volumen wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>%1 cells without volume were left out.</source>
-        <translation>%1 Zellen ohne Volumen wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>1 cell had inverted orientation and was corrected.</source>
-        <translation>1 Zelle hatte die umgekehrte Orientierung und wurde korrigiert.</translation>
-    </message>
-    <message>
-        <source>%1 cells had inverted orientation and were corrected.</source>
-        <translation>%1 Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
-    </message>
-    <message>
-        <source>1 point on the place of another one joined with it.</source>
-        <translation>1 Punkt am Ort eines anderen wurde mit ihm vereint.</translation>
-    </message>
-    <message>
-        <source>%1 points on the place of another one joined with it.</source>
-        <translation>%1 Punkte am Ort eines anderen wurden mit ihm vereint.</translation>
-    </message>
-    <message>
-        <source>1 place had different values and got their mean.</source>
-        <translation>1 Ort hatte verschiedene Werte und bekam ihr Mittel.</translation>
-    </message>
-    <message>
-        <source>%1 places had different values and got their mean.</source>
-        <translation>%1 Orte hatten verschiedene Werte und bekamen ihr Mittel.</translation>
-    </message>
-    <message>
-        <source>1 node in the middle of an edge or face was left out: not all cells there have them, or cells bend too much.</source>
-        <translation>1 Knoten in der Mitte einer Kante oder Seite wurde weggelassen: Nicht alle Zellen dort haben ihn, oder Zellen biegen sich zu sehr.</translation>
-    </message>
-    <message>
-        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
-        <translation>%1 Knoten in der Mitte von Kanten und Seiten wurden weggelassen: Nicht alle Zellen dort haben sie, oder Zellen biegen sich zu sehr.</translation>
-    </message>
-    <message>
-        <source>1 cell was cut along other diagonals, because the faces are not flat.</source>
-        <translation>1 Zelle wurde an anderen Diagonalen zerlegt, weil die Seiten nicht eben sind.</translation>
-    </message>
-    <message>
-        <source>%1 cells were cut along other diagonals, because the faces are not flat.</source>
-        <translation>%1 Zellen wurden an anderen Diagonalen zerlegt, weil die Seiten nicht eben sind.</translation>
-    </message>
-    <message>
-        <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
-        <translation>1 Zelle wurde weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
-    </message>
-    <message>
-        <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
-        <translation>%1 Zellen wurden weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron was there twice.</source>
-        <translation>1 Tetraeder war doppelt da.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra were there twice.</source>
-        <translation>%1 Tetraeder waren doppelt da.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron was left out where parts of the mesh touched in an edge or a point only.</source>
-        <translation>1 Tetraeder wurde weggelassen, wo sich Teile des Netzes nur an einer Kante oder einem Punkt berührten.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra were left out where parts of the mesh touched in an edge or a point only.</source>
-        <translation>%1 Tetraeder wurden weggelassen, wo sich Teile des Netzes nur an einer Kante oder einem Punkt berührten.</translation>
-    </message>
-    <message>
-        <source>1 point is of no cell: left out.</source>
-        <translation>1 Punkt gehört zu keiner Zelle: weggelassen.</translation>
-    </message>
-    <message>
-        <source>%1 points are of no cell: left out.</source>
-        <translation>%1 Punkte gehören zu keiner Zelle: weggelassen.</translation>
-    </message>
-    <message>
-        <source>1 incomplete row was skipped.</source>
-        <translation>1 unvollständige Zeile wurde übergangen.</translation>
-    </message>
-    <message>
-        <source>%1 incomplete rows were skipped.</source>
-        <translation>%1 unvollständige Zeilen wurden übergangen.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron that is flat or inverted, one at %1</source>
-        <translation>1 flaches oder invertiertes Tetraeder, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra that are flat or inverted, one at %2</source>
-        <translation>%1 flache oder invertierte Tetraeder, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron at a face that three or more share, one at %1</source>
-        <translation>1 Tetraeder an einer Seite, die drei oder mehr gemeinsam haben, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra at faces that three or more share, one at %2</source>
-        <translation>%1 Tetraeder an Seiten, die drei oder mehr gemeinsam haben, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron that overlaps its neighbour, one at %1</source>
-        <translation>1 Tetraeder, das seinen Nachbarn überlappt, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2</source>
-        <translation>%1 Tetraeder, die einen Nachbarn auf derselben Seite überlappen, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 edge in which parts of it only touch, one at %1</source>
-        <translation>1 Kante, in der sich Teile nur berühren, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 edges in which parts of it only touch, one at %2</source>
-        <translation>%1 Kanten, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 point in which parts of it only touch, one at %1</source>
-        <translation>1 Punkt, in dem sich Teile nur berühren, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 points in which parts of it only touch, one at %2</source>
-        <translation>%1 Punkte, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 part inside another part, one at %1</source>
-        <translation>1 Teil in einem anderen Teil, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 parts inside other parts, one at %2</source>
-        <translation>%1 Teile in anderen Teilen, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
-        <translation>Der Speicher reicht nicht für die Berandung des Netzes. Verringern Sie die Genauigkeit des Netzes.</translation>
-    </message>
-    <message>
-        <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
-        <translation>Das Netz hat zu viele Tetraeder, um seine Berandung zu zeigen. Verringern Sie die Genauigkeit des Netzes.</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
-        <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Ansicht nicht erhalten bleibt. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
-    </message>
-    <message>
-        <source>%1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>%1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>Close other programs, or raise the limit (ulimit).</source>
-        <translation>Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>it holds something else</source>
-        <translation>er enthält etwas anderes</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that folder away.</source>
-        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Ordner beiseite.</translation>
-    </message>
-    <message>
-        <source>it is a link</source>
-        <translation>er ist ein Verweis</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that link away.</source>
-        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
-    </message>
-    <message>
-        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
-        <translation>In „%1“ kann keine Zwischendatei angelegt werden: %2. %3</translation>
-    </message>
-    <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
-        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
-    </message>
-    <message>
-        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Zurzeit können nicht alle Plugins geladen werden: %1. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
-    </message>
-    <message>
-        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Ein Datensatz kann nicht als „%1“ geschrieben werden. %2</translation>
-    </message>
-    <message>
-        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Ein Netz kann nicht als „%1“ geschrieben werden. %2</translation>
-    </message>
-    <message>
-        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Flächen können nicht als „%1“ geschrieben werden. %2</translation>
-    </message>
-    <message>
-        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
-        <translation>Wählen Sie eine dieser Endungen: %1; oder, für den Rand des Netzes allein, %2.</translation>
-    </message>
-    <message>
-        <source>Choose one of these endings: %1.</source>
-        <translation>Wählen Sie eine dieser Endungen: %1.</translation>
-    </message>
-    <message>
-        <source>The plugin &quot;%1&quot; cannot be used. %2</source>
-        <translation>Das Plugin „%1“ kann nicht benutzt werden. %2</translation>
-    </message>
-    <message>
-        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
-        <translation>Es wurde mit %1 gebaut und dieses Programm mit %2. Bauen Sie das Plugin mit diesem Compiler und den Headern dieses TAn neu, oder installieren Sie eine Fassung für dieses TAn.</translation>
     </message>
 </context>
 <context>
@@ -3050,7 +1104,7 @@
         <translation>Tetraeder</translation>
     </message>
     <message>
-        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <source>This model was built down to an error of %1; it contains nothing finer.</source>
         <translation>Dieses Modell wurde bis zu einem Fehler von %1 gebaut; Feineres enthält es nicht.</translation>
     </message>
     <message>
@@ -3072,7 +1126,7 @@
         <translation>Das kleinste Netz mit diesem Fehler</translation>
     </message>
     <message>
-        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
         <translation>Das beste Netz mit so vielen Tetraedern. Ein Fokus behält sein Verhältnis zum Rest.</translation>
     </message>
     <message>
@@ -3116,15 +1170,15 @@ Verwerfung %2</translation>
         <translation>Schlüsselbilder</translation>
     </message>
     <message>
-        <source>The camera goes round what is shown, or from view to view</source>
-        <translation>Die Kamera fährt um das Gezeigte herum oder von Ansicht zu Ansicht</translation>
+        <source>Turntable, or a camera path through key frames</source>
+        <translation>Drehtisch oder Kamerafahrt durch Schlüsselbilder</translation>
     </message>
     <message>
         <source> frames/s</source>
         <translation> Bilder/s</translation>
     </message>
     <message>
-        <source>Pictures a second of the film</source>
+        <source>Frames per second of the film</source>
         <translation>Bilder pro Sekunde des Films</translation>
     </message>
     <message>
@@ -3160,8 +1214,8 @@ Verwerfung %2</translation>
         <translation>Drehwinkel in Grad; negativ anders herum</translation>
     </message>
     <message>
-        <source>Pictures of the whole film</source>
-        <translation>Bilder des ganzen Films</translation>
+        <source>Number of frames of the film</source>
+        <translation>Anzahl der Bilder des Films</translation>
     </message>
     <message>
         <source>A&amp;xis</source>
@@ -3180,8 +1234,8 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>The frame that is shown</source>
-        <translation>Das Bild, das gezeigt wird</translation>
+        <source>Frame shown</source>
+        <translation>Gezeigtes Bild</translation>
     </message>
     <message>
         <source>Add two views or more.</source>
@@ -3239,8 +1293,8 @@ Verwerfung %2</translation>
         <translation>Unten rechts</translation>
     </message>
     <message>
-        <source>Corner of the picture where it stands</source>
-        <translation>Ecke des Bildes, in der es steht</translation>
+        <source>Corner of the picture</source>
+        <translation>Ecke des Bildes</translation>
     </message>
     <message>
         <source>%1: corner</source>
@@ -3254,8 +1308,8 @@ Verwerfung %2</translation>
         <translation>Höchstzahl der Tetraeder</translation>
     </message>
     <message>
-        <source>The mesh is as good as so many tetrahedra allow</source>
-        <translation>Das Netz ist so gut, wie es so viele Tetraeder erlauben</translation>
+        <source>The best mesh within this number of tetrahedra</source>
+        <translation>Das beste Netz mit höchstens so vielen Tetraedern</translation>
     </message>
 </context>
 <context>
@@ -3281,8 +1335,8 @@ Verwerfung %2</translation>
         <translation>Modelldatei</translation>
     </message>
     <message>
-        <source>The file that the model is written to</source>
-        <translation>Die Datei, in die das Modell geschrieben wird</translation>
+        <source>Model file to write</source>
+        <translation>Zu schreibende Modelldatei</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -3301,8 +1355,8 @@ Verwerfung %2</translation>
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>Stop the build and discard what it has made</source>
-        <translation>Bricht den Bau ab und verwirft das bisher Gebaute</translation>
+        <source>Stop the build and discard the result</source>
+        <translation>Den Aufbau anhalten und das Ergebnis verwerfen</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
@@ -3711,7 +1765,7 @@ Verwerfung %2</translation>
         <translation>Gespeichert.</translation>
     </message>
     <message>
-        <source>It has no frames yet: add two views or more in the panel Animation.</source>
+        <source>It has no frames yet: add at least two views in the Animation panel.</source>
         <translation>Er hat noch keine Bilder: Fügen Sie im Bereich Animation zwei oder mehr Ansichten hinzu.</translation>
     </message>
     <message>
@@ -3750,7 +1804,7 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::FocusPanel</name>
     <message>
-        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <source>A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there.</source>
         <translation>Ein Teil des Gebiets mit eigenem Fehler. Eine Form wählen, dann die Griffe im Bild ziehen; ein Doppelklick auf eine Fläche holt den Fokus dorthin.</translation>
     </message>
     <message>
@@ -3766,7 +1820,7 @@ Verwerfung %2</translation>
         <translation>Quader</translation>
     </message>
     <message>
-        <source>A box with an error of its own (B)</source>
+        <source>A box with its own error (B)</source>
         <translation>Ein Quader mit eigenem Fehler (B)</translation>
     </message>
     <message>
@@ -3774,7 +1828,7 @@ Verwerfung %2</translation>
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>A sphere with an error of its own (F)</source>
+        <source>A sphere with its own error (F)</source>
         <translation>Eine Kugel mit eigenem Fehler (F)</translation>
     </message>
     <message>
@@ -3818,12 +1872,12 @@ Verwerfung %2</translation>
         <translation>Fehler im Fokus in Prozent des Wertebereichs</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at (C)</source>
-        <translation>Den Fokus dorthin holen, wohin die Kamera blickt (C)</translation>
+        <source>Move the focus to the camera&apos;s target (C)</source>
+        <translation>Den Fokus zum Zielpunkt der Kamera bewegen (C)</translation>
     </message>
     <message>
-        <source>Place, size, error and fall-off as they were at first</source>
-        <translation>Ort, Größe, Fehler und Übergang wie am Anfang</translation>
+        <source>Reset place, size, error and fall-off</source>
+        <translation>Ort, Größe, Fehler und Abfall zurücksetzen</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -3987,7 +2041,7 @@ Verwerfung %2</translation>
         <translation>Erster Punkt entlang %1</translation>
     </message>
     <message>
-        <source>The first point that is taken, counted from 0</source>
+        <source>First point taken, counted from 0</source>
         <translation>Der erste Punkt, der genommen wird, von 0 an gezählt</translation>
     </message>
     <message>
@@ -3995,7 +2049,7 @@ Verwerfung %2</translation>
         <translation>Letzter Punkt entlang %1</translation>
     </message>
     <message>
-        <source>The last point that is taken, counted from 0</source>
+        <source>Last point taken, counted from 0</source>
         <translation>Der letzte Punkt, der genommen wird, von 0 an gezählt</translation>
     </message>
     <message>
@@ -4139,16 +2193,16 @@ Verwerfung %2</translation>
         <translation>Ansicht hin&amp;zufügen</translation>
     </message>
     <message>
-        <source>Add what is seen now as the next key frame</source>
-        <translation>Was jetzt zu sehen ist, als nächstes Schlüsselbild hinzufügen</translation>
+        <source>Add the current view as the next key frame</source>
+        <translation>Die jetzige Ansicht als nächstes Schlüsselbild hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
     </message>
     <message>
-        <source>Put what is seen now in the place of this key frame</source>
-        <translation>Was jetzt zu sehen ist, an die Stelle dieses Schlüsselbilds setzen</translation>
+        <source>Replace this key frame with the current view</source>
+        <translation>Dieses Schlüsselbild durch die jetzige Ansicht ersetzen</translation>
     </message>
     <message>
         <source>S&amp;how</source>
@@ -4171,16 +2225,16 @@ Verwerfung %2</translation>
         <translation>&amp;Früher</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame before it (Alt+Up)</source>
-        <translation>Mit dem Schlüsselbild davor tauschen (Alt+Auf)</translation>
+        <source>Swap with the previous key frame (Alt+Up)</source>
+        <translation>Mit dem vorigen Schlüsselbild tauschen (Alt+Pfeil auf)</translation>
     </message>
     <message>
         <source>La&amp;ter</source>
         <translation>S&amp;päter</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame after it (Alt+Down)</source>
-        <translation>Mit dem Schlüsselbild danach tauschen (Alt+Ab)</translation>
+        <source>Swap with the next key frame (Alt+Down)</source>
+        <translation>Mit dem nächsten Schlüsselbild tauschen (Alt+Pfeil ab)</translation>
     </message>
     <message>
         <source>Show Key Frame</source>
@@ -4344,7 +2398,7 @@ Verwerfung %2</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
         <translation>Es kann nur eine Datei zugleich offen sein; von den abgelegten wurde %1 geöffnet.</translation>
     </message>
     <message>
@@ -4433,6 +2487,4781 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Message</name>
+    <message>
+        <source>The folder &apos;%1&apos; does not exist: create it or choose another.</source>
+        <translation>Den Ordner „%1“ gibt es nicht: Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a folder: choose another.</source>
+        <translation>„%1“ ist kein Ordner: Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>It is a folder: name a file in it.</source>
+        <translation>Das ist ein Ordner: Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or change the permissions of this one.</source>
+        <translation>Wählen Sie einen anderen Ordner, oder ändern Sie die Rechte von diesem.</translation>
+    </message>
+    <message>
+        <source>Choose a folder on a disk that can be written.</source>
+        <translation>Wählen Sie einen Ordner auf einem beschreibbaren Datenträger.</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name.</source>
+        <translation>Wählen Sie einen kürzeren Namen.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or disk.</source>
+        <translation>Wählen Sie einen anderen Ordner oder Datenträger.</translation>
+    </message>
+    <message>
+        <source>Not valid JSON: %1 (%2).</source>
+        <translation>Kein gültiges JSON: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at (%3, %4, %5). Repair the mesh in the program that made it.</source>
+        <translation>%1 Zellen sind gefaltet oder so verwunden, dass keine Tetraeder sie füllen; die erste ist Zelle %2 bei (%3, %4, %5). Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>The runs of the blocks do not fit together. Start the build again.</source>
+        <translation>Die Läufe der Blöcke passen nicht zusammen. Starten Sie den Aufbau noch einmal.</translation>
+    </message>
+    <message>
+        <source>Extracting the mesh</source>
+        <translation>Netz wird entnommen</translation>
+    </message>
+    <message>
+        <source>Choosing from the mesh</source>
+        <translation>Auswahl aus dem Netz</translation>
+    </message>
+    <message>
+        <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
+        <translation>Das Netz hat zu viele Tetraeder, um seine Berandung zu zeigen. Verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>the text</source>
+        <translation>der Text</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read: %1 (%2).</source>
+        <translation>Die Transferfunktion kann nicht gelesen werden: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normiert</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Aufsatz</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
+        <translation>Bei krummlinigen Daten: „normalised“ nimmt den Punkt, der in Fehler oder Verwerfung am weitesten daneben liegt; „paper“ vergleicht beide in den Einheiten der Daten, wie der Aufsatz, zum Vergleich mit ihm. Beide bewahren Zellen vor dem Umklappen.</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>loaded</source>
+        <translation>geladen</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; %2.</source>
+        <translation>Das Feld „%1“ %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1: %2&apos; in its header %3</source>
+        <translation>„%1: %2“ in ihrem Kopf %3</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
+        <translation>%1 hat %2 Bytes, und ihr Kopf verlangt %3. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>has no %1 in line %2, but &apos;%3&apos;. It is damaged, or of another version of the format: export it again.</source>
+        <translation>enthält in Zeile %2 nicht das Erwartete (%1), sondern „%3“. Sie ist beschädigt oder von einer anderen Version des Formats: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>has no %1 in line %2, but &apos;%3&apos;. It is damaged: export it again.</source>
+        <translation>enthält in Zeile %2 nicht das Erwartete (%1), sondern „%3“. Sie ist beschädigt: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>has no %1. It is cut short or damaged.</source>
+        <translation>enthält eine Angabe nicht (%1). Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>has a part without a number, in the line &apos;%1&apos;. It is damaged.</source>
+        <translation>hat einen Teil ohne Nummer, in der Zeile „%1“. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>number of values</source>
+        <translation>Anzahl der Werte</translation>
+    </message>
+    <message>
+        <source>place of a value</source>
+        <translation>Platz eines Wertes</translation>
+    </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>Die Datei konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The session cannot be read: %1</source>
+        <translation>Die Sitzung kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2. %3</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>Es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>Die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Choose another name, or make it writable.</source>
+        <translation>Wählen Sie einen anderen Namen, oder machen Sie sie beschreibbar.</translation>
+    </message>
+    <message>
+        <source>it does not name a file</source>
+        <translation>Das benennt keine Datei</translation>
+    </message>
+    <message>
+        <source>Name a file.</source>
+        <translation>Nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to build a model. Close other programs, or take fewer samples.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um ein Modell zu bauen. Schließen Sie andere Programme, oder nehmen Sie weniger Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>there is something after the end of the value</source>
+        <translation>nach dem Ende des Wertes steht noch etwas</translation>
+    </message>
+    <message>
+        <source>a byte that is not of UTF-8 text</source>
+        <translation>ein Byte, das nicht zu UTF-8-Text gehört</translation>
+    </message>
+    <message>
+        <source>too many levels</source>
+        <translation>zu viele Ebenen</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;]&apos;</source>
+        <translation>„,“ oder „]“ erwartet</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; is there twice</source>
+        <translation>das Element „%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos;</source>
+        <translation>„:“ erwartet</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;}&apos;</source>
+        <translation>„,“ oder „}“ erwartet</translation>
+    </message>
+    <message>
+        <source>expected a value</source>
+        <translation>ein Wert wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected four hexadecimal digits</source>
+        <translation>vier hexadezimale Ziffern werden erwartet</translation>
+    </message>
+    <message>
+        <source>unknown escape</source>
+        <translation>unbekannte Escape-Folge</translation>
+    </message>
+    <message>
+        <source>half of a surrogate pair</source>
+        <translation>die Hälfte eines Ersatzzeichenpaars</translation>
+    </message>
+    <message>
+        <source>expected a name in quotes</source>
+        <translation>ein Name in Anführungszeichen wird erwartet</translation>
+    </message>
+    <message>
+        <source>a control character inside quotes</source>
+        <translation>ein Steuerzeichen in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>the closing quote is missing</source>
+        <translation>das schließende Anführungszeichen fehlt</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2</source>
+        <translation>„%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. Check its name and folder.</source>
+        <translation>%1. Prüfen Sie Name und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1. Ask its owner for the right to read it.</source>
+        <translation>%1. Bitten Sie den Eigentümer um das Recht, sie zu lesen.</translation>
+    </message>
+    <message>
+        <source>it is a folder. Name a file in it.</source>
+        <translation>Das ist ein Ordner. Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file. Copy its content into one first.</source>
+        <translation>Das ist keine gewöhnliche Datei. Kopieren Sie den Inhalt erst in eine.</translation>
+    </message>
+    <message>
+        <source>Cannot open &apos;%1&apos;: too many files are open. Close some of them.</source>
+        <translation>„%1“ kann nicht geöffnet werden: Zu viele Dateien sind offen. Schließen Sie einige.</translation>
+    </message>
+    <message>
+        <source>Not enough memory: %1 MiB of address space for %2 were refused (%3). Close other programs, or raise the memory limit.</source>
+        <translation>Der Arbeitsspeicher reicht nicht: %1 MiB Adressraum für %2 wurden verweigert (%3). Schließen Sie andere Programme, oder heben Sie die Speichergrenze an.</translation>
+    </message>
+    <message>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>In „%1“ kann keine Zwischendatei angelegt werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Eine Zwischendatei in „%1“ kann nicht benutzt werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Dieser Rechner kann zurzeit keine weiteren Threads starten. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Der Speicher dieses Rechners reicht dafür nicht aus. Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>Nicht genug Speicher</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>Im Augenblick nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät oder Datei in Benutzung</translation>
+    </message>
+    <message>
+        <source>Invalid cross-device link</source>
+        <translation>Auf einem anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Kein Ordner</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>Ungültiges Argument</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Too many open files in system</source>
+        <translation>Zu viele offene Dateien im ganzen System</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Zu viele symbolische Verweise hintereinander</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Die Datei gibt es auf dem Server nicht mehr</translation>
+    </message>
+    <message>
+        <source>system error %1</source>
+        <translation>Systemfehler %1</translation>
+    </message>
+    <message>
+        <source>Choose a disk that allows larger files, or raise the limit (ulimit -f).</source>
+        <translation>Wählen Sie einen Datenträger, der größere Dateien erlaubt, oder heben Sie die Grenze an (ulimit -f).</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk.</source>
+        <translation>Schaffen Sie Platz, oder wählen Sie einen anderen Datenträger.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Schließen Sie andere Programme, oder heben Sie die Begrenzung an (ulimit).</translation>
+    </message>
+    <message>
+        <source>Cannot work in &apos;%1&apos;: %2. %3</source>
+        <translation>In „%1“ kann nicht gearbeitet werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>Choose another folder for the model.</source>
+        <translation>Wählen Sie einen anderen Ordner für das Modell.</translation>
+    </message>
+    <message>
+        <source>another program is building this model</source>
+        <translation>Ein anderes Programm baut dieses Modell gerade</translation>
+    </message>
+    <message>
+        <source>Wait for it, or give the model another name.</source>
+        <translation>Warten Sie darauf, oder geben Sie dem Modell einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>er enthält etwas anderes</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Ordner beiseite.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>er ist ein Verweis</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Geben Sie dem Modell einen anderen Namen, oder schieben Sie jenen Verweis beiseite.</translation>
+    </message>
+    <message>
+        <source>A mesh of %1 points and %2 tetrahedra is too large to be decimated: %3 points and %4 tetrahedra are the most. Take a region of it or fewer samples.</source>
+        <translation>Ein Netz aus %1 Punkten und %2 Tetraedern ist zu groß, um vergröbert zu werden: Höchstens %3 Punkte und %4 Tetraeder sind möglich. Nehmen Sie einen Bereich davon oder weniger Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
+        <translation>Die Vergröberung von %1 Punkten und %2 Tetraedern braucht etwa %3 Arbeitsspeicher, und dieser Rechner hat %4. Nehmen Sie einen Bereich davon oder weniger Abtastwerte, oder verfeinern Sie stattdessen, wenn es ein Gitter ist.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to decimate &apos;%1&apos;. Take a region of it or fewer samples.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu vergröbern. Nehmen Sie einen Bereich davon oder weniger Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
+        <translation>Der feinste Fehler (%1 %) ist größer als der Fehler, bei dem aufgehört wird (%2 %). Wählen Sie einen kleineren feinsten Fehler, oder 0, um alles zu behalten.</translation>
+    </message>
+    <message>
+        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
+        <translation>Verstreute Punkte haben keine Tetraeder, mit denen die Vergröberung beginnen könnte. Verfeinern Sie sie stattdessen.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
+        <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
+    </message>
+    <message>
+        <source>model about %1, work files %2</source>
+        <translation>Modell etwa %1, Arbeitsdateien %2</translation>
+    </message>
+    <message>
+        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
+        <translation>Der Bau braucht etwa %1 auf dem Datenträger von „%2“ (%3), und %4 sind frei. Schaffen Sie Platz, wählen Sie einen anderen Datenträger oder einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2.</source>
+        <translation>„%1“ kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
+        <translation>„%1“ gibt es und ist kein TAn-Modell, wird also nicht überschrieben. Geben Sie dem Modell einen anderen Namen, oder entfernen Sie die Datei zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 is no percentage at which to stop. Give one from 0 to 100.</source>
+        <translation>%1 ist kein Prozentsatz, bei dem aufgehört werden kann. Geben Sie einen von 0 bis 100 an.</translation>
+    </message>
+    <message>
+        <source>The build</source>
+        <translation>Der Aufbau</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Blocks cannot be built into this target. Set the block to &quot;none&quot;.</source>
+        <translation>In dieses Ziel kann nicht in Blöcken gebaut werden. Setzen Sie „block“ auf „none“.</translation>
+    </message>
+    <message>
+        <source>Point %1 of &apos;%2&apos; has a position or a value that is not a finite number. Leave it out.</source>
+        <translation>Punkt %1 von „%2“ hat eine Position oder einen Wert, der keine endliche Zahl ist. Lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.</source>
+        <translation>Ein Gitter aus %1 Punkten ist zu groß: Ein Modell fasst höchstens 4294967296. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs four points or more.</source>
+        <translation>Ein Tetraedernetz braucht vier Punkte oder mehr.</translation>
+    </message>
+    <message>
+        <source>Refinement does not take %1 data.</source>
+        <translation>Die Verfeinerung nimmt Daten dieser Art nicht: %1.</translation>
+    </message>
+    <message>
+        <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
+        <translation>Blöcke von %1 Zellen zerlegen diesen Datensatz in %2 Stücke; höchstens %3 sind möglich. Wählen Sie größere Blöcke.</translation>
+    </message>
+    <message>
+        <source>The values belong to cells: each point got the mean of the cells around it.</source>
+        <translation>Die Werte gehören zu Zellen: Jeder Punkt bekam das Mittel der Zellen um ihn.</translation>
+    </message>
+    <message>
+        <source>1 cell is a vertex, line or polygon without volume and not part of the mesh.</source>
+        <translation>1 Zelle ist ein Punkt, eine Linie oder ein Vieleck ohne Volumen und gehört nicht zum Netz.</translation>
+    </message>
+    <message>
+        <source>%1 cells are vertices, lines or polygons without volume and not part of the mesh.</source>
+        <translation>%1 Zellen sind Punkte, Linien oder Vielecke ohne Volumen und gehören nicht zum Netz.</translation>
+    </message>
+    <message>
+        <source>1 cell is blanked out in the file: a hole.</source>
+        <translation>1 Zelle ist in der Datei ausgeblendet: ein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 cells are blanked out in the file: holes.</source>
+        <translation>%1 Zellen sind in der Datei ausgeblendet: Löcher.</translation>
+    </message>
+    <message>
+        <source>1 cell has a value that is not finite and became a hole.</source>
+        <translation>1 Zelle hat einen Wert, der nicht endlich ist, und wurde ein Loch.</translation>
+    </message>
+    <message>
+        <source>%1 cells have a value that is not finite and became holes.</source>
+        <translation>%1 Zellen haben einen Wert, der nicht endlich ist, und wurden zu Löchern.</translation>
+    </message>
+    <message>
+        <source>1 cell names a corner twice, has no volume and was left out.</source>
+        <translation>1 Zelle nennt eine Ecke zweimal, hat kein Volumen und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 cells name a corner twice, have no volume and were left out.</source>
+        <translation>%1 Zellen nennen eine Ecke zweimal, haben kein Volumen und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>1 cell without volume was left out.</source>
+        <translation>1 Zelle ohne Volumen wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 cells without volume were left out.</source>
+        <translation>%1 Zellen ohne Volumen wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>All cells had inverted orientation and were corrected.</source>
+        <translation>Alle Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
+    </message>
+    <message>
+        <source>1 cell had inverted orientation and was corrected.</source>
+        <translation>1 Zelle hatte die umgekehrte Orientierung und wurde korrigiert.</translation>
+    </message>
+    <message>
+        <source>%1 cells had inverted orientation and were corrected.</source>
+        <translation>%1 Zellen hatten die umgekehrte Orientierung und wurden korrigiert.</translation>
+    </message>
+    <message>
+        <source>1 point on the place of another one was merged with it.</source>
+        <translation>1 Punkt am Ort eines anderen wurde mit ihm vereinigt.</translation>
+    </message>
+    <message>
+        <source>%1 points on the place of another one were merged with it.</source>
+        <translation>%1 Punkte am Ort eines anderen wurden mit ihm vereinigt.</translation>
+    </message>
+    <message>
+        <source>1 place had different values and got their mean.</source>
+        <translation>1 Ort hatte verschiedene Werte und bekam ihr Mittel.</translation>
+    </message>
+    <message>
+        <source>%1 places had different values and got their mean.</source>
+        <translation>%1 Orte hatten verschiedene Werte und bekamen ihr Mittel.</translation>
+    </message>
+    <message>
+        <source>1 node in the middle of an edge or face was left out: not all cells there have it, or cells bend too much.</source>
+        <translation>1 Knoten in der Mitte einer Kante oder Seite wurde weggelassen: Nicht alle Zellen dort haben ihn, oder Zellen biegen sich zu sehr.</translation>
+    </message>
+    <message>
+        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
+        <translation>%1 Knoten in der Mitte von Kanten und Seiten wurden weggelassen: Nicht alle Zellen dort haben sie, oder Zellen biegen sich zu sehr.</translation>
+    </message>
+    <message>
+        <source>1 cell was cut along other diagonals, because its faces are not flat.</source>
+        <translation>1 Zelle wurde entlang anderer Diagonalen zerlegt, weil ihre Seiten nicht eben sind.</translation>
+    </message>
+    <message>
+        <source>%1 cells were cut along other diagonals, because their faces are not flat.</source>
+        <translation>%1 Zellen wurden entlang anderer Diagonalen zerlegt, weil ihre Seiten nicht eben sind.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>1 Zelle wurde weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>%1 Zellen wurden weggelassen: zu verwunden, um ohne neuen Punkt in Tetraeder zerlegt zu werden.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was there twice.</source>
+        <translation>1 Tetraeder war doppelt da.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were there twice.</source>
+        <translation>%1 Tetraeder waren doppelt da.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was left out where parts of the mesh touched only in an edge or a point.</source>
+        <translation>1 Tetraeder wurde weggelassen, wo sich Teile des Netzes nur in einer Kante oder einem Punkt berührten.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were left out where parts of the mesh touched only in an edge or a point.</source>
+        <translation>%1 Tetraeder wurden weggelassen, wo sich Teile des Netzes nur in einer Kante oder einem Punkt berührten.</translation>
+    </message>
+    <message>
+        <source>1 point belongs to no cell and was left out.</source>
+        <translation>1 Punkt gehört zu keiner Zelle und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 points belong to no cell and were left out.</source>
+        <translation>%1 Punkte gehören zu keiner Zelle und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The mesh has no cells or no points.</source>
+        <translation>Das Netz hat keine Zellen oder keine Punkte.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 points; at most 4294967294 can be numbered. Take a part of it.</source>
+        <translation>Das Netz hat %1 Punkte; höchstens 4294967294 können nummeriert werden. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>The cells&apos; lists of corners do not fit together: their offsets do not rise from 0 to the number of corners.</source>
+        <translation>Die Eckenlisten der Zellen passen nicht zusammen: Ihre Anfänge steigen nicht von 0 bis zur Anzahl der Ecken.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 cells, but says of %2 whether they are blanked out.</source>
+        <translation>Das Netz hat %1 Zellen, sagt aber von %2, ob sie ausgeblendet sind.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 cells, but %2 values.</source>
+        <translation>Das Netz hat %1 Zellen, aber %2 Werte.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 points, but %2 values.</source>
+        <translation>Das Netz hat %1 Punkte, aber %2 Werte.</translation>
+    </message>
+    <message>
+        <source>Cells name points that do not exist (%1 in all, the first is cell %2). The mesh has %3 points: the file is damaged.</source>
+        <translation>Zellen nennen Punkte, die es nicht gibt (%1 insgesamt, die erste ist Zelle %2). Das Netz hat %3 Punkte: Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Cells have another number of corners than their shape (%1 in all, the first is cell %2). The file is damaged.</source>
+        <translation>Zellen haben eine andere Zahl von Ecken als ihre Form (%1 insgesamt, die erste ist Zelle %2). Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Cells are polyhedra with any number of faces (%1 in all, the first is cell %2). Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).</source>
+        <translation>Zellen sind Polyeder mit beliebig vielen Seiten (%1 insgesamt, die erste ist Zelle %2). Zerlegen Sie sie zuerst in Tetraeder (in ParaView mit dem Filter Tetrahedralize).</translation>
+    </message>
+    <message>
+        <source>Cells have a corner whose place is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
+        <translation>Zellen haben eine Ecke, deren Ort nicht endlich ist (%1 insgesamt, die erste ist Zelle %2). Korrigieren Sie die Punkte, oder blenden Sie die Zellen aus.</translation>
+    </message>
+    <message>
+        <source>No cell of the mesh has a volume and finite values: nothing is left.</source>
+        <translation>Keine Zelle des Netzes hat ein Volumen und endliche Werte: Es bleibt nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Cutting the cells</source>
+        <translation>Zerlegen der Zellen</translation>
+    </message>
+    <message>
+        <source>The cells make more than %1 tetrahedra. Take a part of the mesh.</source>
+        <translation>Die Zellen ergeben mehr als %1 Tetraeder. Nehmen Sie einen Teil des Netzes.</translation>
+    </message>
+    <message>
+        <source>Checking the mesh</source>
+        <translation>Prüfen des Netzes</translation>
+    </message>
+    <message>
+        <source>The mesh has %1. Repair the mesh in the program that made it.</source>
+        <translation>Das Netz hat %1. Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that is flat or inverted, one at %1</source>
+        <translation>1 flaches oder invertiertes Tetraeder, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that are flat or inverted, one at %2</source>
+        <translation>%1 flache oder invertierte Tetraeder, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron at a face that three or more share, one at %1</source>
+        <translation>1 Tetraeder an einer Seite, die drei oder mehr gemeinsam haben, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at faces that three or more share, one at %2</source>
+        <translation>%1 Tetraeder an Seiten, die drei oder mehr gemeinsam haben, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that overlaps its neighbour, one at %1</source>
+        <translation>1 Tetraeder, das seinen Nachbarn überlappt, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2</source>
+        <translation>%1 Tetraeder, die einen Nachbarn auf derselben Seite überlappen, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 edge in which parts of it only touch, one at %1</source>
+        <translation>1 Kante, in der sich Teile nur berühren, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 edges in which parts of it only touch, one at %2</source>
+        <translation>%1 Kanten, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 point in which parts of it only touch, one at %1</source>
+        <translation>1 Punkt, in dem sich Teile nur berühren, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 points in which parts of it only touch, one at %2</source>
+        <translation>%1 Punkte, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
+        <translation>Der Datensatz ist kein unregelmäßiges Netz: Er hat keine Positionen oder keine Tetraeder.</translation>
+    </message>
+    <message>
+        <source>The mesh does not have a finite position and a finite value for each point.</source>
+        <translation>Das Netz hat nicht für jeden Punkt eine endliche Position und einen endlichen Wert.</translation>
+    </message>
+    <message>
+        <source>A tetrahedron of the mesh names point %1 of %2.</source>
+        <translation>Ein Tetraeder des Netzes nennt Punkt %1 von %2.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 points that no tetrahedron uses.</source>
+        <translation>Das Netz hat %1 Punkte, die kein Tetraeder benutzt.</translation>
+    </message>
+    <message>
+        <source>1 pair of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %1</source>
+        <translation>1 Paar von Randflächen, die sich schneiden oder berühren: Zellen überlappen sich oder passen dort nicht zusammen, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 pairs of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %2</source>
+        <translation>%1 Paare von Randflächen, die sich schneiden oder berühren: Zellen überlappen sich oder passen dort nicht zusammen, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>1 part inside another part, one at %1</source>
+        <translation>1 Teil in einem anderen Teil, bei %1</translation>
+    </message>
+    <message>
+        <source>%1 parts inside other parts, one at %2</source>
+        <translation>%1 Teile in anderen Teilen, zum Beispiel bei %2</translation>
+    </message>
+    <message>
+        <source>The mesh has more than %1 tetrahedra. Take a part of it.</source>
+        <translation>Das Netz hat mehr als %1 Tetraeder. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>No cell of the mesh has a volume: nothing is left.</source>
+        <translation>Keine Zelle des Netzes hat ein Volumen: Es bleibt nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh. Take a part of it.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für das Netz. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
+        <translation>„%1“ wurde abgeschnitten oder geändert, während die Datei offen war, sodass falsch wäre, was daraus gemacht wurde. Öffnen Sie sie noch einmal; gelingt das nicht, holen oder erzeugen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>it has %1 points. A volume needs at least 2 along each axis: put several slices together, or repeat the one there is.</source>
+        <translation>Sie hat %1 Punkte. Ein Volumen braucht mindestens 2 entlang jeder Achse: Fügen Sie mehrere Schichten zusammen, oder wiederholen Sie die eine.</translation>
+    </message>
+    <message>
+        <source>it claims to have %1 points, more than any machine can hold. Its description is wrong: check the sizes.</source>
+        <translation>Sie will %1 Punkte haben, mehr als irgendein Rechner fasst. Die Beschreibung ist falsch: Prüfen Sie die Größen.</translation>
+    </message>
+    <message>
+        <source>its spacing is %1. The distance of neighbouring points must be a positive number along each axis.</source>
+        <translation>Ihr Abstand ist %1. Der Abstand benachbarter Punkte muss entlang jeder Achse eine positive Zahl sein.</translation>
+    </message>
+    <message>
+        <source>its origin %1 and spacing %2 give positions that are no finite numbers. Check both.</source>
+        <translation>Ihr Ursprung %1 und ihr Abstand %2 ergeben Positionen, die keine endlichen Zahlen sind. Prüfen Sie beide.</translation>
+    </message>
+    <message>
+        <source>its origin %1 is so far away for the spacing %2 that neighbouring points fall together. Move the origin nearer to 0.</source>
+        <translation>Ihr Ursprung %1 ist für den Abstand %2 so weit entfernt, dass benachbarte Punkte zusammenfallen. Rücken Sie den Ursprung näher an 0.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them by numbers first.</source>
+        <translation>%1 der %2 Abtastwerte sind NaN oder unendlich, der erste bei Punkt (%3, %4, %5). Ersetzen Sie sie zuerst durch Zahlen.</translation>
+    </message>
+    <message>
+        <source>the position of point %1 is no number, or far beyond what can be reckoned with. Repair the file.</source>
+        <translation>Die Position von Punkt %1 ist keine Zahl oder liegt weit jenseits dessen, womit gerechnet werden kann. Reparieren Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>%1 values are too large for single precision, or no numbers. Choose another array.</source>
+        <translation>%1 Werte sind zu groß für einfache Genauigkeit oder keine Zahlen. Wählen Sie ein anderes Feld.</translation>
+    </message>
+    <message>
+        <source>all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes.</source>
+        <translation>Alle Punkte liegen in einer Ebene oder enger, sodass keine Zelle ein Volumen hat. TAn nimmt Volumen.</translation>
+    </message>
+    <message>
+        <source>Cannot use &apos;%1&apos;: %2</source>
+        <translation>„%1“ kann nicht benutzt werden: %2</translation>
+    </message>
+    <message>
+        <source>it has %1 values for %2 points. Give one a point.</source>
+        <translation>Er hat %1 Werte für %2 Punkte. Geben Sie jedem Punkt einen.</translation>
+    </message>
+    <message>
+        <source>the position or the value of point %1 is no finite number, or too large. Leave it out.</source>
+        <translation>Die Position oder der Wert von Punkt %1 ist keine endliche Zahl oder zu groß. Lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>it has no points.</source>
+        <translation>Er hat keine Punkte.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has more than 4294967295 points. Take a part of them.</source>
+        <translation>„%1“ hat mehr als 4294967295 Punkte. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>The region does not lie in the grid: along %1 it takes whole numbers from 0 to %2.</source>
+        <translation>Der Bereich liegt nicht im Gitter: Entlang %1 nimmt er ganze Zahlen von 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>A stride is a whole number from 1.</source>
+        <translation>Eine Schrittweite ist eine ganze Zahl ab 1.</translation>
+    </message>
+    <message>
+        <source>The part has %1 points along %2, and a volume needs at least two along each axis. Take a larger region or a smaller stride.</source>
+        <translation>Der Teil hat %1 Punkte entlang %2, und ein Volumen braucht mindestens zwei entlang jeder Achse. Nehmen Sie einen größeren Bereich oder eine kleinere Schrittweite.</translation>
+    </message>
+    <message>
+        <source>No cell of the part has a volume. Take another region or a smaller stride.</source>
+        <translation>Keine Zelle des Teils hat ein Volumen. Nehmen Sie einen anderen Bereich oder eine kleinere Schrittweite.</translation>
+    </message>
+    <message>
+        <source>A part of %1 of the %2 points.</source>
+        <translation>Ein Teil von %1 der %2 Punkte.</translation>
+    </message>
+    <message>
+        <source>The region holds %1. Take a larger one; &apos;bounds&apos; of &apos;tan info&apos; says where the points lie.</source>
+        <translation>Der Bereich enthält %1. Nehmen Sie einen größeren; „bounds“ von „tan info“ sagt, wo die Punkte liegen.</translation>
+    </message>
+    <message>
+        <source>no whole tetrahedron</source>
+        <translation>kein ganzes Tetraeder</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron inside the region was left out: it touches the others only at a vertex or an edge.</source>
+        <translation>1 Tetraeder im Bereich wurde weggelassen: Es berührt die anderen nur an einem Knoten oder einer Kante.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra inside the region were left out: they touch the others only at a vertex or an edge.</source>
+        <translation>%1 Tetraeder im Bereich wurden weggelassen: Sie berühren die anderen nur an einem Knoten oder einer Kante.</translation>
+    </message>
+    <message>
+        <source>%1 points, and a volume needs four</source>
+        <translation>%1 Punkte, und ein Volumen braucht vier</translation>
+    </message>
+    <message>
+        <source>Only points of a grid can be taken by a stride. Take a region.</source>
+        <translation>Nur Punkte eines Gitters können mit einer Schrittweite genommen werden. Nehmen Sie einen Bereich.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for this part. Take a smaller one.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für diesen Teil. Nehmen Sie einen kleineren.</translation>
+    </message>
+    <message>
+        <source>The region &apos;%1&apos; %2</source>
+        <translation>Der Bereich „%1“ %2</translation>
+    </message>
+    <message>
+        <source>is not understood. Give six numbers separated by commas: the first corner&apos;s and the last one&apos;s, as in 0,0,0,31,31,15.</source>
+        <translation>ist nicht zu verstehen. Geben Sie sechs Zahlen an, durch Kommas getrennt: die der ersten und die der letzten Ecke, wie in 0,0,0,31,31,15.</translation>
+    </message>
+    <message>
+        <source>holds &apos;%1&apos;, which is no number.</source>
+        <translation>enthält „%1“, was keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>ends before it begins. Give the smaller numbers first.</source>
+        <translation>endet, bevor er beginnt. Geben Sie die kleineren Zahlen zuerst an.</translation>
+    </message>
+    <message>
+        <source>The stride &apos;%1&apos; is not understood. Give one whole number from 1, or three separated by commas, as in 2,2,1.</source>
+        <translation>Die Schrittweite „%1“ ist nicht zu verstehen. Geben Sie eine ganze Zahl ab 1 an, oder drei, durch Kommas getrennt, wie in 2,2,1.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>There is no layer %1 along this axis.</source>
+        <translation>Eine Schicht %1 gibt es entlang dieser Achse nicht.</translation>
+    </message>
+    <message>
+        <source>The preview</source>
+        <translation>Die Vorschau</translation>
+    </message>
+    <message>
+        <source>Not enough memory: %1 samples of type %2 do not fit into the %3 MiB of this machine. Use a smaller part or a coarser version of the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht: %1 Abtastwerte vom Typ %2 passen nicht in die %3 MiB dieses Rechners. Nehmen Sie einen kleineren Teil oder eine gröbere Fassung der Daten.</translation>
+    </message>
+    <message>
+        <source>the samples</source>
+        <translation>die Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the weights of %1 points. Build without weights, or close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für die Gewichte von %1 Punkten. Bauen Sie ohne Gewichte, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Weighting the points</source>
+        <translation>Punkte werden gewichtet</translation>
+    </message>
+    <message>
+        <source>The weight &apos;%1&apos; cannot be used: %2.</source>
+        <translation>Das Gewicht „%1“ ist nicht brauchbar: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers, and the form is %2</source>
+        <translation>Es hat %1 Zahlen, und die Form ist %2</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be at least 0</source>
+        <translation>Seine Reichweite ist %1 und muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be above 0</source>
+        <translation>Seine Reichweite ist %1 und muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>its floor is %1 and must be from %2 to 1</source>
+        <translation>Sein Mindestwert ist %1 und muss von %2 bis 1 sein</translation>
+    </message>
+    <message>
+        <source>a weight begins with &apos;point:&apos;, &apos;box:&apos; or &apos;value:&apos;</source>
+        <translation>Ein Gewicht beginnt mit „point:“, „box:“ oder „value:“</translation>
+    </message>
+    <message>
+        <source>its first corner must be the smaller one along every axis</source>
+        <translation>Seine erste Ecke muss entlang jeder Achse die kleinere sein</translation>
+    </message>
+    <message>
+        <source>The history has more than 4 billion tetrahedra. Decimate a part of the mesh.</source>
+        <translation>Die Geschichte hat mehr als 4 Milliarden Tetraeder. Vergröbern Sie einen Teil des Netzes.</translation>
+    </message>
+    <message>
+        <source>The decimation</source>
+        <translation>Die Vergröberung</translation>
+    </message>
+    <message>
+        <source>Writing the history</source>
+        <translation>Geschichte wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Evaluating vertices</source>
+        <translation>Die Knoten werden bewertet</translation>
+    </message>
+    <message>
+        <source>Collapsing</source>
+        <translation>Kanten schrumpfen</translation>
+    </message>
+    <message>
+        <source>Collapsing in rounds</source>
+        <translation>Kanten werden in Runden kontrahiert</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be decimated: %1</source>
+        <translation>Das Netz kann nicht vergröbert werden: %1</translation>
+    </message>
+    <message>
+        <source>Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part.</source>
+        <translation>Netze aus mehr als 4294967294 Punkten oder 1073741823 Tetraedern können nicht vergröbert werden. Nehmen Sie einen Teil.</translation>
+    </message>
+    <message>
+        <source>it has no tetrahedra.</source>
+        <translation>Es hat keine Tetraeder.</translation>
+    </message>
+    <message>
+        <source>it has not one value, weight and place for each of its %1 points.</source>
+        <translation>Es hat nicht für jeden seiner %1 Punkte einen Wert, ein Gewicht und einen Ort.</translation>
+    </message>
+    <message>
+        <source>point %1 has no finite place.</source>
+        <translation>Punkt %1 hat keinen endlichen Ort.</translation>
+    </message>
+    <message>
+        <source>point %1 has no finite value.</source>
+        <translation>Punkt %1 hat keinen endlichen Wert.</translation>
+    </message>
+    <message>
+        <source>weights must be above 0 and at most 1.</source>
+        <translation>Gewichte müssen über 0 liegen und höchstens 1 sein.</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has vertex %1, which does not exist.</source>
+        <translation>Ein Tetraeder hat den Knoten %1, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>point %1 is in no tetrahedron. Leave it out.</source>
+        <translation>Punkt %1 liegt in keinem Tetraeder. Lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>The weight of the warping must be a positive number.</source>
+        <translation>Das Gewicht der Verwerfung muss eine positive Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The error to stop at must not be negative.</source>
+        <translation>Der Fehler, bei dem aufgehört wird, darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz zu vergröbern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>point %1 is not in the dataset</source>
+        <translation>Punkt %1 ist nicht im Datensatz</translation>
+    </message>
+    <message>
+        <source>the error before it is not a number of at least 0</source>
+        <translation>der Fehler davor ist keine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.</source>
+        <translation>Die Geschichte hat mehr als 4294967295 Tetraeder. Verlangen Sie einen größeren Fehler, oder bauen Sie in Blöcken.</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of its star has a site that comes after it</source>
+        <translation>ein Tetraeder ihres Sterns hat eine Stützstelle, die nach ihr kommt</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of its star has a site twice</source>
+        <translation>ein Tetraeder ihres Sterns hat eine Stützstelle zweimal</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of its star has an error or a warping that is not a number of at least 0</source>
+        <translation>ein Tetraeder ihres Sterns hat einen Fehler oder eine Verwerfung, die keine Zahl ab 0 ist</translation>
+    </message>
+    <message>
+        <source>it destroys tetrahedron %1, which is not in the mesh</source>
+        <translation>sie zerstört Tetraeder %1, das nicht im Netz ist</translation>
+    </message>
+    <message>
+        <source>it destroys tetrahedron %1 twice</source>
+        <translation>sie zerstört Tetraeder %1 zweimal</translation>
+    </message>
+    <message>
+        <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Ask for a larger error, or take a part of the dataset.</source>
+        <translation>Das feinste Netz hätte etwa %1 Tetraeder, und ein Modell fasst Netze mit höchstens %2. Verlangen Sie einen größeren Fehler, oder nehmen Sie einen Teil des Datensatzes.</translation>
+    </message>
+    <message>
+        <source>%1. Start the build again.</source>
+        <translation>%1. Starten Sie den Aufbau noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is not what was written. Start the build again.</source>
+        <translation>Sie ist nicht, was geschrieben wurde. Starten Sie den Aufbau noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;, which this build had written: %2</source>
+        <translation>„%1“, das dieser Aufbau geschrieben hatte, kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>Refining the blocks</source>
+        <translation>Blöcke werden verfeinert</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine blocks of this size. Close other programs, use fewer threads or choose smaller blocks.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um Blöcke dieser Größe zu verfeinern. Schließen Sie andere Programme, nehmen Sie weniger Threads, oder wählen Sie kleinere Blöcke.</translation>
+    </message>
+    <message>
+        <source>The model would have more than 4294967294 sites. Ask for a larger error, or take a part of the dataset.</source>
+        <translation>Das Modell hätte mehr als 4294967294 Stützstellen. Verlangen Sie einen größeren Fehler, oder nehmen Sie einen Teil des Datensatzes.</translation>
+    </message>
+    <message>
+        <source>Merging the blocks</source>
+        <translation>Blöcke werden vereinigt</translation>
+    </message>
+    <message>
+        <source>Numbering the sites</source>
+        <translation>Stützstellen werden nummeriert</translation>
+    </message>
+    <message>
+        <source>Not enough memory to merge the blocks. Close other programs, or ask for a larger error.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um die Blöcke zu vereinigen. Schließen Sie andere Programme, oder verlangen Sie einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>its star offsets do not fit its mesh sizes</source>
+        <translation>die Anfänge der Sterne passen nicht zu den Netzgrößen</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 sites has %2 tetrahedra instead of %3</source>
+        <translation>das Netz von %1 Stützstellen hat %2 Tetraeder statt %3</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of site %1 or soon after has a site that comes after its creator</source>
+        <translation>ein Tetraeder der Stützstelle %1 oder bald danach hat eine Stützstelle, die nach seinem Erzeuger kommt</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of site %1 has a site that comes after its creator</source>
+        <translation>ein Tetraeder der Stützstelle %1 hat eine Stützstelle, die nach seinem Erzeuger kommt</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 sites has more than the %2 tetrahedra that it should have</source>
+        <translation>das Netz von %1 Stützstellen hat mehr als die %2 Tetraeder, die es haben sollte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 sites, fewer than the %3 asked for.</source>
+        <translation>„%1“ hat %2 Stützstellen, weniger als die %3 verlangten.</translation>
+    </message>
+    <message>
+        <source>The first %1 sites of &apos;%2&apos; have no mesh of their own: site %3 enters together with the one before it.</source>
+        <translation>Die ersten %1 Stützstellen von „%2“ haben kein eigenes Netz: Stützstelle %3 tritt zusammen mit der davor ein.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a mesh of %1 sites. Choose a larger error.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für ein Netz aus %1 Stützstellen. Wählen Sie einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
+        <translation>„%1“ endet weder auf .csv noch auf .json, in denen Statistiken geschrieben werden. Wählen Sie eine dieser Endungen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
+        <translation>„%1“ ist beschädigt: %2. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
+        <translation>„%1“ ist abgeschnitten: Es hat %2 Bytes und sollte %3 haben. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
+        <translation>„%1“ ist leer. Modelle werden aus Datensätzen gebaut.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a TAn model: it does not begin like one. Models are made by &apos;tan build&apos;.</source>
+        <translation>„%1“ ist kein TAn-Modell: Es beginnt nicht wie eines. Modelle werden aus Datensätzen gebaut.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was written with the other byte order. Build it again on this machine.</source>
+        <translation>„%1“ wurde in der anderen Bytefolge geschrieben. Bauen Sie es auf diesem Rechner neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has format version %2.%3; this program reads up to version %4. Install a later version of TAn.</source>
+        <translation>„%1“ hat die Formatversion %2.%3; dieses Programm liest bis Version %4. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>its header makes no sense</source>
+        <translation>Sein Kopf ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>the checksum of its header is wrong</source>
+        <translation>Die Prüfsumme seines Kopfes ist falsch</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes and should have %2</source>
+        <translation>Es hat %1 Bytes und sollte %2 haben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a model of domain class %2, which this version cannot read. Install a later version of TAn.</source>
+        <translation>„%1“ ist ein Modell der Klasse %2, das diese Version nicht lesen kann. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has samples of type %2, which this version cannot read. Install a later version of TAn.</source>
+        <translation>„%1“ hat Abtastwerte vom Typ %2, die diese Version nicht lesen kann. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>a lattice of %1 x %2 x %3 points is impossible</source>
+        <translation>ein Gitter aus %1 x %2 x %3 Punkten ist unmöglich</translation>
+    </message>
+    <message>
+        <source>the spacing or the origin of its lattice makes no sense</source>
+        <translation>der Abstand oder der Ursprung seines Gitters ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>%1 points cannot have %2 sites and %3 tetrahedra</source>
+        <translation>%1 Punkte können nicht %2 Stützstellen und %3 Tetraeder haben</translation>
+    </message>
+    <message>
+        <source>its value range or its final error makes no sense</source>
+        <translation>sein Wertebereich oder sein Endfehler ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its bounding box makes no sense</source>
+        <translation>sein Begrenzungsquader ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its warping weight or its handedness makes no sense</source>
+        <translation>sein Gewicht der Verwerfung oder seine Händigkeit ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is there twice</source>
+        <translation>Abschnitt „%1“ ist zweimal da</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; cannot begin at byte %2</source>
+        <translation>Abschnitt „%1“ kann nicht bei Byte %2 beginnen</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; reaches beyond the end of the file</source>
+        <translation>Abschnitt „%1“ reicht über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>its last section ends at byte %1 of %2</source>
+        <translation>sein letzter Abschnitt endet bei Byte %1 von %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs section %2, which this version does not know. Install a later version of TAn.</source>
+        <translation>„%1“ braucht Abschnitt %2, den diese Version nicht kennt. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; packs its section &apos;%2&apos; with codec %3, which this version does not know. Install a later version of TAn.</source>
+        <translation>„%1“ packt den Abschnitt „%2“ mit dem Codec %3, den diese Version nicht kennt. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>its text section is missing or too long</source>
+        <translation>sein Textabschnitt fehlt oder ist zu lang</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is missing</source>
+        <translation>Der Abschnitt „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; has %2 bytes in elements of %3 instead of %4 elements of %5</source>
+        <translation>Abschnitt „%1“ hat %2 Bytes in Elementen zu %3 statt %4 Elementen zu %5</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: the names and parameters of the model are longer than 1 MiB. Shorten them.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Die Namen und Parameter des Modells sind länger als 1 MiB. Kürzen Sie sie.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: the checksum of its history kind is wrong. Copy the file again, or build it again.</source>
+        <translation>„%1“ ist beschädigt: Die Prüfsumme der Art seiner Geschichte ist falsch. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a history of kind %2, which this version cannot read. Install a later version of TAn.</source>
+        <translation>„%1“ hat eine Geschichte der Art %2, die diese Version nicht lesen kann. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: the checksum of its text is wrong. Copy the file again, or build it again.</source>
+        <translation>„%1“ ist beschädigt: Die Prüfsumme seines Textes ist falsch. Kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
+    </message>
+    <message>
+        <source>Checking the model&apos;s file</source>
+        <translation>Datei des Modells wird geprüft</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
+        <translation>„%1“ wurde abgeschnitten oder geändert, während es offen war. Öffnen Sie es noch einmal; gelingt das nicht, kopieren Sie die Datei noch einmal, oder bauen Sie das Modell neu.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; made another history than it had announced. Nothing was written; report this to its author.</source>
+        <translation>Der Erbauer „%1“ hat eine andere Geschichte gemacht, als er angekündigt hatte. Es wurde nichts geschrieben; melden Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>its warping weight is %1</source>
+        <translation>sein Gewicht der Verwerfung ist %1</translation>
+    </message>
+    <message>
+        <source>meshes of irregular data are not Delaunay ones</source>
+        <translation>Netze unregelmäßiger Daten sind keine Delaunay-Netze</translation>
+    </message>
+    <message>
+        <source>its blocks have %1 x %2 x %3 cells</source>
+        <translation>seine Blöcke haben %1 x %2 x %3 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 data need a warping weight</source>
+        <translation>diese Daten (%1) brauchen ein Gewicht der Verwerfung</translation>
+    </message>
+    <message>
+        <source>a model needs at least the sites of a first mesh</source>
+        <translation>ein Modell braucht mindestens die Stützstellen eines ersten Netzes</translation>
+    </message>
+    <message>
+        <source>the final error is not a number of at least 0</source>
+        <translation>der Endfehler ist keine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>The build was stopped before there was a mesh of known error, so there is nothing to keep.</source>
+        <translation>Der Bau wurde angehalten, ehe es ein Netz mit bekanntem Fehler gab; es gibt also nichts zu behalten.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; made a history that is wrong at site %2: %3. Nothing was written; report this to its author.</source>
+        <translation>Der Erbauer „%1“ hat eine Geschichte gemacht, die bei Stützstelle %2 falsch ist: %3. Es wurde nichts geschrieben; melden Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos; after %2 sites. Ask for a larger error, or close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nach %2 Stützstellen nicht mehr, um „%1“ zu schreiben. Verlangen Sie einen größeren Fehler, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>A model holds at most 4294967296 points, and &apos;%1&apos; has %2. Take a part of it.</source>
+        <translation>Ein Modell fasst höchstens 4294967296 Punkte, und „%1“ hat %2. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>a tetrahedron dies before it is made</source>
+        <translation>ein Tetraeder wird zerstört, bevor es entsteht</translation>
+    </message>
+    <message>
+        <source>Looking at the history</source>
+        <translation>Geschichte wird durchgesehen</translation>
+    </message>
+    <message>
+        <source>its destroyers changed while they were read</source>
+        <translation>seine Zerstörer haben sich geändert, während sie gelesen wurden</translation>
+    </message>
+    <message>
+        <source>Choosing the sites</source>
+        <translation>Stützstellen werden gewählt</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
+        <translation>Das gröbste Netz von „%1“ hat %2 Tetraeder, mehr als das Budget von %3. Erlauben Sie mindestens so viele.</translation>
+    </message>
+    <message>
+        <source>its running errors do not bound the tetrahedra&apos;s own ones</source>
+        <translation>seine laufenden Fehler begrenzen die eigenen der Tetraeder nicht</translation>
+    </message>
+    <message>
+        <source>its tetrahedra do not fit its mesh sizes</source>
+        <translation>seine Tetraeder passen nicht zu seinen Netzgrößen</translation>
+    </message>
+    <message>
+        <source>its mesh sizes make no sense</source>
+        <translation>seine Netzgrößen ergeben keinen Sinn</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a site that its creator does not need</source>
+        <translation>ein Tetraeder hat eine Stützstelle, die sein Erzeuger nicht braucht</translation>
+    </message>
+    <message>
+        <source>its coarse tetrahedra do not fit together</source>
+        <translation>seine groben Tetraeder passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not made by inserting points into Delaunay meshes, so none can be inserted now. Use a closed set, or the automatic choice.</source>
+        <translation>„%1“ ist nicht durch Einfügen von Punkten in Delaunay-Netze entstanden, also können jetzt keine eingefügt werden. Nehmen Sie eine abgeschlossene Menge oder die automatische Wahl.</translation>
+    </message>
+    <message>
+        <source>Looking at the mesh</source>
+        <translation>Netz wird durchgesehen</translation>
+    </message>
+    <message>
+        <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
+        <translation>Das Netz des Fokus wurde zu groß. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
+    </message>
+    <message>
+        <source>a sample lies nowhere</source>
+        <translation>ein Abtastwert liegt nirgends</translation>
+    </message>
+    <message>
+        <source>a site is no point of its grid</source>
+        <translation>eine Stützstelle ist kein Punkt seines Gitters</translation>
+    </message>
+    <message>
+        <source>Refining the focus</source>
+        <translation>Fokus wird verfeinert</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für das Netz des Fokus. Wählen Sie einen größeren Fehler oder einen kleineren Fokus.</translation>
+    </message>
+    <message>
+        <source>the end of the text</source>
+        <translation>das Ende des Textes</translation>
+    </message>
+    <message>
+        <source>fewer fields: at most %1, nested %2 deep</source>
+        <translation>weniger Felder: höchstens %1, %2-fach verschachtelt</translation>
+    </message>
+    <message>
+        <source>a number or one of %1</source>
+        <translation>eine Zahl oder eines von %1</translation>
+    </message>
+    <message>
+        <source>a half-space whose first three numbers are not all 0</source>
+        <translation>ein Halbraum, dessen erste drei Zahlen nicht alle 0 sind</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a number, or the name of a field</source>
+        <translation>eine Zahl oder der Name eines Feldes</translation>
+    </message>
+    <message>
+        <source>a number that is not negative</source>
+        <translation>eine Zahl, die nicht negativ ist</translation>
+    </message>
+    <message>
+        <source>a number of less than 308 digits</source>
+        <translation>eine Zahl mit weniger als 308 Ziffern</translation>
+    </message>
+    <message>
+        <source>The error field cannot be read at character %1: expected %2, but the text ends.</source>
+        <translation>Das Fehlerfeld kann bei Zeichen %1 nicht gelesen werden: Erwartet wird %2, aber der Text endet.</translation>
+    </message>
+    <message>
+        <source>The error field cannot be read at character %1: expected %2, but there is &apos;%3&apos;.</source>
+        <translation>Das Fehlerfeld kann bei Zeichen %1 nicht gelesen werden: Erwartet wird %2, aber da steht „%3“.</translation>
+    </message>
+    <message>
+        <source>Extracting a range of meshes</source>
+        <translation>Netze eines Bereichs werden entnommen</translation>
+    </message>
+    <message>
+        <source>the meshes of %1 and %2 sites do not have the %3 and %4 tetrahedra that they should have</source>
+        <translation>die Netze von %1 und %2 Stützstellen haben nicht die %3 und %4 Tetraeder, die sie haben sollten</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of site %1 is destroyed by a site that does not come after it</source>
+        <translation>ein Tetraeder der Stützstelle %1 wird von einer zerstört, die nicht nach ihr kommt</translation>
+    </message>
+    <message>
+        <source>its first sites have an error</source>
+        <translation>seine ersten Stützstellen haben einen Fehler</translation>
+    </message>
+    <message>
+        <source>Meshes of several accuracies cannot be cut at a window: what is cut has no life of its own. Ask for the tetrahedra that intersect the window, or that it contains.</source>
+        <translation>Netze mehrerer Genauigkeiten können nicht an einem Fenster geschnitten werden: Was geschnitten ist, hat kein eigenes Leben. Verlangen Sie die Tetraeder, die das Fenster schneiden, oder die es enthält.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für alle Netze bis %1 Stützstellen. Wählen Sie einen größeren Fehler oder ein Fenster.</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
+        <translation>Das gröbste Netz hat %1 Tetraeder, mehr als das Budget von %2. Erlauben Sie mindestens so viele.</translation>
+    </message>
+    <message>
+        <source>%1. Use a closed set, or the automatic choice.</source>
+        <translation>%1. Nehmen Sie eine abgeschlossene Menge oder die automatische Wahl.</translation>
+    </message>
+    <message>
+        <source>Insertion is for lattices and curvilinear grids, not for scattered points</source>
+        <translation>Einfügen geht bei regelmäßigen und krummlinigen Gittern, nicht bei verstreuten Punkten</translation>
+    </message>
+    <message>
+        <source>Insertion needs a model made by refinement, whose meshes are Delaunay ones</source>
+        <translation>Einfügen braucht ein durch Verfeinerung gemachtes Modell, dessen Netze Delaunay-Netze sind</translation>
+    </message>
+    <message>
+        <source>Insertion needs all samples of the dataset, which this model&apos;s file does not hold</source>
+        <translation>Einfügen braucht alle Abtastwerte des Datensatzes, die in der Datei dieses Modells nicht stehen</translation>
+    </message>
+    <message>
+        <source>Insertion into a lattice is for one box, sphere or half-space of smaller error</source>
+        <translation>Einfügen in ein regelmäßiges Gitter geht für einen Quader, eine Kugel oder einen Halbraum mit kleinerem Fehler</translation>
+    </message>
+    <message>
+        <source>Insertion within a budget needs a sharp border, or an error of at least %1 to fall off from</source>
+        <translation>Einfügen mit einem Budget braucht eine scharfe Grenze oder einen Fehler von mindestens %1, von dem er abfällt</translation>
+    </message>
+    <message>
+        <source>Insertion does not know how this model was built, or its grid is too large</source>
+        <translation>Einfügen geht nicht, weil nicht bekannt ist, wie dieses Modell gebaut wurde, oder weil sein Gitter zu groß ist</translation>
+    </message>
+    <message>
+        <source>Trying what the budget allows</source>
+        <translation>Es wird versucht, was das Budget erlaubt</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für dieses Netz. Wählen Sie einen größeren Fehler, einen kleineren Fokus oder ein Budget.</translation>
+    </message>
+    <message>
+        <source>The smallest %1 of the crop box, %2, is larger than its largest, %3. Swap them.</source>
+        <translation>Das kleinste %1 des Fensters, %2, ist größer als sein größtes, %3. Vertauschen Sie die beiden.</translation>
+    </message>
+    <message>
+        <source>The largest error is not a number somewhere. Give it in percent everywhere.</source>
+        <translation>Der größte Fehler ist irgendwo keine Zahl. Geben Sie ihn überall in Prozent an.</translation>
+    </message>
+    <message>
+        <source>The largest warping is not a number somewhere. Give it in percent everywhere.</source>
+        <translation>Die größte Verwerfung ist irgendwo keine Zahl. Geben Sie sie überall in Prozent an.</translation>
+    </message>
+    <message>
+        <source>A budget of no tetrahedra allows no mesh of &apos;%1&apos;.</source>
+        <translation>Ein Budget von null Tetraedern erlaubt kein Netz von „%1“.</translation>
+    </message>
+    <message>
+        <source>A range of values goes from a smaller number to a larger one: %1 and %2 do not.</source>
+        <translation>Ein Wertebereich geht von einer kleineren Zahl zu einer größeren: %1 und %2 tun das nicht.</translation>
+    </message>
+    <message>
+        <source>a site is no point of its lattice</source>
+        <translation>eine Stützstelle ist kein Punkt seines Gitters</translation>
+    </message>
+    <message>
+        <source>The error in the focus is larger than that outside. Swap them.</source>
+        <translation>Der Fehler im Fokus ist größer als der außerhalb. Vertauschen Sie die beiden.</translation>
+    </message>
+    <message>
+        <source>Cutting at the window</source>
+        <translation>Zuschnitt am Fenster</translation>
+    </message>
+    <message>
+        <source>The mesh that is cut at the window has more vertices than fit: choose a larger error or a smaller window.</source>
+        <translation>Das Netz, das am Fenster geschnitten wird, hat zu viele Knoten: Wählen Sie einen größeren Fehler oder ein kleineres Fenster.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller window.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um ein Netz aus %1 Tetraedern an einem Fenster zu schneiden. Wählen Sie einen größeren Fehler oder ein kleineres Fenster.</translation>
+    </message>
+    <message>
+        <source>the checksum of section &apos;%1&apos; is wrong</source>
+        <translation>Die Prüfsumme des Abschnitts „%1“ ist falsch</translation>
+    </message>
+    <message>
+        <source>chunks of %1 bytes cannot be</source>
+        <translation>Stücke von %1 Bytes sind unmöglich</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; has %2 bytes instead of %3 elements of 8</source>
+        <translation>Abschnitt „%1“ hat %2 Bytes statt %3 Elementen zu 8</translation>
+    </message>
+    <message>
+        <source>its star offsets do not fit its tetrahedra</source>
+        <translation>die Anfänge der Sterne passen nicht zu den Tetraedern</translation>
+    </message>
+    <message>
+        <source>the star offsets of site %1 make no sense</source>
+        <translation>die Anfänge der Sterne bei Stützstelle %1 ergeben keinen Sinn</translation>
+    </message>
+    <message>
+        <source>%1 was cancelled.</source>
+        <translation>Abgebrochen: %1.</translation>
+    </message>
+    <message>
+        <source>regular</source>
+        <translation>regelmäßig</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>krummlinig</translation>
+    </message>
+    <message>
+        <source>irregular</source>
+        <translation>unregelmäßig</translation>
+    </message>
+    <message>
+        <source>scattered</source>
+        <translation>verstreut</translation>
+    </message>
+    <message>
+        <source>Ordering the mesh</source>
+        <translation>Netz wird geordnet</translation>
+    </message>
+    <message>
+        <source>A tetrahedron has a corner that does not exist.</source>
+        <translation>Ein Tetraeder hat eine Ecke, die es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>The mesh and its values do not belong together.</source>
+        <translation>Das Netz und seine Werte gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to put the mesh in spatial order. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um das Netz räumlich zu ordnen. Schließen Sie andere Programme, oder verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>the state of the refinement&apos;s tetrahedra</source>
+        <translation>den Zustand der Tetraeder bei der Verfeinerung</translation>
+    </message>
+    <message>
+        <source>the numbers of the sites</source>
+        <translation>die Nummern der Stützstellen</translation>
+    </message>
+    <message>
+        <source>The mesh grew beyond what was reserved for it.</source>
+        <translation>Das Netz ist über das hinausgewachsen, was dafür reserviert war.</translation>
+    </message>
+    <message>
+        <source>The grid has too many points to be refined: coordinates take more than 32 bits. Crop or subsample it.</source>
+        <translation>Das Gitter hat zu viele Punkte, um verfeinert zu werden: Koordinaten brauchen mehr als 32 Bit. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+    </message>
+    <message>
+        <source>Distributing the points</source>
+        <translation>Die Punkte werden verteilt</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses krummlinige Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>%1 A tetrahedral mesh needs four points that do not lie in one plane.</source>
+        <translation>%1 Ein Tetraedernetz braucht vier Punkte, die nicht in einer Ebene liegen.</translation>
+    </message>
+    <message>
+        <source>There are only %1 points.</source>
+        <translation>Es gibt nur %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>All points lie on one place.</source>
+        <translation>Alle Punkte liegen an einem Ort.</translation>
+    </message>
+    <message>
+        <source>All points lie on one line.</source>
+        <translation>Alle Punkte liegen auf einer Geraden.</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>Alle Punkte liegen in einer Ebene.</translation>
+    </message>
+    <message>
+        <source>Points %1 and %2 (counted from 0) lie on the same place. Merge such points first.</source>
+        <translation>Die Punkte %1 und %2 (von 0 gezählt) liegen am selben Ort. Vereinigen Sie solche Punkte zuerst.</translation>
+    </message>
+    <message>
+        <source>Finding the convex hull</source>
+        <translation>Suche der konvexen Hülle</translation>
+    </message>
+    <message>
+        <source>The refinement</source>
+        <translation>Die Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Point %1 lies outside the convex hull that was computed. Coordinates of so different magnitudes cannot be used; scale them.</source>
+        <translation>Punkt %1 liegt außerhalb der konvexen Hülle, die berechnet wurde. Koordinaten so verschiedener Größenordnung können nicht benutzt werden; skalieren Sie sie.</translation>
+    </message>
+    <message>
+        <source>The history has more than 4 billion tetrahedra. Ask for a larger error.</source>
+        <translation>Die Geschichte hat mehr als 4 Milliarden Tetraeder. Verlangen Sie einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>At most 4294967294 scattered points can be refined. Take a part.</source>
+        <translation>Höchstens 4294967294 verstreute Punkte können verfeinert werden. Nehmen Sie einen Teil.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um diese Punkte zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher oder einen Teil der Punkte.</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>the vertices of the mesh&apos;s tetrahedra</source>
+        <translation>die Knoten der Tetraeder</translation>
+    </message>
+    <message>
+        <source>the state of the mesh&apos;s tetrahedra</source>
+        <translation>den Zustand der Tetraeder</translation>
+    </message>
+    <message>
+        <source>the set of the mesh&apos;s points</source>
+        <translation>die Menge der Punkte</translation>
+    </message>
+    <message>
+        <source>The lattice has too many points to be refined as a whole. Crop or subsample it.</source>
+        <translation>Das Gitter hat zu viele Punkte, um als Ganzes verfeinert zu werden. Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+    </message>
+    <message>
+        <source>the tetrahedra of the refinement</source>
+        <translation>die Tetraeder der Verfeinerung</translation>
+    </message>
+    <message>
+        <source>A block of the lattice needs two points along each axis and must not stick out. Choose another block size.</source>
+        <translation>Ein Block des Gitters braucht zwei Punkte entlang jeder Achse und darf nicht überstehen. Wählen Sie eine andere Blockgröße.</translation>
+    </message>
+    <message>
+        <source>A block of the lattice is too large to be refined with exact arithmetic. Choose a smaller block size.</source>
+        <translation>Ein Block des Gitters ist zu groß, um mit exakter Arithmetik verfeinert zu werden. Wählen Sie eine kleinere Blockgröße.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Gitter zu verfeinern. Schließen Sie andere Programme, nehmen Sie einen Rechner mit mehr Speicher, oder nehmen Sie einen Teil der Daten.</translation>
+    </message>
+    <message>
+        <source>the lists of the refinement&apos;s points</source>
+        <translation>die Listen der Punkte bei der Verfeinerung</translation>
+    </message>
+    <message>
+        <source>A lattice of %1 x %2 x %3 points is too large to be refined as a whole with exact arithmetic (512 x 512 x 512 is about the limit). Crop or subsample it.</source>
+        <translation>Ein Gitter aus %1 x %2 x %3 Punkten ist zu groß, um als Ganzes mit exakter Arithmetik verfeinert zu werden (etwa 512 x 512 x 512 ist die Grenze). Schneiden Sie es zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+    </message>
+    <message>
+        <source>More than %1 points cannot be refined at once. Crop or subsample the data.</source>
+        <translation>Mehr als %1 Punkte können nicht auf einmal verfeinert werden. Schneiden Sie die Daten zu, oder nehmen Sie nur jeden n-ten Punkt.</translation>
+    </message>
+    <message>
+        <source>the points of the refinement</source>
+        <translation>die Punkte der Verfeinerung</translation>
+    </message>
+    <message>
+        <source>the marks of the refinement&apos;s points</source>
+        <translation>die Markierungen der Punkte bei der Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Finding the boundary</source>
+        <translation>Berandung wird gesucht</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
+        <translation>Der Speicher reicht nicht für die Berandung des Netzes. Verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>The boundary&apos;s opacity must be above 0 and at most 1.</source>
+        <translation>Die Deckkraft der Berandung muss über 0 liegen und höchstens 1 sein.</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is not a number from %2 to %3 (%4).</source>
+        <translation>Der Schlüssel „%1“ der Kamera ist keine Zahl von %2 bis %3 (%4).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is neither true nor false (%2).</source>
+        <translation>Der Schlüssel „%1“ der Kamera ist weder true noch false (%2).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is none of x, -x, y, -y, z and -z (%2).</source>
+        <translation>Der Schlüssel „%1“ der Kamera ist keines von x, -x, y, -y, z und -z (%2).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is not known (%2).</source>
+        <translation>Der Schlüssel „%1“ der Kamera ist nicht bekannt (%2).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is not a list of three numbers (%2).</source>
+        <translation>Der Schlüssel „%1“ der Kamera ist keine Liste aus drei Zahlen (%2).</translation>
+    </message>
+    <message>
+        <source>This is no camera. %1</source>
+        <translation>Das ist keine Kamera. %1</translation>
+    </message>
+    <message>
+        <source>This is no camera: it holds no JSON object, in braces.</source>
+        <translation>Das ist keine Kamera: Es enthält kein JSON-Objekt in geschweiften Klammern.</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>The scene has more than two thousand million vertices.</source>
+        <translation>Die Szene hat mehr als zwei Milliarden Knoten.</translation>
+    </message>
+    <message>
+        <source>OpenGL without a window needs EGL, and %1 cannot be loaded. Install it (Debian: libegl1), or use the CPU back end.</source>
+        <translation>OpenGL ohne Fenster braucht EGL, und %1 kann nicht geladen werden. Installieren Sie es (Debian: libegl1), oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2. Install EGL 1.4, or use the CPU back end.</source>
+        <translation>%1 hat kein %2. Installieren Sie EGL 1.4, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>EGL gives no OpenGL 3.3 without a window on this machine. Install the card&apos;s driver or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.</source>
+        <translation>EGL gibt auf diesem Rechner kein OpenGL 3.3 ohne Fenster. Installieren Sie den Treiber der Karte oder Mesa (Debian: libgl1-mesa-dri), oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
+        <translation>Der OpenGL-Kontext ist nicht benutzbar, vielleicht weil die Grafikkarte zurückgesetzt wurde. Lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>A surface has too many triangles for OpenGL. Use the CPU back end.</source>
+        <translation>Eine Fläche hat zu viele Dreiecke für OpenGL. Lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für diese Fläche. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für dieses Volumen. Senken Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>This OpenGL driver draws volumes of at most %1 vertices. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>Dieser OpenGL-Treiber zeichnet Volumen mit höchstens %1 Knoten. Verringern Sie die Genauigkeit des Netzes, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>This machine&apos;s OpenGL driver refuses a shader of TAn. Use the CPU back end, or another driver. It says: %1</source>
+        <translation>Der OpenGL-Treiber dieses Rechners lehnt einen Shader von TAn ab. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber. Er sagt: %1</translation>
+    </message>
+    <message>
+        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
+        <translation>OpenGL schneidet Szenen an höchstens %1 Ebenen. Nehmen Sie weniger, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für ein Bild dieser Größe. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 demands. Use the CPU back end.</source>
+        <translation>Der OpenGL-Treiber kann nicht in Gleitkommatexturen zeichnen, was OpenGL 3.3 verlangt. Lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take fewer samples, or use the CPU back end.</source>
+        <translation>Dieser OpenGL-Treiber zeichnet höchstens %1 Abtastwerte je Seite. Machen Sie das Bild kleiner, nehmen Sie weniger Abtastwerte, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver has no function %1, so it is older than OpenGL 3.3. Use the CPU back end, or another driver.</source>
+        <translation>Der OpenGL-Treiber hat keine Funktion %1, ist also älter als OpenGL 3.3. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver has version %1.%2; TAn needs 3.3. Use the CPU back end, or another driver.</source>
+        <translation>Der OpenGL-Treiber hat Version %1.%2; TAn braucht 3.3. Lassen Sie den Prozessor zeichnen, oder nehmen Sie einen anderen Treiber.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
+        <translation>Der Speicher der Grafikkarte reicht nicht für dieses Bild. Machen Sie es kleiner, oder lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe und Szene. Machen Sie das Bild kleiner, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>The scene has more than four thousand million triangles.</source>
+        <translation>Die Szene hat mehr als vier Milliarden Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Drawing the volume</source>
+        <translation>Volumen wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>A volume of the scene and its transfer function do not belong together.</source>
+        <translation>Ein Volumen der Szene und seine Transferfunktion gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Extracting the isosurface</source>
+        <translation>Isofläche wird entnommen</translation>
+    </message>
+    <message>
+        <source>The isovalue is not a number.</source>
+        <translation>Der Isowert ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The mesh, its values, its gradients and its index do not belong together.</source>
+        <translation>Das Netz, seine Werte, seine Gradienten und sein Index gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.</source>
+        <translation>Die Isofläche hat mehr als vier Milliarden Knoten. Verringern Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für die Isofläche. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>Extracting isosurfaces</source>
+        <translation>Isoflächen werden entnommen</translation>
+    </message>
+    <message>
+        <source>An isovalue must be a finite number, and its opacity between 0 and 1.</source>
+        <translation>Ein Isowert muss eine endliche Zahl sein und seine Deckkraft zwischen 0 und 1.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für die Isoflächen. Zeigen Sie weniger davon, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
+        <translation>„%1“ ist keine Schnittebene: Geben Sie vier Zahlen nx,ny,nz,Abstand an, die ersten drei nicht alle null; gezeigt werden Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
+    </message>
+    <message>
+        <source>A surface of the scene has not one normal for each vertex.</source>
+        <translation>Eine Fläche der Szene hat nicht für jeden Knoten eine Normale.</translation>
+    </message>
+    <message>
+        <source>A surface of the scene has not one value or colour for each vertex.</source>
+        <translation>Eine Fläche der Szene hat nicht für jeden Knoten einen Wert oder eine Farbe.</translation>
+    </message>
+    <message>
+        <source>A triangle of the scene has a corner that does not exist.</source>
+        <translation>Ein Dreieck der Szene hat eine Ecke, die es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>A line of the scene has an end that does not exist.</source>
+        <translation>Eine Linie der Szene hat ein Ende, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>A picture cannot be %1 x %2 pixels. Each side must be 1 to %3.</source>
+        <translation>Ein Bild kann nicht %1 x %2 Pixel haben. Jede Seite muss 1 bis %3 haben.</translation>
+    </message>
+    <message>
+        <source>The samples per axis of a pixel must be 1 to 4.</source>
+        <translation>Die Abtastwerte je Achse eines Pixels müssen 1 bis 4 sein.</translation>
+    </message>
+    <message>
+        <source>The number of threads must not be negative; 0 means all.</source>
+        <translation>Die Zahl der Threads darf nicht negativ sein; 0 heißt alle.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um dieses Netz als Volumen zu zeichnen. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>The mesh has more than a thousand million tetrahedra, too many to be drawn at once. Lower its accuracy.</source>
+        <translation>Das Netz hat mehr als eine Milliarde Tetraeder, zu viele, um auf einmal gezeichnet zu werden. Verringern Sie seine Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>The transfer function has more than 65,000 points. Leave some out.</source>
+        <translation>Die Transferfunktion hat mehr als 65 000 Punkte. Lassen Sie einige weg.</translation>
+    </message>
+    <message>
+        <source>Preparing the volume</source>
+        <translation>Volumen wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Ordering the tetrahedra</source>
+        <translation>Tetraeder werden geordnet</translation>
+    </message>
+    <message>
+        <source>A picture must have 1 to %1 samples a side. Draw a larger one in parts.</source>
+        <translation>Ein Bild muss 1 bis %1 Abtastwerte je Seite haben. Zeichnen Sie ein größeres in Teilen.</translation>
+    </message>
+    <message>
+        <source>The mesh, its transfer function and its order do not belong together.</source>
+        <translation>Das Netz, seine Transferfunktion und seine Ordnung gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be used: %2.</source>
+        <translation>Die Vorlage „%1“ kann nicht benutzt werden: %2.</translation>
+    </message>
+    <message>
+        <source>a value is not a finite number</source>
+        <translation>ein Wert ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>its values do not ascend: %1 comes after %2</source>
+        <translation>seine Werte steigen nicht: %1 kommt nach %2</translation>
+    </message>
+    <message>
+        <source>it has neither colours nor opacities</source>
+        <translation>es hat weder Farben noch Deckkräfte</translation>
+    </message>
+    <message>
+        <source>its colours go by the logarithm, and its values are not all positive</source>
+        <translation>seine Farben gehen nach dem Logarithmus, und nicht alle seine Werte sind positiv</translation>
+    </message>
+    <message>
+        <source>a channel of a colour lies outside 0 to 1</source>
+        <translation>ein Kanal einer Farbe liegt außerhalb von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>an opacity, a midpoint or a sharpness lies outside 0 to 1</source>
+        <translation>eine Deckkraft, ein Mittelpunkt oder eine Schärfe liegt außerhalb von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read: %1 (%2).</source>
+        <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of numbers, %2 for each point</source>
+        <translation>„%1“ muss eine Liste von Zahlen sein, %2 für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds something that is no number</source>
+        <translation>„%1“ enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>the colour space &apos;%1&apos; is not known here; choose another one in ParaView&apos;s colour map editor</source>
+        <translation>der Farbraum „%1“ ist hier nicht bekannt; wählen Sie in ParaViews Editor für Farbtabellen einen anderen</translation>
+    </message>
+    <message>
+        <source>a preset must be an object, in braces</source>
+        <translation>eine Vorlage muss ein Objekt sein, in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has colours for categories and none for values in between</source>
+        <translation>„%1“ hat Farben für Kategorien und keine für Werte dazwischen</translation>
+    </message>
+    <message>
+        <source>the list is empty</source>
+        <translation>die Liste ist leer</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read: %1.</source>
+        <translation>Die ParaView-Vorlage kann nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos; and no number</source>
+        <translation>das Attribut „%1“ eines Punktes ist „%2“ und keine Zahl</translation>
+    </message>
+    <message>
+        <source>the name of a colour map is not UTF-8</source>
+        <translation>der Name einer Farbtabelle ist nicht UTF-8</translation>
+    </message>
+    <message>
+        <source>the colour space &apos;%1&apos; of &apos;%2&apos; is not known here</source>
+        <translation>der Farbraum „%1“ von „%2“ ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the XML is damaged at byte %1: %2</source>
+        <translation>das XML ist bei Byte %1 beschädigt: %2</translation>
+    </message>
+    <message>
+        <source>there is no ColorMap element in it</source>
+        <translation>es enthält kein Element ColorMap</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read. %1</source>
+        <translation>Die Transferfunktion kann nicht gelesen werden. %1</translation>
+    </message>
+    <message>
+        <source>has no finite value.</source>
+        <translation>hat keinen endlichen Wert.</translation>
+    </message>
+    <message>
+        <source>has a group outside 0 to 9.</source>
+        <translation>hat eine Gruppe außerhalb von 0 bis 9.</translation>
+    </message>
+    <message>
+        <source>has a smaller value than the point before it. Put them in ascending order.</source>
+        <translation>hat einen kleineren Wert als der Punkt davor. Ordnen Sie sie aufsteigend.</translation>
+    </message>
+    <message>
+        <source>is the third of its value. Two make a step; leave out those between.</source>
+        <translation>ist der dritte seines Wertes. Zwei bilden eine Stufe; lassen Sie die dazwischen weg.</translation>
+    </message>
+    <message>
+        <source>Colour %1 of the transfer function %2</source>
+        <translation>Farbe %1 der Transferfunktion %2</translation>
+    </message>
+    <message>
+        <source>has a channel outside 0 to 1.</source>
+        <translation>hat einen Kanal außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>Opacity %1 of the transfer function %2</source>
+        <translation>Deckkraft %1 der Transferfunktion %2</translation>
+    </message>
+    <message>
+        <source>is outside 0 to 1.</source>
+        <translation>liegt außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The mask of a transfer function must be a range of finite values.</source>
+        <translation>Die Maske einer Transferfunktion muss ein Bereich endlicher Werte sein.</translation>
+    </message>
+    <message>
+        <source>The unit distance of a transfer function must be a length above zero.</source>
+        <translation>Die Einheitslänge einer Transferfunktion muss eine Länge über null sein.</translation>
+    </message>
+    <message>
+        <source>%1 must be a number that fits</source>
+        <translation>%1 muss eine passende Zahl sein</translation>
+    </message>
+    <message>
+        <source>%1 must be an object, in braces</source>
+        <translation>%1 muss ein Objekt sein, in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;%2&quot;</source>
+        <translation>%1 hat kein „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known here</source>
+        <translation>„%1“ ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a colour must be three numbers in brackets</source>
+        <translation>eine Farbe muss aus drei Zahlen in eckigen Klammern bestehen</translation>
+    </message>
+    <message>
+        <source>a channel</source>
+        <translation>ein Kanal</translation>
+    </message>
+    <message>
+        <source>a colour</source>
+        <translation>eine Farbe</translation>
+    </message>
+    <message>
+        <source>an opacity</source>
+        <translation>eine Deckkraft</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list, in brackets</source>
+        <translation>„%1“ muss eine Liste sein, in eckigen Klammern</translation>
+    </message>
+    <message>
+        <source>a mask</source>
+        <translation>eine Maske</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; is not &quot;%1&quot;</source>
+        <translation>„format“ ist nicht „%1“</translation>
+    </message>
+    <message>
+        <source>this program knows versions 1 to %1</source>
+        <translation>dieses Programm kennt die Versionen 1 bis %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>translucent</source>
+        <translation>durchscheinend</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Berandung</translation>
+    </message>
+    <message>
+        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
+        <translation>Zeigt, wo das Netz endet, mit Löchern und Hohlräumen: „durchscheinend“ in einer hellen Farbe, so dass man sieht, was darin ist, oder in den Farben, die die Transferfunktion den „Werten“ dort gibt.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
+        <translation>Die Deckkraft einer durchscheinenden Berandung; 1 verdeckt, was dahinter liegt.</translation>
+    </message>
+    <message>
+        <source>Back faces only</source>
+        <translation>Nur Rückseiten</translation>
+    </message>
+    <message>
+        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
+        <translation>Zeigt nur die hinteren Wände des Randes, von innen, und lässt die der Kamera zugewandten weg.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
+        <translation>Die Werte, deren Flächen gezeigt werden, jeder mit Farbe und Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>The colour and the opacity of each value.</source>
+        <translation>Farbe und Deckkraft jedes Wertes.</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Beleuchtet</translation>
+    </message>
+    <message>
+        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <translation>Beleuchtet das Volumen, als läge quer zur Richtung, in der sich seine Werte am stärksten ändern, eine Fläche.</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Begrenzungsquader</translation>
+    </message>
+    <message>
+        <source>Shows the edges of the box that the data fill.</source>
+        <translation>Zeigt die Kanten des Quaders, den die Daten füllen.</translation>
+    </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <translation>Schneidet weg, was vor einer Ebene liegt: nx,ny,nz,Abstand zeigt die Punkte mit nx x + ny y + nz z &gt;= Abstand.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>% of the value range</source>
+        <translation>% des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Warping</source>
+        <translation>Verwerfung</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
+    </message>
+    <message>
+        <source>% of the diagonal</source>
+        <translation>% der Diagonale</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <translation>Wo Genauigkeit zählt: point:x,y,z,reichweite, box:x0,y0,z0,x1,y1,z1,reichweite oder value:q,reichweite, mehrere durch &apos;;&apos; getrennt. Fehler zählen dort voll und fallen linear auf ein Zehntel (oder auf den Wert eines letzten &apos;,boden&apos;) in der Entfernung &apos;reichweite&apos;; es gilt das größte Gewicht. Beispiele: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <translation>Welcher Punkt als nächster geht: „exact“ nimmt den, dessen Verlust am wenigsten schadet, für die wenigsten Punkte; „paper“ schätzt das durch Gradienten und Ebenen, wie der Aufsatz; „rounds“ nimmt viele Punkte auf einmal, die einander nicht berühren, so dass ein Fokusbereich am wenigsten sonst braucht.</translation>
+    </message>
+    <message>
+        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
+        <translation>Ein unregelmäßiges Netz: Die Vergröberung erhält seine Form und seine Hohlräume.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Ein krummliniges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
+    </message>
+    <message>
+        <source>Finest error</source>
+        <translation>Feinster Fehler</translation>
+    </message>
+    <message>
+        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
+        <translation>Lässt Netze mit kleineren Fehlern aus dem Modell weg, sodass es kleiner wird; 0 behält alles.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
+        <translation>Die Blockgröße „%1“ ist weder „automatic“ noch „none“ noch eine Zahl von Zellen ab 1.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <translation>Ein regelmäßiges Gitter: Die Verfeinerung erhält das Gebiet genau und braucht die wenigste Zeit.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
+        <translation>Ein krummliniges Gitter: Die Verfeinerung im Rechenraum begrenzt Fehler und Verwerfung.</translation>
+    </message>
+    <message>
+        <source>Scattered points: refinement fills their convex hull.</source>
+        <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
+        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit gezeigt werden kann.</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
+        <translation>Die Vorlage „%1“ kann nicht geändert werden: %2. Prüfen Sie die Rechte des Ordners, und ob Platz ist.</translation>
+    </message>
+    <message>
+        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
+        <translation>Die Achse der Werte bleibt linear: Eine logarithmische hat keinen Platz für null und weniger, und die Daten oder die Punkte beginnen bei %1. Verschieben Sie die Punkte über null, oder wählen Sie Daten mit positiven Werten.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
+        <translation>Die Zwischenablage enthält keine Punkte einer Transferfunktion. Kopieren Sie welche, hier oder in einem anderen Fenster. %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no colour. Give #rrggbb in hexadecimal, or one of %2.</source>
+        <translation>„%1“ ist keine Farbe. Geben Sie #rrggbb hexadezimal an, oder eine von %2.</translation>
+    </message>
+    <message>
+        <source>It is written for plugin interface %1, and this program has %2. Install a newer version of TAn, or an older one of the plugin.</source>
+        <translation>Es ist für die Plugin-Schnittstelle %1 geschrieben, und dieses Programm hat %2. Installieren Sie eine neuere Version von TAn oder eine ältere des Plugins.</translation>
+    </message>
+    <message>
+        <source>It is written for plugin interface %1, and this program has %2. Install a newer version of the plugin.</source>
+        <translation>Es ist für die Plugin-Schnittstelle %1 geschrieben, und dieses Programm hat %2. Installieren Sie eine neuere Version des Plugins.</translation>
+    </message>
+    <message>
+        <source>Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>Seine Metadaten nennen eine Art (%1), aber es implementiert %2 statt %3. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
+    </message>
+    <message>
+        <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
+        <translation>Es wurde mit Qt %1 gebaut, und dieses Programm läuft mit Qt %2. Installieren Sie das Plugin für dieses Qt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
+        <translation>„%1“ ist gepackt. Entpacken Sie die Datei zuerst mit „%2“, und öffnen Sie, was darin ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has an unknown format. %2%3</source>
+        <translation>„%1“ hat ein unbekanntes Format. %2%3</translation>
+    </message>
+    <message>
+        <source>No reader is installed.</source>
+        <translation>Es ist kein Leser installiert.</translation>
+    </message>
+    <message>
+        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
+        <translation>Das Handbuch und „tan info --help“ nennen die Dateien, die gelesen werden; Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
+        <translation>%1 (Die Datei wurde für sich entpackt. Wenn sie andere Dateien nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
+    </message>
+    <message>
+        <source>reader &apos;%1&apos;</source>
+        <translation>Leser „%1“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a TAn model, and a dataset is wanted here: the file that the model was built from.</source>
+        <translation>„%1“ ist ein TAn-Modell, und hier wird ein Datensatz verlangt: die Datei, aus der das Modell gebaut wurde.</translation>
+    </message>
+    <message>
+        <source>No writer is installed.</source>
+        <translation>Es ist kein Schreiber installiert.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
+        <translation>Es braucht das Plugin „%1“, das fehlt oder nicht benutzbar ist. Installieren Sie es.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which cannot be used: %2</source>
+        <translation>Es braucht das Plugin „%1“, das nicht benutzbar ist: %2</translation>
+    </message>
+    <message>
+        <source>Plugins need each other in a circle: %1. Remove one of them.</source>
+        <translation>Plugins brauchen einander im Kreis: %1. Entfernen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not exist, or its folder may not be entered. Check the name.</source>
+        <translation>„%1“ gibt es nicht, oder der Ordner ist nicht zugänglich. Prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder. Choose a file inside it.</source>
+        <translation>„%1“ ist ein Ordner. Wählen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a device or a pipe. Give a file.</source>
+        <translation>„%1“ ist ein Gerät oder eine Pipe. Wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2. %3</source>
+        <translation>„%1“ kann nicht gelesen werden: %2. %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
+        <translation>„%1“ ist leer. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The library %1 is missing. %2</source>
+        <translation>Die Bibliothek %1 fehlt. %2</translation>
+    </message>
+    <message>
+        <source>Install the package that contains it (on Debian, &apos;%1&apos; names it), or remove the plugin.</source>
+        <translation>Installieren Sie das Paket, das sie enthält (auf Debian nennt es „%1“), oder entfernen Sie das Plugin.</translation>
+    </message>
+    <message>
+        <source>It needs the function %1, which no library here has: it was built for another version of TAn or of a library. %2</source>
+        <translation>Es braucht die Funktion %1, die hier keine Bibliothek hat: Es wurde für eine andere Version von TAn oder einer Bibliothek gebaut. %2</translation>
+    </message>
+    <message>
+        <source>Rebuild it, or install the version for this program.</source>
+        <translation>Bauen Sie es neu, oder installieren Sie die Version für dieses Programm.</translation>
+    </message>
+    <message>
+        <source>It could not be loaded: %1 %2</source>
+        <translation>Es konnte nicht geladen werden: %1 %2</translation>
+    </message>
+    <message>
+        <source>Install it again, or remove it.</source>
+        <translation>Installieren Sie es noch einmal, oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; does not accept &apos;%2&apos;: %3</source>
+        <translation>„%1“ nimmt „%2“ nicht an: %3</translation>
+    </message>
+    <message>
+        <source>%1
+%2: %3</source>
+        <translation>%1
+%2: %3</translation>
+    </message>
+    <message>
+        <source>No builder accepts &apos;%1&apos;.%2%3</source>
+        <translation>Kein Erbauer nimmt „%1“ an.%2%3</translation>
+    </message>
+    <message>
+        <source>builder &apos;%1&apos;</source>
+        <translation>Erbauer „%1“</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
+        <translation>Das Ziel „%1“ ist die Quelle „%2“. Geben Sie dem Ziel einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists and is called like the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
+        <translation>„%1“ gibt es und heißt wie der Datensatz, aus dem das Modell gebaut wurde, wird also nicht überschrieben. Geben Sie der Ausgabe einen anderen Namen, oder entfernen Sie die Datei zuerst.</translation>
+    </message>
+    <message>
+        <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
+        <translation>Sie ist mit gzip komprimiert und beschädigt oder abgeschnitten. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to unpack it.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um sie zu entpacken.</translation>
+    </message>
+    <message>
+        <source>it is compressed with gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>Sie ist mit gzip komprimiert und kann nicht nach „%1“ entpackt werden: %2. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
+    </message>
+    <message>
+        <source>Unpacking</source>
+        <translation>Entpacken</translation>
+    </message>
+    <message>
+        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>Sie ist mit gzip komprimiert und entpackt größer als %1, die Hälfte des Platzes in „%2“. Schaffen Sie dort Platz, setzen Sie TMPDIR auf einen Ordner mit mehr, oder entpacken Sie sie selbst (gunzip).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not fit &apos;%2&apos;: it takes %3.</source>
+        <translation>„%1“ passt nicht zu „%2“: Erwartet wird %3.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>isovalues %1</source>
+        <translation>Isowerte %1</translation>
+    </message>
+    <message>
+        <source>a transfer function as JSON</source>
+        <translation>eine Transferfunktion als JSON</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity above 0 and at most 1: 128:#ff8000:0.5</source>
+        <translation>„%1“ ist kein Isowert. Geben Sie WERT, WERT:FARBE oder WERT:FARBE:DECKKRAFT an, die Deckkraft über 0 und höchstens 1: 128:#ff8000:0.5</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a regular lattice</source>
+        <translation>„%1“ ist ein regelmäßiges Gitter</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a curvilinear grid</source>
+        <translation>„%1“ ist ein krummliniges Gitter</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is an irregular mesh</source>
+        <translation>„%1“ ist ein unregelmäßiges Netz</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has scattered points</source>
+        <translation>„%1“ besteht aus verstreuten Punkten</translation>
+    </message>
+    <message>
+        <source>The %1 knows no parameter &apos;%2&apos;. %3</source>
+        <translation>%1 kennt keinen Parameter „%2“. %3</translation>
+    </message>
+    <message>
+        <source>It has none.</source>
+        <translation>Es gibt keine.</translation>
+    </message>
+    <message>
+        <source>It has: %1.</source>
+        <translation>Es gibt: %1.</translation>
+    </message>
+    <message>
+        <source>The parameter &apos;%1&apos; of the %2 takes %3.</source>
+        <translation>Der Parameter „%1“ von %2 erwartet %3.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is for %2 data only, and %3. Leave it out.</source>
+        <translation>„%1“ ist nur für Daten einer Art (%2), und %3. Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of use only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
+        <translation>„%1“ ist nur von Nutzen, wenn „%2“ %3 ist. Lassen Sie es weg, oder wählen Sie das.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
+        <translation>Der Arbeitsspeicher dieses Rechners reicht hier nicht für „%1“. Schließen Sie andere Programme, oder nehmen Sie kleinere Daten.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ ist gescheitert: %2. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>It is not a plugin, or is damaged: %1 Install it again, or remove the file.</source>
+        <translation>Es ist kein Plugin oder beschädigt: %1 Installieren Sie es noch einmal, oder entfernen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>%1
+The plugin %2 (%3) is not used. %4</source>
+        <translation>%1
+Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1 %2</source>
+        <translation>Jetzt können nicht alle Plugins geladen werden: %1 %2</translation>
+    </message>
+    <message>
+        <source>It is disabled by the settings or by %1.</source>
+        <translation>Es ist durch die Einstellungen oder durch %1 abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Another plugin has the same id and was found first: %1. Remove one of the two.</source>
+        <translation>Ein anderes Plugin hat dieselbe Kennung und wurde zuerst gefunden: %1. Entfernen Sie eines der beiden.</translation>
+    </message>
+    <message>
+        <source>The %1 &quot;%2&quot; cannot be used. %3</source>
+        <translation>„%2“ (%1) kann nicht benutzt werden. %3</translation>
+    </message>
+    <message>
+        <source>There is no %1 &quot;%2&quot;. %3</source>
+        <translation>„%2“ (%1) gibt es nicht. %3</translation>
+    </message>
+    <message>
+        <source>None is installed.</source>
+        <translation>Es ist keines installiert.</translation>
+    </message>
+    <message>
+        <source>There is: %1.</source>
+        <translation>Es gibt: %1.</translation>
+    </message>
+    <message>
+        <source>The plugin &quot;%1&quot; cannot be used. %2</source>
+        <translation>Das Plugin „%1“ kann nicht benutzt werden. %2</translation>
+    </message>
+    <message>
+        <source>It failed when it was started: %1. Install it again.</source>
+        <translation>Es ist beim Start gescheitert: %1. Installieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its metadata call it a %1, but it does not implement %2. Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>Seine Metadaten nennen eine Art (%1), aber es implementiert %2 nicht. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
+    </message>
+    <message>
+        <source>builder</source>
+        <translation>Erbauer</translation>
+    </message>
+    <message>
+        <source>renderer</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>reader</source>
+        <translation>Leser</translation>
+    </message>
+    <message>
+        <source>writer</source>
+        <translation>Schreiber</translation>
+    </message>
+    <message>
+        <source>editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>Its metadata are malformed: %1. Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>Seine Metadaten sind fehlerhaft: %1. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation>der Schlüssel „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a text</source>
+        <translation>„%1“ ist kein Text</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is &quot;%2&quot;, which is no version like &quot;1.2.3&quot;</source>
+        <translation>„%1“ ist „%2“, und das ist keine Version wie „1.2.3“</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; is &quot;%1&quot;, which is none of builder, renderer, reader, writer, editor</source>
+        <translation>„kind“ ist „%1“, und das ist keines von builder, renderer, reader, writer und editor</translation>
+    </message>
+    <message>
+        <source>&quot;requires&quot; is not a list</source>
+        <translation>„requires“ ist keine Liste</translation>
+    </message>
+    <message>
+        <source>&quot;requires&quot; lists something that is no plugin&apos;s id</source>
+        <translation>„requires“ nennt etwas, das keine Kennung eines Plugins ist</translation>
+    </message>
+    <message>
+        <source>&quot;id&quot; is &quot;%1&quot;; only lower-case letters, digits, &apos;.&apos;, &apos;-&apos; and &apos;_&apos; may stand in it</source>
+        <translation>„id“ ist „%1“; nur Kleinbuchstaben, Ziffern, „.“, „-“ und „_“ dürfen darin stehen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no component of an array that has %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
+        <translation>„%1“ ist keine Komponente eines Feldes, das %2 hat: Geben Sie „magnitude“ an, oder eine Nummer von 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>it has no values, of points or of cells.</source>
+        <translation>Sie hat keine Werte, weder von Punkten noch von Zellen.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. There are: %2.</source>
+        <translation>Sie hat kein Feld „%1“. Es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>it changed while it was read. Read it again.</source>
+        <translation>Sie hat sich beim Lesen verändert. Lesen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to read &apos;%1&apos;. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu lesen. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid (*.vtu)</source>
+        <translation>Unstrukturiertes VTK-Gitter (*.vtu)</translation>
+    </message>
+    <message>
+        <source>AVS UCD mesh (*.inp)</source>
+        <translation>AVS-UCD-Netz (*.inp)</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <translation>Das Feld, dessen Werte genommen werden, von Punkten oder Zellen; ohne Angabe das, das die Datei aktiv nennt, sonst das erste.</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: magnitude, or a number from 0.</source>
+        <translation>Bei Feldern mit mehreren Komponenten: magnitude für den Betrag, oder eine Nummer ab 0.</translation>
+    </message>
+    <message>
+        <source>the first line is not five numbers: of points, cells, values a point, a cell and the model</source>
+        <translation>die erste Zeile besteht nicht aus fünf Zahlen: die der Punkte, der Zellen, der Werte je Punkt, je Zelle und des Modells</translation>
+    </message>
+    <message>
+        <source>it is too short for %1 points and %2 cells</source>
+        <translation>sie ist zu kurz für %1 Punkte und %2 Zellen</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>a point is not its number and three coordinates</source>
+        <translation>ein Punkt besteht nicht aus seiner Nummer und drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>the number of a point is there twice</source>
+        <translation>die Nummer eines Punktes kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>a cell is not its number, its material and its shape: pt, line, tri, quad, tet, pyr, prism or hex</source>
+        <translation>eine Zelle besteht nicht aus ihrer Nummer, ihrem Material und ihrer Form: pt, line, tri, quad, tet, pyr, prism oder hex</translation>
+    </message>
+    <message>
+        <source>the list of values is missing</source>
+        <translation>die Liste der Werte fehlt</translation>
+    </message>
+    <message>
+        <source>the line before the values is not their number and how many components each has</source>
+        <translation>die Zeile vor den Werten nennt nicht ihre Anzahl und wie viele Komponenten jeder hat</translation>
+    </message>
+    <message>
+        <source>the components of the values do not add up to what the first line says</source>
+        <translation>die Komponenten der Werte ergeben zusammen nicht, was die erste Zeile sagt</translation>
+    </message>
+    <message>
+        <source>the name of a value is missing</source>
+        <translation>der Name eines Wertes fehlt</translation>
+    </message>
+    <message>
+        <source>a value belongs to a number that no point or cell has</source>
+        <translation>ein Wert gehört zu einer Nummer, die kein Punkt und keine Zelle hat</translation>
+    </message>
+    <message>
+        <source>a value is missing or no number</source>
+        <translation>ein Wert fehlt oder ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the file ends early</source>
+        <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>line %1: %2.</source>
+        <translation>Zeile %1: %2.</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 %3</source>
+        <translation>die Datei endet nach %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>a corner of a cell is not the number of a point</source>
+        <translation>eine Ecke einer Zelle ist nicht die Nummer eines Punktes</translation>
+    </message>
+    <message>
+        <source>a cell has more corners than its shape</source>
+        <translation>eine Zelle hat mehr Ecken als ihre Form</translation>
+    </message>
+    <message>
+        <source>it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView.</source>
+        <translation>Sie ist eine binäre UCD-Datei, und nur Text wird gelesen. Schreiben Sie sie als Text oder als .vtu, etwa mit ParaView.</translation>
+    </message>
+    <message>
+        <source>is too short for %1 numbers, or cut short</source>
+        <translation>ist zu kurz für %1 Zahlen, oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, not the %2 of %3 numbers</source>
+        <translation>hat %1 Bytes und nicht die %2 von %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>is damaged: it cannot be unpacked</source>
+        <translation>ist beschädigt: Es kann nicht entpackt werden</translation>
+    </message>
+    <message>
+        <source>is too short for %1 numbers</source>
+        <translation>ist zu kurz für %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; among its numbers</source>
+        <translation>hat „%1“ zwischen seinen Zahlen</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>hat mehr als %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, not %2</source>
+        <translation>hat %1 Zahlen und nicht %2</translation>
+    </message>
+    <message>
+        <source>is of type &apos;%1&apos;, which is no number</source>
+        <translation>ist vom Typ „%1“, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>has the unknown format &apos;%1&apos;</source>
+        <translation>hat das unbekannte Format „%1“</translation>
+    </message>
+    <message>
+        <source>is of type &apos;%1&apos;, not of whole numbers</source>
+        <translation>ist vom Typ „%1“ und nicht aus ganzen Zahlen</translation>
+    </message>
+    <message>
+        <source>a piece says that it has more points than there can be.</source>
+        <translation>Ein Stück will mehr Punkte haben, als es geben kann.</translation>
+    </message>
+    <message>
+        <source>its points do not have three coordinates each.</source>
+        <translation>Ihre Punkte haben nicht je drei Koordinaten.</translation>
+    </message>
+    <message>
+        <source>not every piece has the array &apos;%1&apos;.</source>
+        <translation>Nicht jedes Stück hat das Feld „%1“.</translation>
+    </message>
+    <message>
+        <source>a piece says that it has more values than there can be.</source>
+        <translation>Ein Stück will mehr Werte haben, als es geben kann.</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells do not rise.</source>
+        <translation>Die Anfänge ihrer Zellen steigen nicht.</translation>
+    </message>
+    <message>
+        <source>a cell has the corner %1 of %2 points.</source>
+        <translation>Eine Zelle hat die Ecke %1 von %2 Punkten.</translation>
+    </message>
+    <message>
+        <source>it does not begin with &lt;VTKFile&gt;, so it is no VTK XML file.</source>
+        <translation>Sie beginnt nicht mit &lt;VTKFile&gt;, ist also keine VTK-XML-Datei.</translation>
+    </message>
+    <message>
+        <source>its XML is damaged or cut short.</source>
+        <translation>Ihr XML ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>it holds a %1, not an UnstructuredGrid. The VTK plugin reads those.</source>
+        <translation>Sie enthält ein %1, kein UnstructuredGrid. Das VTK-Plugin liest solche.</translation>
+    </message>
+    <message>
+        <source>it is packed by %1, which the VTK plugin unpacks; zlib is read without it.</source>
+        <translation>Sie ist mit %1 gepackt, was das VTK-Plugin entpackt; zlib wird ohne dieses gelesen.</translation>
+    </message>
+    <message>
+        <source>a piece does not say how many points and cells it has.</source>
+        <translation>Ein Stück sagt nicht, wie viele Punkte und Zellen es hat.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; has %2 components.</source>
+        <translation>Das Feld „%1“ hat %2 Komponenten.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; does not say where it is.</source>
+        <translation>Das Feld „%1“ sagt nicht, wo es steht.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; does not end.</source>
+        <translation>Das Feld „%1“ endet nicht.</translation>
+    </message>
+    <message>
+        <source>its appended data do not begin.</source>
+        <translation>Ihre angehängten Daten beginnen nicht.</translation>
+    </message>
+    <message>
+        <source>it has no piece with points and cells.</source>
+        <translation>Sie hat kein Stück mit Punkten und Zellen.</translation>
+    </message>
+    <message>
+        <source>a piece has no array &apos;%1&apos;.</source>
+        <translation>Ein Stück hat kein Feld „%1“.</translation>
+    </message>
+    <message>
+        <source>A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
+        <translation>Eine .vtu-Datei enthält ein Tetraedernetz, und dieser Datensatz ist keines. Schreiben Sie regelmäßige Gitter als .nrrd, krummlinige Gitter als .xyz, Punkte als .csv.</translation>
+    </message>
+    <message>
+        <source>its compressed data are damaged (%1). Copy the file again.</source>
+        <translation>Ihre komprimierten Daten sind beschädigt (%1). Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to unpack gzip data. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um gzip-Daten zu entpacken. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>they are cut short</source>
+        <translation>sie sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a new part cannot be started</source>
+        <translation>ein neuer Teil kann nicht begonnen werden</translation>
+    </message>
+    <message>
+        <source>its compressed data hold more than %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <translation>Ihre komprimierten Daten enthalten mehr als %1 Bytes, wo die Beschreibung %2 verlangt. Die Größen oder der Typ sind falsch, oder die Daten gehören zu einer anderen Datei.</translation>
+    </message>
+    <message>
+        <source>its compressed data hold only %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <translation>Ihre komprimierten Daten enthalten nur %1 Bytes, wo die Beschreibung %2 verlangt. Die Größen oder der Typ sind falsch, oder die Daten gehören zu einer anderen Datei.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to compress the data. Close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um die Daten zu komprimieren. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>%1 The header &apos;%2&apos; names it as its data file.</source>
+        <translation>%1 Der Kopf „%2“ nennt sie als seine Datendatei.</translation>
+    </message>
+    <message>
+        <source>it is empty. Get or make the file again.</source>
+        <translation>Sie ist leer. Holen oder erzeugen Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>NRRD volume (*.nrrd *.nhdr)</source>
+        <translation>NRRD-Volumen (*.nrrd *.nhdr)</translation>
+    </message>
+    <message>
+        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
+        <translation>Rohes Volumen (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of the %1 axes.</source>
+        <translation>muss einen Eintrag für jede der %1 Achsen haben.</translation>
+    </message>
+    <message>
+        <source>its header has no field &apos;dimension&apos;.</source>
+        <translation>Ihr Kopf hat kein Feld „dimension“.</translation>
+    </message>
+    <message>
+        <source>must be a number from 1 to 16.</source>
+        <translation>muss eine Zahl von 1 bis 16 sein.</translation>
+    </message>
+    <message>
+        <source>its header has no field &apos;sizes&apos;.</source>
+        <translation>Ihr Kopf hat kein Feld „sizes“.</translation>
+    </message>
+    <message>
+        <source>must be whole numbers from 1.</source>
+        <translation>muss aus ganzen Zahlen ab 1 bestehen.</translation>
+    </message>
+    <message>
+        <source>must be numbers.</source>
+        <translation>muss aus Zahlen bestehen.</translation>
+    </message>
+    <message>
+        <source>must be &apos;none&apos; or three numbers in parentheses for each axis.</source>
+        <translation>muss „none“ sein oder drei Zahlen in Klammern für jede Achse.</translation>
+    </message>
+    <message>
+        <source>line %1 of its header %2</source>
+        <translation>Zeile %1 ihres Kopfes %2</translation>
+    </message>
+    <message>
+        <source>it is no NRRD file: it does not begin with &apos;NRRD0001&apos; to &apos;NRRD0005&apos;.</source>
+        <translation>Sie ist keine NRRD-Datei: Sie beginnt nicht mit „NRRD0001“ bis „NRRD0005“.</translation>
+    </message>
+    <message>
+        <source>it is of a NRRD version that is not known, &apos;%1&apos;. Save it as NRRD0005 or earlier.</source>
+        <translation>Sie hat eine NRRD-Version, die nicht bekannt ist: „%1“. Speichern Sie sie als NRRD0005 oder früher.</translation>
+    </message>
+    <message>
+        <source>is neither a field nor a comment: &apos;%1&apos;.</source>
+        <translation>ist weder ein Feld noch ein Kommentar: „%1“.</translation>
+    </message>
+    <message>
+        <source>has the unknown field &apos;%1&apos;. Correct its name, or write &apos;:=&apos; for a note of your own.</source>
+        <translation>hat das unbekannte Feld „%1“. Berichtigen Sie seinen Namen, oder schreiben Sie „:=“ für eine eigene Notiz.</translation>
+    </message>
+    <message>
+        <source>gives &apos;%1&apos; a second time. Remove one of them.</source>
+        <translation>gibt „%1“ ein zweites Mal an. Entfernen Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>its header does not end: there is no empty line in the first MiB.</source>
+        <translation>Ihr Kopf endet nicht: Im ersten MiB steht keine leere Zeile.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions, %2 of them with more than one point. A volume has three: take out a part that has, such as one component or one time step.</source>
+        <translation>Sie hat %1 Dimensionen, davon %2 mit mehr als einem Punkt. Ein Volumen hat drei: Nehmen Sie einen Teil heraus, der so ist, etwa eine Komponente oder einen Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>one of its axes, of size %1, holds &apos;%2&apos; instead of points. Take out one component first.</source>
+        <translation>Eine ihrer Achsen, der Größe %1, enthält „%2“ statt Punkten. Nehmen Sie zuerst eine Komponente heraus.</translation>
+    </message>
+    <message>
+        <source>its header gives the spacing of some axes only. Give all three, or none.</source>
+        <translation>Ihr Kopf gibt den Abstand nur für einige Achsen an. Geben Sie alle drei an oder keinen.</translation>
+    </message>
+    <message>
+        <source>its space directions are not three vectors at right angles. Resample it on a rectangular grid.</source>
+        <translation>Ihre „space directions“ sind keine drei Vektoren im rechten Winkel. Tasten Sie sie auf einem rechtwinkligen Gitter neu ab.</translation>
+    </message>
+    <message>
+        <source>its space origin &apos;%1&apos; is not three numbers in parentheses.</source>
+        <translation>Ihr „space origin“ „%1“ besteht nicht aus drei Zahlen in Klammern.</translation>
+    </message>
+    <message>
+        <source>its space directions are given for some axes only. Give them for all three, or for none.</source>
+        <translation>Ihre „space directions“ sind nur für einige Achsen angegeben. Geben Sie sie für alle drei an oder für keine.</translation>
+    </message>
+    <message>
+        <source>its header has no field &apos;%1&apos;. Add it.</source>
+        <translation>Ihr Kopf hat kein Feld „%1“. Fügen Sie es hinzu.</translation>
+    </message>
+    <message>
+        <source>its &apos;line skip&apos; must be a whole number from 0.</source>
+        <translation>Ihr „line skip“ muss eine ganze Zahl ab 0 sein.</translation>
+    </message>
+    <message>
+        <source>its &apos;byte skip&apos; must be a whole number from 0, or -1 for raw data at the end of the file.</source>
+        <translation>Ihr „byte skip“ muss eine ganze Zahl ab 0 sein, oder -1 für rohe Daten am Ende der Datei.</translation>
+    </message>
+    <message>
+        <source>its samples are spread over several files (&apos;data file: %1&apos;), which is not read. Join them into one file first.</source>
+        <translation>Ihre Abtastwerte sind auf mehrere Dateien verteilt („data file: %1“), was nicht gelesen wird. Fügen Sie sie zuerst zu einer Datei zusammen.</translation>
+    </message>
+    <message>
+        <source>its data file is called &apos;%1&apos;, with characters that no name should have. Correct it.</source>
+        <translation>Ihre Datendatei heißt „%1“, mit Zeichen, die kein Name haben sollte. Berichtigen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>its type is &apos;%1&apos;. Integers of 64 bits are not read, since computing with them is not exact: convert the samples to int32 or double first.</source>
+        <translation>Ihr Typ ist „%1“. Ganze Zahlen mit 64 Bit werden nicht gelesen, weil das Rechnen mit ihnen nicht exakt ist: Wandeln Sie die Abtastwerte zuerst in int32 oder double um.</translation>
+    </message>
+    <message>
+        <source>its type is &apos;block&apos;, which says nothing about the samples. Convert them to a number type first.</source>
+        <translation>Ihr Typ ist „block“, der nichts über die Abtastwerte sagt. Wandeln Sie sie zuerst in einen Zahlentyp um.</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, float and double.</source>
+        <translation>Ihr Typ „%1“ ist nicht bekannt. Es gibt uint8, int8, uint16, int16, uint32, int32, float und double.</translation>
+    </message>
+    <message>
+        <source>its byte order &apos;%1&apos; is not known. There are little and big.</source>
+        <translation>Ihre Bytefolge „%1“ ist nicht bekannt. Es gibt little und big.</translation>
+    </message>
+    <message>
+        <source>its encoding &apos;%1&apos; is not read. Save it with the encoding raw, gzip or ascii.</source>
+        <translation>Ihre Kodierung „%1“ wird nicht gelesen. Speichern Sie sie mit der Kodierung raw, gzip oder ascii.</translation>
+    </message>
+    <message>
+        <source>NRRD files are written with the encoding raw or gzip, not &apos;%1&apos;.</source>
+        <translation>NRRD-Dateien werden mit der Kodierung raw oder gzip geschrieben, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>NRRD files hold regular lattices, and &apos;%1&apos; is %2. Give the file another ending: .xyz for curvilinear grids, .csv for scattered points.</source>
+        <translation>NRRD-Dateien enthalten regelmäßige Gitter, und „%1“ ist %2. Geben Sie der Datei eine andere Endung: .xyz für krummlinige Gitter, .csv für verstreute Punkte.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in 64x64x32.</source>
+        <translation>„%1“ für „%2“ ist nicht zu verstehen. Geben Sie drei Zahlen entlang x, y und z an, wie in 64x64x32.</translation>
+    </message>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, oder %2</translation>
+    </message>
+    <message>
+        <source>it is raw data, whose %1 bytes do not say how they are laid out. Describe them: size and type at least, for example %2.</source>
+        <translation>Sie enthält rohe Daten, deren %1 Bytes nicht sagen, wie sie angeordnet sind. Beschreiben Sie sie: mindestens Größe und Typ, zum Beispiel %2.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
+        <translation>Rohdateien: die Zahl der Punkte entlang x (läuft am schnellsten), y und z, etwa 256x256x128.</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Raw files: the type of a sample.</source>
+        <translation>Rohdateien: der Typ eines Abtastwerts.</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytefolge</translation>
+    </message>
+    <message>
+        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
+        <translation>Rohdateien: little (PC) oder big endian, für Typen aus mehr als einem Byte.</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>Little-Endian (PC)</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>Big-Endian</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Raw files: the length of a header before the samples.</source>
+        <translation>Rohdateien: die Länge eines Kopfes vor den Abtastwerten.</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>Rohdateien: der Abstand benachbarter Punkte entlang x, y und z, etwa 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>Raw files: the position of the first point, as in 0,0,0.</source>
+        <translation>Rohdateien: die Lage des ersten Punkts, etwa 0,0,0.</translation>
+    </message>
+    <message>
+        <source>the number of bytes to skip cannot be negative.</source>
+        <translation>Die Zahl der zu überspringenden Bytes darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>%1 samples of type %2, %3 bytes</source>
+        <translation>%1 Abtastwerte vom Typ %2, %3 Bytes</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>
+        <translation>Sie sollte %1 enthalten, es sind aber nur %2. Sie ist abgeschnitten, oder die Beschreibung (Größen, Typ, zu überspringende Bytes) ist falsch.</translation>
+    </message>
+    <message>
+        <source>it has only %1 of the %2 lines that are to be skipped. Check &apos;line skip&apos;.</source>
+        <translation>Sie hat nur %1 der %2 Zeilen, die übersprungen werden sollen. Prüfen Sie „line skip“.</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Bytes</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are %2, %3 too many. Its description is wrong: check the sizes, the type and the bytes to skip.</source>
+        <translation>Sie sollte %1 enthalten, es sind aber %2, %3 zu viel. Die Beschreibung ist falsch: Prüfen Sie Größen, Typ und zu überspringende Bytes.</translation>
+    </message>
+    <message>
+        <source>%1 bytes of compressed data</source>
+        <translation>%1 Bytes komprimierter Daten</translation>
+    </message>
+    <message>
+        <source>%1 bytes of text</source>
+        <translation>%1 Bytes Text</translation>
+    </message>
+    <message>
+        <source>its text holds more than the %1 numbers that the description asks for. Check the sizes.</source>
+        <translation>Ihr Text enthält mehr als die %1 Zahlen, die die Beschreibung verlangt. Prüfen Sie die Größen.</translation>
+    </message>
+    <message>
+        <source>number %1 of its text, &apos;%2&apos;, is no number of the type. Correct it, or the type.</source>
+        <translation>Zahl %1 ihres Textes, „%2“, ist keine Zahl des Typs. Berichtigen Sie sie oder den Typ.</translation>
+    </message>
+    <message>
+        <source>its text holds only %1 numbers where the description asks for %2. It is cut short, or the sizes are wrong.</source>
+        <translation>Ihr Text enthält nur %1 Zahlen, wo die Beschreibung %2 verlangt. Sie ist abgeschnitten, oder die Größen sind falsch.</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>velocity_magnitude</source>
+        <translation>Geschwindigkeitsbetrag</translation>
+    </message>
+    <message>
+        <source>momentum_magnitude</source>
+        <translation>Impulsbetrag</translation>
+    </message>
+    <message>
+        <source>momentum_x</source>
+        <translation>Impuls entlang x</translation>
+    </message>
+    <message>
+        <source>momentum_y</source>
+        <translation>Impuls entlang y</translation>
+    </message>
+    <message>
+        <source>momentum_z</source>
+        <translation>Impuls entlang z</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>mach</source>
+        <translation>Mach-Zahl</translation>
+    </message>
+    <message>
+        <source>No array of this solution varies.</source>
+        <translation>Kein Feld dieser Lösung ändert sich im Raum.</translation>
+    </message>
+    <message>
+        <source>These can be taken: %1.</source>
+        <translation>Diese können genommen werden: %1.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; is not a finite number at %2 of its points. %3</source>
+        <translation>Das Feld „%1“ ist an %2 ihrer Punkte keine endliche Zahl. %3</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; has one value everywhere. %2</source>
+        <translation>Das Feld „%1“ hat überall denselben Wert. %2</translation>
+    </message>
+    <message>
+        <source>none of its arrays varies, so there is nothing to see.</source>
+        <translation>Keines ihrer Felder ändert sich im Raum, sodass es nichts zu sehen gibt.</translation>
+    </message>
+    <message>
+        <source>the lengths of its Fortran records do not fit the sizes of its grids. Copy the file again.</source>
+        <translation>Die Längen ihrer Fortran-Sätze passen nicht zu den Größen ihrer Gitter. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 bytes too many stand behind its data. Check that it is a PLOT3D file.</source>
+        <translation>%1 Bytes zu viel stehen hinter ihren Daten. Prüfen Sie, ob sie eine PLOT3D-Datei ist.</translation>
+    </message>
+    <message>
+        <source>it holds %1 grids, and a model is of one. Choose which: &apos;grid&apos; from 1 to %2.</source>
+        <translation>Sie enthält %1 Gitter, und ein Modell ist von einem. Wählen Sie, von welchem: „grid“ von 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no grid %2: it holds %3.</source>
+        <translation>„%1“ hat kein Gitter %2: Es enthält %3.</translation>
+    </message>
+    <message>
+        <source>its grid has %1 x %2 x %3 points. TAn takes volumes: at least two points along each of three axes.</source>
+        <translation>Ihr Gitter hat %1 x %2 x %3 Punkte. TAn nimmt Volumen: mindestens zwei Punkte entlang jeder der drei Achsen.</translation>
+    </message>
+    <message>
+        <source>it holds a two-dimensional grid. TAn takes volumes: grids with at least two points along each of three axes.</source>
+        <translation>Sie enthält ein zweidimensionales Gitter. TAn nimmt Volumen: Gitter mit mindestens zwei Punkten entlang jeder der drei Achsen.</translation>
+    </message>
+    <message>
+        <source>it is no binary PLOT3D file: it does not begin with the sizes of its grids. Text files are not read.</source>
+        <translation>Sie ist keine binäre PLOT3D-Datei: Sie beginnt nicht mit den Größen ihrer Gitter. Textdateien werden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>it begins like a grid of %1 points, which takes %2 bytes or more, and has %3</source>
+        <translation>Sie beginnt wie ein Gitter aus %1 Punkten, das mindestens %2 Bytes braucht, und hat %3</translation>
+    </message>
+    <message>
+        <source>%1: it is cut short. Copy the file again.</source>
+        <translation>%1: Sie ist abgeschnitten. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1, which fits no kind of PLOT3D file.</source>
+        <translation>%1, was zu keiner Art von PLOT3D-Datei passt.</translation>
+    </message>
+    <message>
+        <source>it is a PLOT3D solution, and its grid is not beside it (%1). Open the grid, and give it the solution.</source>
+        <translation>Sie ist eine PLOT3D-Lösung, und ihr Gitter ist nicht daneben (%1). Öffnen Sie das Gitter, und geben Sie ihm die Lösung.</translation>
+    </message>
+    <message>
+        <source>it is a grid without values, and no solution is beside it (%1). Say where it is with &apos;solution&apos;, or give it one of these names.</source>
+        <translation>Sie ist ein Gitter ohne Werte, und keine Lösung ist daneben (%1). Geben Sie mit „solution“ an, wo sie ist, oder benennen Sie sie entsprechend.</translation>
+    </message>
+    <message>
+        <source>it is the solution of another grid: its sizes are not those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
+        <translation>Sie ist die Lösung eines anderen Gitters: Ihre Größen sind nicht die von „%1“. Wählen Sie mit „solution“ eine andere.</translation>
+    </message>
+    <message>
+        <source>%1 of its points are blanked out (iblank 0), so that its domain has holes, which cannot be refined. Take the part without them.</source>
+        <translation>%1 ihrer Punkte sind ausgeblendet (iblank 0), sodass ihr Gebiet Löcher hat, die nicht verfeinert werden können. Nehmen Sie den Teil ohne sie.</translation>
+    </message>
+    <message>
+        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
+        <translation>PLOT3D-Gitter und -Lösung (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <translation>Welcher Skalar der Lösung: „automatisch“ nimmt die Dichte, oder wenn sie überall gleich ist, den ersten, der sich ändert.</translation>
+    </message>
+    <message>
+        <source>Solution file</source>
+        <translation>Lösungsdatei</translation>
+    </message>
+    <message>
+        <source>The PLOT3D solution of the grid; without it the one beside it with a matching name.</source>
+        <translation>Die PLOT3D-Lösung des Gitters; sonst die mit passendem Namen daneben.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
+        <translation>Welches Gitter einer PLOT3D-Datei mit mehreren, von 1 an; 0 nimmt das einzige.</translation>
+    </message>
+    <message>
+        <source>PLOT3D files hold points on a grid, and &apos;%1&apos; is not. Give the file another ending, such as .csv for scattered points.</source>
+        <translation>PLOT3D-Dateien enthalten Punkte auf einem Gitter, und „%1“ nicht. Geben Sie der Datei eine andere Endung, etwa .csv für verstreute Punkte.</translation>
+    </message>
+    <message>
+        <source>there is no column &apos;%1&apos;; there are %2, or give a number from 1 to %3.</source>
+        <translation>Eine Spalte „%1“ gibt es nicht; es gibt %2, oder geben Sie eine Nummer von 1 bis %3 an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not name the three columns of the positions. Give three names or numbers separated by commas, as in x,y,z or 1,2,3.</source>
+        <translation>„%1“ nennt nicht die drei Spalten der Positionen. Geben Sie drei Namen oder Nummern an, durch Kommas getrennt, wie in x,y,z oder 1,2,3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names the same column twice.</source>
+        <translation>„%1“ nennt dieselbe Spalte zweimal.</translation>
+    </message>
+    <message>
+        <source>it has %1 columns, and points need at least four: x, y, z and a value.</source>
+        <translation>Sie hat %1 Spalten, und Punkte brauchen mindestens vier: x, y, z und einen Wert.</translation>
+    </message>
+    <message>
+        <source>1 incomplete row was skipped.</source>
+        <translation>1 unvollständige Zeile wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>%1 incomplete rows were skipped.</source>
+        <translation>%1 unvollständige Zeilen wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
+        <translation>Tabelle von Punkten (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
+        <translation>Tabellen von Punkten: die Spalten für x, y und z, nach Name oder Nummer, wie lon,lat,depth oder 1,2,3; &apos;automatic&apos; nimmt die mit den Namen x, y und z, sonst die ersten drei.</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <translation>Welche Werte genommen werden, nach Name oder Nummer; &apos;automatic&apos; nimmt die ersten.</translation>
+    </message>
+    <message>
+        <source>Skip incomplete rows</source>
+        <translation>Unvollständige Zeilen auslassen</translation>
+    </message>
+    <message>
+        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <translation>Tabellen von Punkten: Zeilen auslassen, denen eine Zahl fehlt, statt die Datei abzulehnen.</translation>
+    </message>
+    <message>
+        <source>it has more than 4294967295 points. Take a part of them.</source>
+        <translation>Sie hat mehr als 4294967295 Punkte. Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1 has a double quote that is not closed.</source>
+        <translation>%1 hat ein Anführungszeichen, das nicht geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>it holds no points.</source>
+        <translation>Sie enthält keine Punkte.</translation>
+    </message>
+    <message>
+        <source>%1, %2: there is no number. Add it, or have incomplete rows skipped.</source>
+        <translation>%1, %2: Da ist keine Zahl. Fügen Sie sie hinzu, oder lassen Sie unvollständige Zeilen überspringen.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is not a number. Numbers need a decimal point.</source>
+        <translation>%1, %2: %3 ist keine Zahl. Zahlen brauchen einen Dezimalpunkt.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is not a finite number.</source>
+        <translation>%1, %2: %3 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 columns, and those before have %3.</source>
+        <translation>%1 hat %2 Spalten, und die davor haben %3.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is too large for a position.</source>
+        <translation>%1, %2: %3 ist zu groß für eine Position.</translation>
+    </message>
+    <message>
+        <source>it is in UTF-16. Save it as UTF-8.</source>
+        <translation>Sie ist in UTF-16. Speichern Sie sie als UTF-8.</translation>
+    </message>
+    <message>
+        <source>it is not a text.</source>
+        <translation>Sie ist kein Text.</translation>
+    </message>
+    <message>
+        <source>it is a chemical structure: elements and where their atoms are. A table of points is wanted, with a value for each x, y and z.</source>
+        <translation>Sie ist eine chemische Struktur: Elemente, und wo ihre Atome sind. Verlangt wird eine Tabelle von Punkten, mit einem Wert für jedes x, y und z.</translation>
+    </message>
+    <message>
+        <source>%1 The file is damaged: copy or export it again.</source>
+        <translation>%1 Die Datei ist beschädigt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has no pixels. It is cut short, or no image: copy it again, or take it out of the folder.</source>
+        <translation>Sie hat keine Pixel. Sie ist abgeschnitten oder kein Bild: Kopieren Sie sie noch einmal, oder nehmen Sie sie aus dem Ordner.</translation>
+    </message>
+    <message>
+        <source>its pixels are compressed, which VTK does not read. Unpack it first, for instance with &apos;gdcmconv --raw IN OUT&apos; or &apos;dcmdjpeg IN OUT&apos;.</source>
+        <translation>Ihre Pixel sind komprimiert, was VTK nicht liest. Entpacken Sie sie zuerst, etwa mit „gdcmconv --raw IN OUT“ oder „dcmdjpeg IN OUT“.</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits, and VTK reads those of 8 or 16. Write them with 16.</source>
+        <translation>Ihre Pixel haben %1 Bit, und VTK liest solche mit 8 oder 16. Schreiben Sie sie mit 16.</translation>
+    </message>
+    <message>
+        <source>it has no rows or columns.</source>
+        <translation>Sie hat keine Zeilen oder Spalten.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes of pixels of %2 (of %3 in all). It is damaged: copy the file again.</source>
+        <translation>Sie hat %1 Bytes für Pixel statt %2 (von %3 insgesamt). Sie ist beschädigt: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>the file %1 of its series: %2</source>
+        <translation>Die Datei %1 ihrer Serie: %2</translation>
+    </message>
+    <message>
+        <source>it ends too early. Copy the file again.</source>
+        <translation>Sie endet zu früh. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its folder holds images of several sizes or types, such as %1 and %2. Put the images of one series alone into a folder.</source>
+        <translation>Ihr Ordner enthält Bilder verschiedener Größe oder Art, etwa %1 und %2. Legen Sie die Bilder einer Serie allein in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>ends in line %1, before the last %2. It is cut short: copy the file again.</source>
+        <translation>endet in Zeile %1, ohne dass alles da ist (%2). Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; %2</source>
+        <translation>Ihre Datei „%1“ %2</translation>
+    </message>
+    <message>
+        <source>line &apos;FORMAT&apos;</source>
+        <translation>Zeile „FORMAT“</translation>
+    </message>
+    <message>
+        <source>does not begin with FORMAT. It is no EnSight case, or damaged.</source>
+        <translation>beginnt nicht mit FORMAT. Sie ist kein EnSight-Fall oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>line &apos;type:&apos;</source>
+        <translation>Zeile „type:“</translation>
+    </message>
+    <message>
+        <source>has a section &apos;%1&apos;, which VTK cannot pass over. Take it out, or put it behind the variables.</source>
+        <translation>hat einen Abschnitt „%1“, den VTK nicht übergehen kann. Nehmen Sie ihn heraus, oder setzen Sie ihn hinter die Variablen.</translation>
+    </message>
+    <message>
+        <source>names no geometry (&apos;model:&apos;). It is cut short or damaged.</source>
+        <translation>nennt keine Geometrie („model:“). Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>number of a time set</source>
+        <translation>Nummer eines Zeitsatzes</translation>
+    </message>
+    <message>
+        <source>line &apos;number of steps:&apos;</source>
+        <translation>Zeile „number of steps:“</translation>
+    </message>
+    <message>
+        <source>number of time steps</source>
+        <translation>Anzahl der Zeitschritte</translation>
+    </message>
+    <message>
+        <source>says that there are %1 time steps.</source>
+        <translation>will %1 Zeitschritte haben.</translation>
+    </message>
+    <message>
+        <source>line &apos;time values:&apos;</source>
+        <translation>Zeile „time values:“</translation>
+    </message>
+    <message>
+        <source>first number of its files</source>
+        <translation>erste Nummer ihrer Dateien</translation>
+    </message>
+    <message>
+        <source>line &apos;filename increment:&apos;</source>
+        <translation>Zeile „filename increment:“</translation>
+    </message>
+    <message>
+        <source>increment of its files&apos; numbers</source>
+        <translation>Schrittweite der Nummern ihrer Dateien</translation>
+    </message>
+    <message>
+        <source>has %1 of %2 time values. It is cut short or damaged.</source>
+        <translation>hat %1 von %2 Zeitwerten. Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>number of a file set</source>
+        <translation>Nummer eines Dateisatzes</translation>
+    </message>
+    <message>
+        <source>number of time steps in a file</source>
+        <translation>Anzahl der Zeitschritte in einer Datei</translation>
+    </message>
+    <message>
+        <source>number of a file</source>
+        <translation>Nummer einer Datei</translation>
+    </message>
+    <message>
+        <source>time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>line of its description</source>
+        <translation>Zeile ihrer Beschreibung</translation>
+    </message>
+    <message>
+        <source>line &apos;node id&apos;</source>
+        <translation>Zeile „node id“</translation>
+    </message>
+    <message>
+        <source>line &apos;element id&apos;</source>
+        <translation>Zeile „element id“</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>line &apos;particle coordinates&apos;</source>
+        <translation>Zeile „particle coordinates“</translation>
+    </message>
+    <message>
+        <source>number of points</source>
+        <translation>Anzahl der Punkte</translation>
+    </message>
+    <message>
+        <source>does not say how many measured points it has. It is damaged.</source>
+        <translation>sagt nicht, wie viele gemessene Punkte sie hat. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>measured point</source>
+        <translation>gemessener Punkt</translation>
+    </message>
+    <message>
+        <source>has no point in the line &apos;%1&apos;. It is cut short or damaged.</source>
+        <translation>hat in der Zeile „%1“ keinen Punkt. Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>line &apos;coordinates&apos;</source>
+        <translation>Zeile „coordinates“</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; where a part should begin, which VTK passes over with all that follows. It is damaged, or of another version of the format: export it again.</source>
+        <translation>hat „%1“, wo ein Teil beginnen sollte, was VTK mit allem Folgenden übergeht. Sie ist beschädigt oder von einer anderen Version des Formats: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>size of a block</source>
+        <translation>Größe eines Blocks</translation>
+    </message>
+    <message>
+        <source>has a block of the size &apos;%1&apos;. It is damaged.</source>
+        <translation>hat einen Block der Größe „%1“. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>coordinate of a block</source>
+        <translation>Koordinate eines Blocks</translation>
+    </message>
+    <message>
+        <source>origin or spacing of a block</source>
+        <translation>Ursprung oder Abstand eines Blocks</translation>
+    </message>
+    <message>
+        <source>mark of a blanked point</source>
+        <translation>Kennzeichen eines ausgeblendeten Punktes</translation>
+    </message>
+    <message>
+        <source>number of a part</source>
+        <translation>Nummer eines Teils</translation>
+    </message>
+    <message>
+        <source>name of a part</source>
+        <translation>Name eines Teils</translation>
+    </message>
+    <message>
+        <source>kind of a part</source>
+        <translation>Art eines Teils</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; where elements should begin. It is damaged, or of another version of the format: export it again.</source>
+        <translation>hat „%1“, wo Elemente beginnen sollten. Sie ist beschädigt oder von einer anderen Version des Formats: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>number of elements</source>
+        <translation>Anzahl der Elemente</translation>
+    </message>
+    <message>
+        <source>number of faces</source>
+        <translation>Anzahl der Seiten</translation>
+    </message>
+    <message>
+        <source>number of corners</source>
+        <translation>Anzahl der Ecken</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; where elements should begin, which VTK does not know. It is damaged, or of another version of the format: export it again.</source>
+        <translation>hat „%1“, wo Elemente beginnen sollten, was VTK nicht kennt. Sie ist beschädigt oder von einer anderen Version des Formats: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>has an element with too few corners: &apos;%1&apos;. It is cut short or damaged.</source>
+        <translation>hat ein Element mit zu wenigen Ecken: „%1“. Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>has values of part &apos;%1&apos;, which the geometry does not have. One of the two is cut short, or they do not belong together.</source>
+        <translation>hat Werte für Teil „%1“, den die Geometrie nicht hat. Eine der beiden ist abgeschnitten, oder sie gehören nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>has values of &apos;%1&apos;, which the part does not have. It is damaged, or does not belong to the geometry.</source>
+        <translation>hat Werte für „%1“, das der Teil nicht hat. Sie ist beschädigt oder gehört nicht zur Geometrie.</translation>
+    </message>
+    <message>
+        <source>has no values of the elements &apos;%1&apos; of a part. It is cut short, or incomplete: export it again.</source>
+        <translation>hat keine Werte für die Elemente „%1“ eines Teils. Sie ist abgeschnitten oder unvollständig: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>has vectors of a block in the text format of EnSight 6, which VTK reads wrongly. Write the case as EnSight Gold, or the data as .vts.</source>
+        <translation>hat Vektoren eines Blocks im Textformat von EnSight 6, was VTK falsch liest. Schreiben Sie den Fall als EnSight Gold oder die Daten als .vts.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
+        <translation>Ihre Datei „%1“ fehlt. Kopieren Sie sie in den Ordner dieser Datei: Sie gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 ends within a section. It is cut short: copy the file again.</source>
+        <translation>%1 endet in einem Abschnitt. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its file %1 is missing, which holds the values. Copy it into the folder of this one.</source>
+        <translation>Ihre Datei %1, die die Werte enthält, fehlt. Kopieren Sie sie in den Ordner dieser Datei.</translation>
+    </message>
+    <message>
+        <source>%1 has no section. It is cut short, or of another format.</source>
+        <translation>%1 hat keinen Abschnitt. Sie ist abgeschnitten oder von einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>it</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>its file %1</source>
+        <translation>Ihre Datei %1</translation>
+    </message>
+    <message>
+        <source>it is an HDF4 file, which is not read. Convert it, for instance with h4toh5 and ParaView, to .vti or .vtu.</source>
+        <translation>Sie ist eine HDF4-Datei, die nicht gelesen wird. Wandeln Sie sie um, etwa mit h4toh5 und ParaView, in .vti oder .vtu.</translation>
+    </message>
+    <message>
+        <source>it does not begin as HDF5 files do. It is damaged, or of another format.</source>
+        <translation>Sie beginnt nicht wie HDF5-Dateien. Sie ist beschädigt oder von einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>it is an HDF5 file of another program: it has no group VTKHDF, by which VTK knows its own. Write it as .vti or .vtu.</source>
+        <translation>Sie ist die HDF5-Datei eines anderen Programms: Sie hat keine Gruppe VTKHDF, an der VTK die seinen erkennt. Schreiben Sie sie als .vti oder .vtu.</translation>
+    </message>
+    <message>
+        <source>it is a VTK HDF file of several time steps, a kind that came after VTK 9.1. Write one time step as .vti or .vtu.</source>
+        <translation>Sie ist eine VTK-HDF-Datei mit mehreren Zeitschritten, eine Art, die nach VTK 9.1 kam. Schreiben Sie einen Zeitschritt als .vti oder .vtu.</translation>
+    </message>
+    <message>
+        <source>it is a VTK HDF file of the type %1, which came after VTK 9.1. Write it as .vti or .vtu.</source>
+        <translation>Sie ist eine VTK-HDF-Datei vom Typ %1, der nach VTK 9.1 kam. Schreiben Sie sie als .vti oder .vtu.</translation>
+    </message>
+    <message>
+        <source>it holds &apos;%1&apos;: values alone, without points or a grid that they belong to. Write them with their grid.</source>
+        <translation>Sie enthält „%1“: Werte allein, ohne Punkte oder ein Gitter, zu denen sie gehören. Schreiben Sie sie mit ihrem Gitter.</translation>
+    </message>
+    <message>
+        <source>it says &apos;%1&apos; where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID should stand. It is damaged, or written by a faulty program.</source>
+        <translation>Sie sagt „%1“, wo DATASET und ein Typ wie STRUCTURED_POINTS oder UNSTRUCTURED_GRID stehen sollte. Sie ist beschädigt oder von einem fehlerhaften Programm geschrieben.</translation>
+    </message>
+    <message>
+        <source>The file ends without an end of line: if it was cut short there, its last number is wrong.</source>
+        <translation>Die Datei endet ohne Zeilenende: Wenn sie dort abgeschnitten wurde, ist ihre letzte Zahl falsch.</translation>
+    </message>
+    <message>
+        <source>its header does not say its ElementType. It is cut short: copy the file again.</source>
+        <translation>Ihr Kopf nennt keinen ElementType. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its samples are of the type &apos;%1&apos;, which is not read. Write them as MET_INT, MET_FLOAT or MET_DOUBLE.</source>
+        <translation>Ihre Abtastwerte sind vom Typ „%1“, der nicht gelesen wird. Schreiben Sie sie als MET_INT, MET_FLOAT oder MET_DOUBLE.</translation>
+    </message>
+    <message>
+        <source>its header has no NDims.</source>
+        <translation>Ihr Kopf hat kein NDims.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions. Write a part of it with three.</source>
+        <translation>Sie hat %1 Dimensionen. Schreiben Sie einen Teil davon mit dreien.</translation>
+    </message>
+    <message>
+        <source>its DimSize is &apos;%1&apos; and not %2 numbers of points.</source>
+        <translation>Ihre DimSize ist „%1“ und nicht %2 Anzahlen von Punkten.</translation>
+    </message>
+    <message>
+        <source>its ElementNumberOfChannels is &apos;%1&apos;.</source>
+        <translation>Ihre ElementNumberOfChannels ist „%1“.</translation>
+    </message>
+    <message>
+        <source>its samples are a text with several channels, of which VTK reads a part only. Write them with BinaryData = True.</source>
+        <translation>Ihre Abtastwerte sind ein Text mit mehreren Kanälen, von dem VTK nur einen Teil liest. Schreiben Sie sie mit BinaryData = True.</translation>
+    </message>
+    <message>
+        <source>its HeaderSize is &apos;%1&apos;.</source>
+        <translation>Ihre HeaderSize ist „%1“.</translation>
+    </message>
+    <message>
+        <source>its HeaderSize is -1, which says nothing where samples are packed or a text.</source>
+        <translation>Ihre HeaderSize ist -1, was bei gepackten Abtastwerten oder Text nichts sagt.</translation>
+    </message>
+    <message>
+        <source>%1 unpacks to %2 bytes, and its header asks for %3. It is damaged or cut short: copy the file again.</source>
+        <translation>%1 entpackt sich zu %2 Bytes, und ihr Kopf verlangt %3. Sie ist beschädigt oder abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be unpacked to its end. It is damaged or cut short: copy the file again.</source>
+        <translation>%1 kann nicht bis zum Ende entpackt werden. Sie ist beschädigt oder abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has not the %2 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short or damaged: copy the file again.</source>
+        <translation>%1 hat nicht die %2 Zahlen, die ihr Kopf verlangt, jede mit einem Leerzeichen oder Zeilenende dahinter. Sie ist abgeschnitten oder beschädigt: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its header has no line &apos;ElementDataFile = ...&apos;, so that it is cut short or no MetaImage. Copy the file again.</source>
+        <translation>Ihr Kopf hat keine Zeile „ElementDataFile = ...“, ist also abgeschnitten oder kein MetaImage. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its header does not say the CompressedDataSize.</source>
+        <translation>Ihr Kopf nennt keine CompressedDataSize.</translation>
+    </message>
+    <message>
+        <source>its data file %1 is missing. Copy it into the folder of this one: the two belong together.</source>
+        <translation>Ihre Datendatei %1 fehlt. Kopieren Sie sie in den Ordner dieser Datei: Die beiden gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>its data file %1</source>
+        <translation>Ihre Datendatei %1</translation>
+    </message>
+    <message>
+        <source>it should name %1 data files, each in a line of its own that ends, and names %2. It is cut short: copy the file again.</source>
+        <translation>Sie sollte %1 Datendateien nennen, jede in einer eigenen Zeile, die endet, und nennt %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its ElementDataFile is &apos;%1&apos;.</source>
+        <translation>Ihr ElementDataFile ist „%1“.</translation>
+    </message>
+    <message>
+        <source>its ElementDataFile &apos;%1&apos; does not name a file for each of its %2 layers. Write the numbers of the first, the last and the step behind the name.</source>
+        <translation>Ihr ElementDataFile „%1“ nennt nicht für jede der %2 Schichten eine Datei. Schreiben Sie die Nummern der ersten und der letzten und die Schrittweite hinter den Namen.</translation>
+    </message>
+    <message>
+        <source>its ElementDataFile &apos;%1&apos; is no name with a number as &apos;%03d&apos;.</source>
+        <translation>Ihr ElementDataFile „%1“ ist kein Name mit einer Nummer wie „%03d“.</translation>
+    </message>
+    <message>
+        <source>its numbers have the byte order of other machines (big endian), which VTK reads wrongly. Write it anew on this machine.</source>
+        <translation>Ihre Zahlen haben die Bytefolge anderer Rechner (Big-Endian), was VTK falsch liest. Schreiben Sie sie auf diesem Rechner neu.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 points along an axis.</source>
+        <translation>Ihr Kopf sagt, dass sie entlang einer Achse %1 Punkte hat.</translation>
+    </message>
+    <message>
+        <source>its samples are of mode %1, which VTK does not read. Write it with mode 2 (floating point).</source>
+        <translation>Ihre Abtastwerte haben den Modus %1, den VTK nicht liest. Schreiben Sie sie mit Modus 2 (Gleitkomma).</translation>
+    </message>
+    <message>
+        <source>its header says that an extension of less than no bytes follows.</source>
+        <translation>Ihr Kopf sagt, dass eine Erweiterung von weniger als null Bytes folgt.</translation>
+    </message>
+    <message>
+        <source>it ends within its header. It is cut short: copy the file again.</source>
+        <translation>Sie endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its NetCDF header has lists that are longer than the file, or none where some belong.</source>
+        <translation>Ihr NetCDF-Kopf hat Listen, die länger sind als die Datei, oder keine, wo welche hingehören.</translation>
+    </message>
+    <message>
+        <source>its dimension &apos;%1&apos; is %2 long, more than the file has bytes.</source>
+        <translation>Ihre Dimension „%1“ ist %2 lang, mehr als die Datei Bytes hat.</translation>
+    </message>
+    <message>
+        <source>an attribute in its NetCDF header is of no type that there is.</source>
+        <translation>Ein Attribut in ihrem NetCDF-Kopf hat einen Typ, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; has dimensions that are not there.</source>
+        <translation>Ihre Variable „%1“ hat Dimensionen, die nicht da sind.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; is of no type that there is.</source>
+        <translation>Ihre Variable „%1“ hat einen Typ, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; is larger than any file. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <translation>Sie hat %1 Bytes, und ihre Variable „%2“ ist größer als jede Datei. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren Sie die Datei noch einmal, oder exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <translation>Sie hat %1 Byte, und ihre Variable „%2“ reicht bis Byte %3. Sie ist abgeschnitten oder wurde nicht zu Ende geschrieben: Kopieren Sie die Datei noch einmal, oder exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; begins within the header.</source>
+        <translation>Ihre Variable „%1“ beginnt innerhalb des Kopfes.</translation>
+    </message>
+    <message>
+        <source>it does not begin as a TIFF file does.</source>
+        <translation>Sie beginnt nicht wie eine TIFF-Datei.</translation>
+    </message>
+    <message>
+        <source>its pages name one another in a circle.</source>
+        <translation>Ihre Seiten nennen einander im Kreis.</translation>
+    </message>
+    <message>
+        <source>page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>%1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
+        <translation>%1 liegt hinter ihrem Ende, bei %2 Bytes. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>an entry of %1</source>
+        <translation>ein Eintrag (%1)</translation>
+    </message>
+    <message>
+        <source>%1 has no size.</source>
+        <translation>%1 hat keine Größe.</translation>
+    </message>
+    <message>
+        <source>%1 does not say where its pixels are.</source>
+        <translation>%1 sagt nicht, wo ihre Pixel sind.</translation>
+    </message>
+    <message>
+        <source>%1 is divided into pieces of no size.</source>
+        <translation>%1 ist in Stücke ohne Größe geteilt.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of its %3 pieces.</source>
+        <translation>%1 hat %2 von %3 Stücken.</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has %2 bytes and should have %3.</source>
+        <translation>Ein Stück (%1) hat %2 Bytes und sollte %3 haben.</translation>
+    </message>
+    <message>
+        <source>a piece of %1</source>
+        <translation>ein Stück (%1)</translation>
+    </message>
+    <message>
+        <source>its pages have two samples for each pixel, of which VTK reads the first page only. Write it with one sample.</source>
+        <translation>Ihre Seiten haben zwei Werte für jedes Pixel, wovon VTK nur die erste Seite liest. Schreiben Sie sie mit einem Wert.</translation>
+    </message>
+    <message>
+        <source>some of its pages say that they are part of the volume, and page %1 does not.</source>
+        <translation>Einige ihrer Seiten sagen, dass sie zum Volumen gehören, und Seite %1 nicht.</translation>
+    </message>
+    <message>
+        <source>page %1 is of another size or type than page 1. Write a file whose pages are layers of one volume.</source>
+        <translation>Seite %1 hat eine andere Größe oder Art als Seite 1. Schreiben Sie eine Datei, deren Seiten Schichten eines Volumens sind.</translation>
+    </message>
+    <message>
+        <source>its file %1: %2</source>
+        <translation>Ihre Datei %1: %2</translation>
+    </message>
+    <message>
+        <source>it is of another size or type than the first file of its stack, &apos;%1&apos;. Put the layers of one volume alone into a folder.</source>
+        <translation>Sie hat eine andere Größe oder Art als die erste Datei ihres Stapels, „%1“. Legen Sie die Schichten eines Volumens allein in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 It is damaged, or written by a faulty program: export it again.</source>
+        <translation>%1 Sie ist beschädigt oder von einem fehlerhaften Programm geschrieben: Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it ends within its appended data. It is cut short: copy the file again.</source>
+        <translation>Sie endet in ihren angehängten Daten. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, one for each time step or part. Open one of its files.</source>
+        <translation>Sie ist eine Liste von Dateien, eine für jeden Zeitschritt oder Teil. Öffnen Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
+        <translation>Sie ist eine Liste von Dateien, eine für jeden Zeitschritt oder Teil. Öffnen Sie eine davon, etwa „%1“.</translation>
+    </message>
+    <message>
+        <source>its element %1 is missing.</source>
+        <translation>Ihr Element %1 fehlt.</translation>
+    </message>
+    <message>
+        <source>the pieces in it do not fill the WholeExtent that it names.</source>
+        <translation>Die Stücke darin füllen die WholeExtent nicht, die sie nennt.</translation>
+    </message>
+    <message>
+        <source>it has more than %1 elements.</source>
+        <translation>Sie hat mehr als %1 Elemente.</translation>
+    </message>
+    <message>
+        <source>its elements stand more than %1 deep in one another.</source>
+        <translation>Ihre Elemente sind mehr als %1-fach verschachtelt.</translation>
+    </message>
+    <message>
+        <source>an element has more than %1 attributes.</source>
+        <translation>Ein Element hat mehr als %1 Attribute.</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos; and not three numbers.</source>
+        <translation>Ihr %1 ist „%2“ und nicht drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has &apos;%2&apos; components.</source>
+        <translation>Ihr Feld „%1“ hat „%2“ Komponenten.</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 points or cells, more than %2 bytes can hold.</source>
+        <translation>Sie will %1 Punkte oder Zellen haben, mehr als %2 Bytes fassen.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos;: %2</source>
+        <translation>Ihre Datei „%1“: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; (of cells)</source>
+        <translation>„%1“ (von Zellen)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
+        <translation>Aus ganzen Zahlen von 64 Bit wurden Gleitkommazahlen von 53 Bit.</translation>
+    </message>
+    <message>
+        <source>it has no array with a number for each point or cell. Write it with one.</source>
+        <translation>Sie hat kein Feld mit einer Zahl für jeden Punkt oder jede Zelle. Schreiben Sie sie mit einem.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
+        <translation>Sie hat kein Feld „%1“. Wählen Sie eines von diesen: %2.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has no component &apos;%2&apos;. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
+        <translation>Ihr Feld „%1“ hat keine Komponente „%2“. Wählen Sie eine von 0 bis %3, oder „magnitude“.</translation>
+    </message>
+    <message>
+        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <translation>Sie hat Zellen einer Form, die TAn nicht kennt: %1. Zerlegen Sie sie in einfachere.</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>the lists of its cells&apos; corners contradict each other. It is damaged.</source>
+        <translation>Die Eckenlisten ihrer Zellen widersprechen einander. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>cell %1 (from 0) has the corner %2, and there are %3 points. It is damaged.</source>
+        <translation>Zelle %1 (ab 0) hat die Ecke %2, und es gibt %3 Punkte. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
+        <translation>1 Zelle heißt linear und hat die Ecken einer quadratischen: Sie wurde als solche genommen.</translation>
+    </message>
+    <message>
+        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
+        <translation>%1 Zellen heißen linear und haben die Ecken von quadratischen: Sie wurden als solche genommen.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has values for its polygons, not its points. Choose an array of points.</source>
+        <translation>Ihr Feld „%1“ hat Werte für ihre Vielecke, nicht für ihre Punkte. Wählen Sie ein Feld der Punkte.</translation>
+    </message>
+    <message>
+        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
+        <translation>Was ihre Punkte verbindet (Linien, Polygone), wurde weggelassen: Es sind verstreute Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
+        <translation>%1 ihrer Teile haben kein „%2“ und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
+        <translation>Sie enthält %1 Teile; dies ist der namens „%2“. Einen anderen wählt „Teil“.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts are no irregular meshes and were left out.</source>
+        <translation>%1 ihrer Teile sind keine unregelmäßigen Netze und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
+        <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
+    </message>
+    <message>
+        <source>some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular mesh, which is too large for that. Take a part of it, or replace those values by numbers.</source>
+        <translation>Einige ihrer %1 Zellen sind ausgeblendet oder haben Werte, die keine Zahlen sind, sodass sie ein unregelmäßiges Netz ist, das dafür zu groß ist. Nehmen Sie einen Teil davon, oder ersetzen Sie diese Werte durch Zahlen.</translation>
+    </message>
+    <message>
+        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
+        <translation>Ein Gitter mit ausgeblendeten Zellen oder Werten, die keine Zahlen sind: ein unregelmäßiges Netz ohne diese.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied and shifted as the header of the file asks.</source>
+        <translation>Die Abtastwerte wurden multipliziert und verschoben, wie der Kopf der Datei es verlangt.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a NIfTI file.</source>
+        <translation>Ihr Kopf ist nicht der einer NIfTI-Datei.</translation>
+    </message>
+    <message>
+        <source>it has no part &apos;%1&apos;. %2</source>
+        <translation>Sie hat keinen Teil „%1“. %2</translation>
+    </message>
+    <message>
+        <source>It is all one: leave &apos;part&apos; empty.</source>
+        <translation>Sie ist ein Ganzes: Lassen Sie „part“ leer.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1</source>
+        <translation>VTK meldet: %1</translation>
+    </message>
+    <message>
+        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
+        <translation>Zeitschritt %1 von %2. Einen anderen wählt „Zeitschritt“.</translation>
+    </message>
+    <message>
+        <source>it says that it holds more than any machine can. It is damaged.</source>
+        <translation>Sie will mehr enthalten, als irgendein Rechner fasst. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1. It is damaged.</source>
+        <translation>VTK sagt: %1. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>it is a PLOT3D solution, and its grid (.xyz, .x, .g, .p3d) is not beside it. Open the grid.</source>
+        <translation>Sie ist eine PLOT3D-Lösung, und ihr Gitter (.xyz, .x, .g, .p3d) ist nicht daneben. Öffnen Sie das Gitter.</translation>
+    </message>
+    <message>
+        <source>it is a PLOT3D grid without values, and neither a solution (.q) nor a function file (.f, .fun) of its name is beside it. Name it with &apos;solution&apos;.</source>
+        <translation>Sie ist ein PLOT3D-Gitter ohne Werte, und weder eine Lösung (.q) noch eine Funktionsdatei (.f, .fun) ihres Namens ist daneben. Nennen Sie sie mit „solution“.</translation>
+    </message>
+    <message>
+        <source>it is a text, but not as many numbers stand in it as a PLOT3D grid of its size has. It is damaged, or of another format.</source>
+        <translation>Sie ist ein Text, aber darin stehen nicht so viele Zahlen, wie ein PLOT3D-Gitter ihrer Größe hat. Sie ist beschädigt oder von einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1. The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
+        <translation>VTK sagt: %1. Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with &apos;time&apos;.</source>
+        <translation>Sie hat %1 Zeitschritte, und verlangt ist Nummer %2. Wählen Sie mit „time“ einen von 1 bis %3.</translation>
+    </message>
+    <message>
+        <source>VTK finds nothing in it. It is damaged, or of another format.</source>
+        <translation>VTK findet nichts darin. Sie ist beschädigt oder von einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
+        <translation>VTK meldet: %1 Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
+        <translation>Sie ist keine VTK-Datei: Ihr Anfang nennt keine Art von Daten. Schreiben Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>it holds data of the type &apos;%1&apos;, which are no volume. Write them as a grid, a mesh or points.</source>
+        <translation>Sie enthält Daten vom Typ „%1“, die kein Volumen sind. Schreiben Sie sie als Gitter, Netz oder Punkte.</translation>
+    </message>
+    <message>
+        <source>Install VTK with &apos;apt install libvtk9.1&apos; (other systems: VTK 9).</source>
+        <translation>Installieren Sie VTK mit „apt install libvtk9.1“ (andere Systeme: VTK 9).</translation>
+    </message>
+    <message>
+        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
+        <translation>Speicher, Prozesse oder offene Dateien reichen nicht, um die VTK-Leser zu starten (%1). Schließen Sie andere Programme, oder erhöhen Sie die Grenze (ulimit).</translation>
+    </message>
+    <message>
+        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>Die VTK-Leser sind nicht installiert. Installieren Sie das Paket tan-vtk-readers, das mit TAn kommt: „apt install ./tan-vtk-readers_*.deb“ dort, wo die Datei liegt (bei einem eigenen Bau: nach „apt install libvtk9-dev“ neu bauen), oder wandeln Sie die Datei in NRRD oder CSV um.</translation>
+    </message>
+    <message>
+        <source>The VTK readers cannot be started: &apos;%1&apos;: %2</source>
+        <translation>Die VTK-Leser können nicht gestartet werden: „%1“: %2</translation>
+    </message>
+    <message>
+        <source>The VTK readers are not installed: %1. %2</source>
+        <translation>Die VTK-Leser sind nicht installiert: %1. %2</translation>
+    </message>
+    <message>
+        <source>The VTK readers are installed badly: %1. %2</source>
+        <translation>Die VTK-Leser sind falsch installiert: %1. %2</translation>
+    </message>
+    <message>
+        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <translation>Das System hat VTK beendet, was es tut, wenn der Speicher ausgeht. Schließen Sie andere Programme, oder nehmen Sie einen Teil der Datei.</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
+        <translation>Der Leser von VTK ist abgestürzt. Die Datei ist beschädigt, größer als der Arbeitsspeicher oder von einer Art, die VTK schlecht liest. Exportieren Sie sie neu oder in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <translation>VTK hat minutenlang auf seinen Datenträger gewartet. Sehen Sie nach, ob er antwortet, oder kopieren Sie die Datei auf einen anderen.</translation>
+    </message>
+    <message>
+        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
+        <translation>VTK braucht für sie mehr Speicher als die %1, die Programme hier nehmen dürfen. Erhöhen Sie die Grenze (ulimit -v).</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
+        <translation>VTK braucht für sie mehr als %1 Speicher, die Hälfte dessen, was dieser Rechner hat. Sie ist beschädigt oder zu groß für diesen Rechner: Nehmen Sie einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK braucht für sie mehr als %1 Speicher, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK braucht für sie mehr als %1 Sekunden des Prozessors, was Dateien ihrer Größe nicht brauchen. Sie ist beschädigt; wenn nicht, schreiben Sie sie in einem anderen Format (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>it has no zone. It is cut short, or no Tecplot text.</source>
+        <translation>Sie hat keine Zone. Sie ist abgeschnitten oder kein Tecplot-Text.</translation>
+    </message>
+    <message>
+        <source>its zone %1</source>
+        <translation>Ihre Zone %1</translation>
+    </message>
+    <message>
+        <source>its zone %1 (&apos;%2&apos;)</source>
+        <translation>Ihre Zone %1 („%2“)</translation>
+    </message>
+    <message>
+        <source>it holds &apos;%1&apos;, not a grid with its values. Write both into one file (FILETYPE = FULL).</source>
+        <translation>Sie enthält „%1“, kein Gitter mit seinen Werten. Schreiben Sie beides in eine Datei (FILETYPE = FULL).</translation>
+    </message>
+    <message>
+        <source>it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.</source>
+        <translation>Sie hat mehr Zahlen, als ihre %1 Zonen verlangen. Ihre Größen sind falsch, oder sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>it has &apos;%1&apos; where a record such as ZONE should begin. It is damaged, or no Tecplot text.</source>
+        <translation>Sie hat „%1“, wo ein Satz wie ZONE beginnen sollte. Sie ist beschädigt oder kein Tecplot-Text.</translation>
+    </message>
+    <message>
+        <source>none of its variables is called %1, so that it has no place in space. Name the coordinates X, Y and Z.</source>
+        <translation>Keine ihrer Variablen heißt %1, sodass sie keinen Ort im Raum hat. Nennen Sie die Koordinaten X, Y und Z.</translation>
+    </message>
+    <message>
+        <source>it has a zone before its VARIABLES. It is damaged.</source>
+        <translation>Sie hat eine Zone vor ihren VARIABLES. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 repeats variables by &apos;D&apos;, which is not read. Write it with VARSHARELIST, or all of its variables.</source>
+        <translation>%1 wiederholt Variablen durch „D“, was nicht gelesen wird. Schreiben Sie sie mit VARSHARELIST oder mit allen Variablen.</translation>
+    </message>
+    <message>
+        <source>%1 ends within its header. It is cut short: copy the file again.</source>
+        <translation>%1 endet in ihrem Kopf. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has a VARLOCATION &apos;%2&apos; that is not understood.</source>
+        <translation>%1 hat eine VARLOCATION „%2“, die nicht zu verstehen ist.</translation>
+    </message>
+    <message>
+        <source>%1 shares variables with zone &apos;%2&apos;, which does not come before it. The file is damaged or cut short.</source>
+        <translation>%1 teilt Variablen mit Zone „%2“, die nicht davor kommt. Die Datei ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 has &apos;%2&apos;. It is damaged or cut short.</source>
+        <translation>%1 hat „%2“. Sie ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 is of the type &apos;%2&apos;, which is not read. Divide its elements into bricks or tetrahedra.</source>
+        <translation>%1 ist vom Typ „%2“, der nicht gelesen wird. Zerlegen Sie ihre Elemente in Hexaeder oder Tetraeder.</translation>
+    </message>
+    <message>
+        <source>%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.</source>
+        <translation>%1 sagt nicht, wie viele Knoten (N) und Elemente (E) sie hat. Sie ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 does not say how many points it has (I, J, K). It is damaged or cut short.</source>
+        <translation>%1 sagt nicht, wie viele Punkte sie hat (I, J, K). Sie ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 ends before the last of its %2. It is cut short: copy the file again.</source>
+        <translation>%1 endet, bevor alles da ist: %2. Sie ist abgeschnitten: Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has no number in place of one of its %2. Its sizes are wrong, or it is damaged.</source>
+        <translation>%1 hat an einer Stelle keine Zahl, wo eine stehen sollte: %2. Ihre Größen sind falsch, oder sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <translation>%1 endet gleich hinter ihrer letzten Zahl, oder mitten darin. Ist die Datei vollständig, setzen Sie ein Zeilenende dahinter; sonst kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 shares values with a zone of another size. The file is damaged.</source>
+        <translation>%1 teilt Werte mit einer Zone anderer Größe. Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as &apos;%2&apos;, which is not known.</source>
+        <translation>%1 ist gepackt als „%2“, was nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>%1 has values of elements, which must be packed by blocks. It is damaged.</source>
+        <translation>%1 hat Werte von Elementen, die blockweise stehen müssen. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 values of &apos;%2&apos;</source>
+        <translation>%1 Werte von „%2“</translation>
+    </message>
+    <message>
+        <source>%1 has more numbers than it should. Its sizes are wrong, or it is damaged.</source>
+        <translation>%1 hat mehr Zahlen, als sie sollte. Ihre Größen sind falsch, oder sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 has no positions of its points. Write it with all coordinates.</source>
+        <translation>%1 hat keine Positionen ihrer Punkte. Schreiben Sie sie mit allen Koordinaten.</translation>
+    </message>
+    <message>
+        <source>%1 shares its elements with a zone that does not fit. The file is damaged.</source>
+        <translation>%1 teilt ihre Elemente mit einer Zone, die nicht passt. Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 Elemente</translation>
+    </message>
+    <message>
+        <source>%1 has an element at node &apos;%2&apos;, and it has %3. It is damaged.</source>
+        <translation>%1 hat ein Element am Knoten „%2“, und sie hat %3. Sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has %2 values for %3 points.</source>
+        <translation>Ihr Feld „%1“ hat %2 Werte für %3 Punkte.</translation>
+    </message>
+    <message>
+        <source>it has %1 positions for a grid of %2 points.</source>
+        <translation>Sie hat %1 Positionen für ein Gitter aus %2 Punkten.</translation>
+    </message>
+    <message>
+        <source>the position of point %1 (from 0) is no number, or too large. Repair the file.</source>
+        <translation>Die Position von Punkt %1 (ab 0) ist keine Zahl oder zu groß. Reparieren Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>%1 points whose value is no number were left out.</source>
+        <translation>%1 Punkte, deren Wert keine Zahl ist, wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>none of its values is a number.</source>
+        <translation>Keiner ihrer Werte ist eine Zahl.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>VTK legacy (*.vtk)</source>
+        <translation>VTK, altes Format (*.vtk)</translation>
+    </message>
+    <message>
+        <source>VTK HDF (*.vtkhdf *.hdf)</source>
+        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
+    </message>
+    <message>
+        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
+        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
+    </message>
+    <message>
+        <source>EnSight (*.case *.encas)</source>
+        <translation>EnSight (*.case *.encas)</translation>
+    </message>
+    <message>
+        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
+        <translation>NetCDF, CF-Konventionen (*.nc *.cdf)</translation>
+    </message>
+    <message>
+        <source>CGNS (*.cgns)</source>
+        <translation>CGNS (*.cgns)</translation>
+    </message>
+    <message>
+        <source>MetaImage (*.mhd *.mha)</source>
+        <translation>MetaImage (*.mhd *.mha)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.nii.gz)</source>
+        <translation>NIfTI (*.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
+        <translation>MRC-Elektronenmikroskopie (*.mrc *.ccp4 *.map)</translation>
+    </message>
+    <message>
+        <source>TIFF stack (*.tif *.tiff)</source>
+        <translation>TIFF-Stapel (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>DICOM series (*.dcm *.dicom)</source>
+        <translation>DICOM-Serie (*.dcm *.dicom)</translation>
+    </message>
+    <message>
+        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
+        <translation>PLOT3D, auch Text (*.xyz *.x *.g *.p3d *.q)</translation>
+    </message>
+    <message>
+        <source>GAMBIT (*.neu)</source>
+        <translation>GAMBIT (*.neu)</translation>
+    </message>
+    <message>
+        <source>Fluent (*.cas)</source>
+        <translation>Fluent (*.cas)</translation>
+    </message>
+    <message>
+        <source>OpenFOAM (*.foam controlDict)</source>
+        <translation>OpenFOAM (*.foam controlDict)</translation>
+    </message>
+    <message>
+        <source>Tecplot text (*.tec *.tp)</source>
+        <translation>Tecplot-Text (*.tec *.tp)</translation>
+    </message>
+    <message>
+        <source>Give &apos;%1&apos;, or the number of a component from 0.</source>
+        <translation>Geben Sie „%1“ an, oder die Nummer einer Komponente ab 0.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Bei Feldern mit mehreren Komponenten: die Nummer einer, ab 0, oder „magnitude“ für den Betrag.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Of files with several time steps: which one, from 1.</source>
+        <translation>Bei Dateien mit mehreren Zeitschritten: welcher, ab 1.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
+        <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
+    </message>
+    <message>
+        <source>it is of no format that VTK reads.</source>
+        <translation>Ihr Format liest VTK nicht.</translation>
+    </message>
+    <message>
+        <source>with-cell</source>
+        <translation>mit der Zelle</translation>
+    </message>
+    <message>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <translation>Wie Flächen und Volumen geordnet werden: &apos;exakt&apos; oder wie im Aufsatz &apos;mit der Zelle&apos;, wo das Stück einer Fläche in einer Zelle vor der Zelle gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
+        <translation>Elektronendichte des C60-Moleküls, eine hohle Kugel aus glatten Hügeln</translation>
+    </message>
+    <message>
+        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
+        <translation>Wahrscheinlichkeitsdichte des 3d-Elektrons im Wasserstoffatom: zwei Keulen und ein Ring</translation>
+    </message>
+    <message>
+        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
+        <translation>das Testsignal von Marschner und Lobb: Wellen, die schwer wiederzugeben sind</translation>
+    </message>
+    <message>
+        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <translation>weißes Rauschen, der schlimmste Fall: Kein Wert sagt etwas über seinen Nachbarn</translation>
+    </message>
+    <message>
+        <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
+        <translation>Strömung vor einer Halbkugel: ein krummliniges Gitter mit zusammengefallener Achse</translation>
+    </message>
+    <message>
+        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
+        <translation>Strömung um einen Zylinder: ein krummliniges Gitter, das sich in sich schließt</translation>
+    </message>
+    <message>
+        <source>flow through a bent duct: a curvilinear grid</source>
+        <translation>Strömung durch einen gebogenen Kanal: ein krummliniges Gitter</translation>
+    </message>
+    <message>
+        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <translation>eine Schicht an einer Wand: ein rechtwinkliges Gitter mit wachsenden Abständen</translation>
+    </message>
+    <message>
+        <source>random points in a ball, with waves that grow finer outwards</source>
+        <translation>zufällige Punkte in einer Kugel, mit Wellen, die nach außen feiner werden</translation>
+    </message>
+    <message>
+        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
+        <translation>Spannung in einer Platte mit fünf Löchern und einem geschlossenen Hohlraum: ein unregelmäßiges Netz</translation>
+    </message>
+    <message>
+        <source>There is no sample called &apos;%1&apos;. There are:%2.</source>
+        <translation>Ein Beispiel „%1“ gibt es nicht. Es gibt:%2.</translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation>Beispiel wird erzeugt</translation>
+    </message>
+    <message>
+        <source>The sample &apos;%1&apos; has from %2 to %3 points along each axis, not %4.</source>
+        <translation>Das Beispiel „%1“ hat %2 bis %3 Punkte entlang jeder Achse, nicht %4.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to make the sample. Ask for a smaller size.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um das Beispiel zu erzeugen. Verlangen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>The array &apos;%1&apos; has %2 values for %3 %4: an array needs a name, and one value for each.</source>
+        <translation>Das Feld „%1“ hat %2 Werte für %3 %4: Ein Feld braucht einen Namen und für jeden einen Wert.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;.</source>
+        <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more vertices than a PLY file can number. Write a .vtu file.</source>
+        <translation>„%1“ hätte mehr Knoten, als eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtu-Datei.</translation>
+    </message>
+    <message>
+        <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
+        <translation>Die Fläche „%1“ hat %2 und kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>not one normal for each vertex</source>
+        <translation>nicht für jeden Knoten eine Normale</translation>
+    </message>
+    <message>
+        <source>not one value for each vertex</source>
+        <translation>nicht für jeden Knoten einen Wert</translation>
+    </message>
+    <message>
+        <source>triangles of vertices that it does not have</source>
+        <translation>Dreiecke von Knoten, die sie nicht hat</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, which is too many to find it. Write a .vtu file.</source>
+        <translation>„%1“ wäre die Berandung von mehr als 1073741824 Tetraedern, zu vielen, um sie zu finden. Schreiben Sie eine .vtu-Datei.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtu file.</source>
+        <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtu-Datei.</translation>
+    </message>
+    <message>
+        <source>The film</source>
+        <translation>Der Film</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>A film needs two key frames at least. Add another view.</source>
+        <translation>Ein Film braucht mindestens zwei Schlüsselbilder. Fügen Sie noch eine Ansicht hinzu.</translation>
+    </message>
+    <message>
+        <source>three numbers in brackets</source>
+        <translation>drei Zahlen in eckigen Klammern</translation>
+    </message>
+    <message>
+        <source>an object, in braces</source>
+        <translation>ein Objekt, in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be %2.</source>
+        <translation>„%1“ muss so sein: %2.</translation>
+    </message>
+    <message>
+        <source>a name that is known here</source>
+        <translation>ein hier bekannter Name</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
+        <translation>In den Ordner „%1“ kann nicht geschrieben werden, sodass die Ansicht nicht erhalten bleibt. Schaffen Sie dort Platz, oder speichern Sie die Sitzung.</translation>
+    </message>
+    <message>
+        <source>There is no surface to save: add an isovalue, or show one.</source>
+        <translation>Es gibt keine Fläche zu speichern: Fügen Sie einen Isowert hinzu, oder zeigen Sie einen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für ein Bild dieser Größe.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; for samples cannot be made: %2. Make it writable, or free some space.</source>
+        <translation>Der Ordner „%1“ für Beispiele kann nicht angelegt werden: %2. Machen Sie ihn beschreibbar, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>There is no sample called &apos;%1&apos;.</source>
+        <translation>Ein Beispiel „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close other programs.</source>
+        <translation>Der Arbeitsspeicher reicht nicht für das Netz dieser Genauigkeit. Wählen Sie eine gröbere, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON, at byte %1.</source>
+        <translation>sie ist kein gültiges JSON, bei Byte %1.</translation>
+    </message>
+    <message>
+        <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>„format“ ist nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>this program knows version %1 of sessions only.</source>
+        <translation>Dieses Programm kennt nur Version %1 von Sitzungen.</translation>
+    </message>
+    <message>
+        <source>it names no model in &quot;model.path&quot;.</source>
+        <translation>Sie nennt kein Modell in „model.path“.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; cannot be read: %2.</source>
+        <translation>Die Datei „%1“ kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
+        <translation>Die Datei „%1“ ist zu groß für das, was hier gesucht wird.</translation>
+    </message>
+    <message>
+        <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
+        <translation>Das Video konnte nicht erzeugt werden: %1 meldet „%2“. Wählen Sie ein anderes Format oder PNG-Bilder.</translation>
+    </message>
+    <message>
+        <source>The video</source>
+        <translation>Das Video</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos;: %2</source>
+        <translation>In „%1“: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The model of the session cannot be opened. %1</source>
+        <translation>Das Modell der Sitzung kann nicht geöffnet werden. %1</translation>
+    </message>
+    <message>
+        <source>Install VTK with &apos;apt install libvtk9.1&apos;.</source>
+        <translation>Installieren Sie VTK mit „apt install libvtk9.1“.</translation>
+    </message>
+    <message>
+        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Ein Datensatz kann nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Ein Netz kann nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Flächen können nicht als „%1“ geschrieben werden. %2</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
+        <translation>Wählen Sie eine dieser Endungen: %1; oder, für den Rand des Netzes allein, %2.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1.</source>
+        <translation>Wählen Sie eine dieser Endungen: %1.</translation>
+    </message>
+    <message>
+        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
+        <translation>Es wurde mit %1 gebaut und dieses Programm mit %2. Bauen Sie das Plugin mit diesem Compiler und den Headern dieses TAn neu, oder installieren Sie eine Fassung für dieses TAn.</translation>
+    </message>
+    <message>
+        <source>The plugin that writes &apos;%1&apos; promises what it cannot write. Tell its author.</source>
+        <translation>Das Plugin, das „%1“ schreibt, verspricht, was es nicht schreiben kann. Sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>It does not say what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
+        <translation>Es sagt nicht, womit es gebaut wurde, und dieses Programm wurde mit %1 gebaut. Bauen Sie das Plugin neu, mit tan_plugin_module().</translation>
+    </message>
+    <message>
+        <source>%1%2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>a colour, #rrggbb or a name</source>
+        <translation>eine Farbe, #rrggbb oder ein Name</translation>
+    </message>
+    <message>
+        <source>three numbers x,y,z</source>
+        <translation>drei Zahlen x,y,z</translation>
+    </message>
+    <message>
+        <source>a text that makes a %1</source>
+        <translation>ein Text, der ein %1 ergibt</translation>
+    </message>
+    <message>
+        <source>&quot;edits&quot; does not say which type of parameters the editor is for</source>
+        <translation>„edits“ sagt nicht, für welchen Typ von Parametern der Editor ist</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr als die 4 GiB, die eine .glb-Datei fasst. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr als die 2147483647 Knoten, die eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr als die 4294967295 Dreiecke, die eine STL-Datei zählen kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+    </message>
+    <message>
+        <source>It makes no widget. Tell its author.</source>
+        <translation>Er zeigt nichts an. Sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabellen von Punkten</translation>
+    </message>
+    <message>
+        <source>NRRD volumes</source>
+        <translation>NRRD-Volumen</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids with a solution file</source>
+        <translation>PLOT3D-Gitter mit Lösungsdatei</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids</source>
+        <translation>Unstrukturierte Gitter, VTK-XML</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata</source>
+        <translation>Polydata, VTK-XML</translation>
+    </message>
+    <message>
+        <source>VTK legacy files</source>
+        <translation>Ältere VTK-Dateien</translation>
+    </message>
+    <message>
+        <source>PLY files</source>
+        <translation>PLY-Dateien</translation>
+    </message>
+    <message>
+        <source>STL files</source>
+        <translation>STL-Dateien</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files</source>
+        <translation>Wavefront-OBJ-Dateien</translation>
+    </message>
+    <message>
+        <source>Binary glTF files</source>
+        <translation>Binäre glTF-Dateien</translation>
+    </message>
+    <message>
+        <source>Writing the dataset</source>
+        <translation>Schreiben des Datensatzes</translation>
+    </message>
+    <message>
+        <source>Writing the mesh</source>
+        <translation>Netz wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the surfaces</source>
+        <translation>Flächen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>writer &apos;%1&apos;</source>
+        <translation>Schreiber „%1“</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>Kodierung</translation>
+    </message>
+    <message>
+        <source>raw is quick to write and to read, gzip is smaller.</source>
+        <translation>raw ist schnell geschrieben und gelesen, gzip ist kleiner.</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>raw</translation>
+    </message>
+    <message>
+        <source>gzip</source>
+        <translation>gzip</translation>
+    </message>
+    <message>
+        <source>What draws the scene failed: %1. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>Was die Szene zeichnet, ist gescheitert: %1. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>The shader of an optical model cannot be used: %1</source>
+        <translation>Der Shader eines optischen Modells ist nicht zu gebrauchen: %1</translation>
+    </message>
+    <message>
+        <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>Einem optischen Modell der Szene fehlt seine Funktion oder sein Shader. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>A blend of two volumes is seen by emission and absorption alone. Take the optical model away, or show one of the two.</source>
+        <translation>Eine Überblendung zweier Volumen ist nur mit Emission und Absorption zu sehen. Nehmen Sie das optische Modell weg, oder zeigen Sie nur eines der beiden.</translation>
+    </message>
+    <message>
+        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
+        <translation>Eine Szene kann ein Volumen haben oder eine Überblendung von zweien, und diese hat %1. Zeigen Sie die anderen als Oberflächen oder in einem eigenen Bild.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ ist gescheitert, ohne zu sagen, warum. Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no choice for &apos;%2&apos;. There is: %3.</source>
+        <translation>„%1“ ist für „%2“ keine Wahl. Es gibt: %3.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a mistake in the plugin; tell its author.</source>
+        <translation>Das Plugin „%1“ hat eine Szene gemacht, die nicht gezeigt werden kann: %2 Das ist ein Fehler des Plugins; sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>there is none.</source>
+        <translation>es gibt keine.</translation>
+    </message>
+    <message>
+        <source>a drawable has no name.</source>
+        <translation>etwas darin hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>two drawables are called &apos;%1&apos;.</source>
+        <translation>zweierlei darin heißt „%1“.</translation>
+    </message>
+</context>
+<context>
     <name>tetra::MessageBar</name>
     <message>
         <source>Show or hide the older messages</source>
@@ -4511,8 +7340,8 @@ Verwerfung %2</translation>
         <translation>Auf den Kopf stellen</translation>
     </message>
     <message>
-        <source>Let the axis that points up point down</source>
-        <translation>Die Achse, die nach oben zeigt, nach unten zeigen lassen</translation>
+        <source>Flip the up axis</source>
+        <translation>Die Achse nach oben umkehren</translation>
     </message>
     <message>
         <source>Roll Clockwise</source>
@@ -4535,8 +7364,8 @@ Verwerfung %2</translation>
         <translation>Waagrecht ausrichten</translation>
     </message>
     <message>
-        <source>Take the roll away: the axis that points up is upright</source>
-        <translation>Die Neigung aufheben: die Achse, die nach oben zeigt, steht aufrecht</translation>
+        <source>Remove the roll: make the up axis vertical</source>
+        <translation>Neigung aufheben: Die Achse nach oben steht senkrecht</translation>
     </message>
     <message>
         <source>Trackball</source>
@@ -4723,8 +7552,8 @@ Verwerfung %2</translation>
         <translation>&amp;Größe</translation>
     </message>
     <message>
-        <source>Only what is shown, to be laid over something else</source>
-        <translation>Nur das Gezeigte, um es über anderes zu legen</translation>
+        <source>Leave out the background, to place the picture over something else</source>
+        <translation>Den Hintergrund weglassen, um das Bild über etwas anderes zu legen</translation>
     </message>
     <message>
         <source>Background</source>
@@ -4778,7 +7607,7 @@ Verwerfung %2</translation>
         <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
     </message>
     <message>
-        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
         <translation>Was gefunden wurde, und warum etwas nicht benutzt wird. Die Leertaste schaltet ein Plugin ein oder aus.</translation>
     </message>
     <message>
@@ -4809,24 +7638,24 @@ Verwerfung %2</translation>
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Value of what is selected, in the units of the data; selected points move together</source>
-        <translation>Wert des Ausgewählten in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
+        <source>Value of the selection, in data units; selected points move together</source>
+        <translation>Wert der Auswahl, in den Einheiten der Daten; ausgewählte Punkte bewegen sich gemeinsam</translation>
     </message>
     <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
-        <translation>Deckkraft der ausgewählten Punkte in Prozent des Lichts, das eine Einheitslänge wegnimmt</translation>
+        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <translation>Deckkraft der ausgewählten Punkte: Prozent des Lichts, das auf der Einheitslänge verschluckt wird</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>Colour of what is selected</source>
-        <translation>Farbe des Ausgewählten</translation>
+        <source>Colour of the selection</source>
+        <translation>Farbe der Auswahl</translation>
     </message>
     <message>
         <source>Unit distance</source>
@@ -4914,8 +7743,8 @@ Verwerfung %2</translation>
         <translation>Nach einer Vorlage suchen</translation>
     </message>
     <message>
-        <source>What to take of a preset</source>
-        <translation>Was von einer Vorlage übernommen wird</translation>
+        <source>Parts of a preset to apply</source>
+        <translation>Anzuwendende Teile einer Vorlage</translation>
     </message>
     <message>
         <source>Colours and opacities</source>
@@ -4977,15 +7806,15 @@ Verwerfung %2</translation>
         <translation>Fokus zur Bild&amp;mitte</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at</source>
-        <translation>Den Fokus dorthin holen, wohin die Kamera blickt</translation>
+        <source>Move the focus to the camera&apos;s target</source>
+        <translation>Den Fokus zum Zielpunkt der Kamera bewegen</translation>
     </message>
     <message>
         <source>&amp;Window</source>
         <translation>&amp;Fenster</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only</source>
+        <source>Show only the part of the domain in a box</source>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
     </message>
     <message>
@@ -5008,12 +7837,12 @@ Verwerfung %2</translation>
         <translation>Nur ein &amp;Fenster</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only (W)</source>
+        <source>Show only the part of the domain in a box (W)</source>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen (W)</translation>
     </message>
     <message>
-        <source>Where the window ends, in the coordinates of the data</source>
-        <translation>Wo das Fenster endet, in den Koordinaten der Daten</translation>
+        <source>Bounds of the window, in data coordinates</source>
+        <translation>Grenzen des Fensters, in den Koordinaten der Daten</translation>
     </message>
     <message>
         <source>&amp;To</source>
@@ -5115,8 +7944,8 @@ Verwerfung %2</translation>
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>While movin&amp;g</source>
-        <translation>In Bewe&amp;gung</translation>
+        <source>Frame r&amp;ate</source>
+        <translation>Bildr&amp;ate</translation>
     </message>
 </context>
 <context>
@@ -5137,8 +7966,8 @@ Verwerfung %2</translation>
         <translation>Achse der Schichten</translation>
     </message>
     <message>
-        <source>The axis across which the layer lies</source>
-        <translation>Die Achse, quer zu der die Schicht liegt</translation>
+        <source>Axis perpendicular to the layer</source>
+        <translation>Achse senkrecht zur Schicht</translation>
     </message>
     <message>
         <source>Across %1</source>
@@ -5149,7 +7978,7 @@ Verwerfung %2</translation>
         <translation>Schicht</translation>
     </message>
     <message>
-        <source>The layer that is shown, counted from 0</source>
+        <source>Layer shown, counted from 0</source>
         <translation>Die gezeigte Schicht, von 0 an gezählt</translation>
     </message>
     <message>
@@ -5191,32 +8020,32 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::StatusLine</name>
     <message>
-        <source>The picture at the chosen accuracy is being made</source>
-        <translation>Das Bild in der gewählten Genauigkeit entsteht gerade</translation>
+        <source>Drawing the picture at the chosen accuracy</source>
+        <translation>Das Bild in der gewählten Genauigkeit wird gezeichnet</translation>
     </message>
     <message>
-        <source>Data points in the mesh that is shown</source>
-        <translation>Datenpunkte im gezeigten Netz</translation>
+        <source>Vertices of the mesh shown</source>
+        <translation>Knoten des gezeigten Netzes</translation>
     </message>
     <message>
-        <source>Tetrahedra in the mesh that is shown</source>
-        <translation>Tetraeder im gezeigten Netz</translation>
+        <source>Tetrahedra of the mesh shown</source>
+        <translation>Tetraeder des gezeigten Netzes</translation>
     </message>
     <message>
-        <source>Triangles of all surfaces that are shown</source>
+        <source>Triangles of all surfaces shown</source>
         <translation>Dreiecke aller gezeigten Flächen</translation>
     </message>
     <message>
-        <source>Time for taking the mesh out of the model</source>
-        <translation>Zeit, um das Netz aus dem Modell zu holen</translation>
+        <source>Time to extract the mesh from the model</source>
+        <translation>Zeit, um das Netz dem Modell zu entnehmen</translation>
     </message>
     <message>
-        <source>Memory that the program occupies, mapped files included</source>
+        <source>Memory used by the program, including mapped files</source>
         <translation>Speicher, den das Programm belegt, eingeblendete Dateien eingeschlossen</translation>
     </message>
     <message>
-        <source>What draws the picture: OpenGL or the processor</source>
-        <translation>Was das Bild zeichnet: OpenGL oder der Prozessor</translation>
+        <source>Rendering back end: OpenGL or the processor</source>
+        <translation>Gezeichnet von: OpenGL oder dem Prozessor</translation>
     </message>
     <message>
         <source>%1 vertices</source>
@@ -5344,7 +8173,7 @@ Verwerfung %2</translation>
         <translation>Laden …</translation>
     </message>
     <message>
-        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
         <translation>Eine Transferfunktion aus einer Datei nehmen: eine von TAn oder Vorlagen von ParaView (JSON oder XML)</translation>
     </message>
     <message>
@@ -5424,8 +8253,8 @@ Verwerfung %2</translation>
         <translation>Einen Punkt nach dem ausgewählten hinzufügen; oder auf die Kurve klicken, oder doppelt in das Diagramm</translation>
     </message>
     <message>
-        <source>Remove what is selected (Del)</source>
-        <translation>Das Ausgewählte entfernen (Entf)</translation>
+        <source>Remove the selection (Del)</source>
+        <translation>Auswahl entfernen (Entf)</translation>
     </message>
     <message>
         <source>Change the selected points, or all</source>
@@ -5444,12 +8273,12 @@ Verwerfung %2</translation>
         <translation>Maske</translation>
     </message>
     <message>
-        <source>Show some values only: between two lines that can be dragged</source>
-        <translation>Nur einige Werte zeigen: zwischen zwei Linien, die sich ziehen lassen</translation>
+        <source>Show only the values between two draggable lines</source>
+        <translation>Nur die Werte zwischen zwei verschiebbaren Linien zeigen</translation>
     </message>
     <message>
-        <source>Show all points in a table to be edited</source>
-        <translation>Alle Punkte in einer Tabelle zum Bearbeiten zeigen</translation>
+        <source>Edit all points in a table</source>
+        <translation>Alle Punkte in einer Tabelle bearbeiten</translation>
     </message>
     <message>
         <source>Read-out</source>
@@ -5464,8 +8293,8 @@ Verwerfung %2</translation>
         <translation>Einen Punkt hinzufügen</translation>
     </message>
     <message>
-        <source>Remove what is selected</source>
-        <translation>Das Ausgewählte entfernen</translation>
+        <source>Remove the selection</source>
+        <translation>Auswahl entfernen</translation>
     </message>
     <message>
         <source>Axis of values</source>
@@ -5478,10 +8307,6 @@ Verwerfung %2</translation>
     <message>
         <source>Logarithmic: by &amp;factors</source>
         <translation>Logarithmisch: nach &amp;Faktoren</translation>
-    </message>
-    <message>
-        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
-        <translation>Die Achse der Werte bleibt linear: eine logarithmische hat keinen Platz für null und weniger, und die Daten oder die Punkte beginnen bei %1. Die Punkte über null schieben oder Daten mit positiven Werten wählen.</translation>
     </message>
 </context>
 <context>
@@ -5542,16 +8367,16 @@ Verwerfung %2</translation>
         <translation>Projektion</translation>
     </message>
     <message>
-        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
-        <translation>Ob kleiner aussieht, was weiter weg ist (Strg+P)</translation>
+        <source>Perspective: distant parts look smaller (Ctrl+P)</source>
+        <translation>Perspektive: Fernes erscheint kleiner (Strg+P)</translation>
     </message>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>The point that is looked at, in the units of the data</source>
-        <translation>Der Punkt, auf den geblickt wird, in den Einheiten der Daten</translation>
+        <source>The camera&apos;s target, in data units</source>
+        <translation>Der Zielpunkt der Kamera, in den Einheiten der Daten</translation>
     </message>
     <message>
         <source>A&amp;zimuth</source>
@@ -5586,8 +8411,8 @@ Verwerfung %2</translation>
         <translation>Das ganze Gebiet zeigen (Pos1)</translation>
     </message>
     <message>
-        <source>Colour behind what is shown, also in saved pictures</source>
-        <translation>Farbe hinter dem Gezeigten, auch in gespeicherten Bildern</translation>
+        <source>Background colour, also in saved pictures</source>
+        <translation>Hintergrundfarbe, auch in gespeicherten Bildern</translation>
     </message>
     <message>
         <source>Background colour</source>
@@ -5602,8 +8427,8 @@ Verwerfung %2</translation>
         <translation>Die Farbe, die zum Fenster passt, hell oder dunkel</translation>
     </message>
     <message>
-        <source>Take the camera from a JSON file</source>
-        <translation>Die Kamera aus einer JSON-Datei nehmen</translation>
+        <source>Load the camera from a JSON file</source>
+        <translation>Die Kamera aus einer JSON-Datei laden</translation>
     </message>
     <message>
         <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
@@ -5666,8 +8491,8 @@ Verwerfung %2</translation>
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>By how much the picture is turned clockwise, in degrees</source>
-        <translation>Um wie viel das Bild im Uhrzeigersinn gedreht ist, in Grad</translation>
+        <source>Clockwise roll of the picture, in degrees</source>
+        <translation>Neigung des Bildes im Uhrzeigersinn, in Grad</translation>
     </message>
     <message>
         <source>Up axis</source>

@@ -148,8 +148,8 @@
         <translation>&amp;Plugin…</translation>
     </message>
     <message>
-        <source>The plugins that were found</source>
-        <translation>I plugin trovati</translation>
+        <source>Installed plugins</source>
+        <translation>Plugin installati</translation>
     </message>
     <message>
         <source>&amp;About TAn</source>
@@ -464,7 +464,7 @@
         <translation>Mostra dati di volume con qualsiasi accuratezza.</translation>
     </message>
     <message>
-        <source>What draws the picture: auto, cpu or gl.</source>
+        <source>Rendering back end: auto, cpu or gl.</source>
         <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
     </message>
     <message>
@@ -545,6 +545,10 @@
     <message>
         <source>Films of the model: a turntable, or a path through key frames that you choose.</source>
         <translation>Filmati del modello: un giro completo, o un percorso tra fotogrammi chiave scelti da voi.</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Trasferimento</translation>
     </message>
 </context>
 <context>
@@ -675,14 +679,21 @@
     </message>
 </context>
 <context>
-    <name>Manual</name>
+    <name>Language</name>
     <message>
-        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
-        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn dove Sphinx è installato (python3-sphinx, python3-myst-parser, furo); gli stessi testi sono nella cartella docs dei sorgenti.</translation>
+        <source>en</source>
+        <translation>it</translation>
     </message>
+</context>
+<context>
+    <name>Manual</name>
     <message>
         <source>No program opens web pages here. Install a web browser, or read %1.</source>
         <translation>Qui nessun programma apre pagine web. Installare un browser, oppure leggere %1.</translation>
+    </message>
+    <message>
+        <source>The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its sources.</source>
+        <translation>Il manuale non è installato. Installare di nuovo il pacchetto tan con la sua documentazione, oppure compilare TAn dove Sphinx è installato (python3-sphinx, python3-myst-parser, furo); gli stessi testi sono nella cartella docs dei sorgenti.</translation>
     </message>
 </context>
 <context>
@@ -802,864 +813,10 @@
     </message>
 </context>
 <context>
-    <name>Plugin</name>
-    <message>
-        <source>Delaunay refinement</source>
-        <translation>Raffinamento di Delaunay</translation>
-    </message>
-    <message>
-        <source>Starts from the corners and inserts the point of the largest error until the error is small enough.</source>
-        <translation>Parte dai vertici del dominio e inserisce il punto di massimo errore finché l&apos;errore è abbastanza piccolo.</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Errore</translation>
-    </message>
-    <message>
-        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
-        <translation>L&apos;errore a cui fermarsi; 0 conserva tutto, così poi si può mostrare qualsiasi accuratezza.</translation>
-    </message>
-    <message>
-        <source>% of the value range</source>
-        <translation>% dell&apos;intervallo dei valori</translation>
-    </message>
-    <message>
-        <source>Tables of points</source>
-        <translation>Tabelle di punti</translation>
-    </message>
-    <message>
-        <source>Reads scattered points with a value each from CSV, TSV and blank-separated text.</source>
-        <translation>Legge punti sparsi con un valore ciascuno da CSV, TSV e testo separato da spazi.</translation>
-    </message>
-    <message>
-        <source>CSV writer</source>
-        <translation>Scrittura CSV</translation>
-    </message>
-    <message>
-        <source>Writes the points of any dataset as a table: x, y, z and value.</source>
-        <translation>Scrive i punti di qualsiasi insieme di dati come tabella: x, y, z e valore.</translation>
-    </message>
-    <message>
-        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
-        <translation>Tabella di punti (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
-    </message>
-    <message>
-        <source>Table of points (*.csv)</source>
-        <translation>Tabella di punti (*.csv)</translation>
-    </message>
-    <message>
-        <source>Meshes of cells</source>
-        <translation>Mesh di celle</translation>
-    </message>
-    <message>
-        <source>Reads meshes of tetrahedra, hexahedra, prisms and pyramids from VTK XML (.vtu) and AVS UCD (.inp).</source>
-        <translation>Legge mesh di tetraedri, esaedri, prismi e piramidi da VTK XML (.vtu) e AVS UCD (.inp).</translation>
-    </message>
-    <message>
-        <source>VTK unstructured grid (*.vtu)</source>
-        <translation>Griglia non strutturata VTK (*.vtu)</translation>
-    </message>
-    <message>
-        <source>AVS UCD mesh (*.inp)</source>
-        <translation>Mesh AVS UCD (*.inp)</translation>
-    </message>
-    <message>
-        <source>Array</source>
-        <translation>Vettore</translation>
-    </message>
-    <message>
-        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
-        <translation>Il vettore di cui prendere i valori, di punti o di celle; se vuoto quello che il file dice attivo, altrimenti il primo.</translation>
-    </message>
-    <message>
-        <source>Component</source>
-        <translation>Componente</translation>
-    </message>
-    <message>
-        <source>Of arrays with several components: magnitude, or a number from 0.</source>
-        <translation>Di vettori con più componenti: il modulo, o un numero da 0.</translation>
-    </message>
-    <message>
-        <source>Cutting the cells</source>
-        <translation>Suddivisione delle celle</translation>
-    </message>
-    <message>
-        <source>Checking the mesh</source>
-        <translation>Controllo della mesh</translation>
-    </message>
-    <message>
-        <source>Positions</source>
-        <translation>Posizioni</translation>
-    </message>
-    <message>
-        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
-        <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in lon,lat,depth o 1,2,3; &apos;automatic&apos; prende quelle chiamate x, y e z, altrimenti le prime tre.</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Valori</translation>
-    </message>
-    <message>
-        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
-        <translation>I valori da prendere, per nome o numero; &apos;automatic&apos; prende i primi che ci sono.</translation>
-    </message>
-    <message>
-        <source>Skip incomplete rows</source>
-        <translation>Salta le righe incomplete</translation>
-    </message>
-    <message>
-        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
-        <translation>Tabelle di punti: tralascia le righe a cui manca un numero, invece di rifiutare il file.</translation>
-    </message>
-    <message>
-        <source>Scattered points: refinement fills their convex hull.</source>
-        <translation>Punti sparsi: il raffinamento riempie il loro inviluppo convesso.</translation>
-    </message>
-    <message>
-        <source>Finding the convex hull</source>
-        <translation>Ricerca dell&apos;inviluppo convesso</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Pesi</translation>
-    </message>
-    <message>
-        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
-        <translation>Dove conta l&apos;accuratezza: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach o value:q,reach, più di uno separati da &apos;;&apos;. Lì gli errori contano per intero e calano linearmente a un decimo (o a &apos;,floor&apos; alla fine) alla distanza &apos;reach&apos;; vale il peso maggiore. Esempi: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
-    </message>
-    <message>
-        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
-        <translation>Una mesh irregolare: la decimazione ne conserva la forma e le cavità.</translation>
-    </message>
-    <message>
-        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Una griglia curvilinea: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
-    </message>
-    <message>
-        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
-        <translation>Un reticolo regolare: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
-    </message>
-    <message>
-        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
-        <translation>Un reticolo regolare: il raffinamento conserva esattamente il dominio e richiede il tempo minore.</translation>
-    </message>
-    <message>
-        <source>Block</source>
-        <translation>Blocco</translation>
-    </message>
-    <message>
-        <source>cells</source>
-        <translation>celle</translation>
-    </message>
-    <message>
-        <source>Warping</source>
-        <translation>Deformazione</translation>
-    </message>
-    <message>
-        <source>% of the diagonal</source>
-        <translation>% della diagonale</translation>
-    </message>
-    <message>
-        <source>Selection</source>
-        <translation>Scelta</translation>
-    </message>
-    <message>
-        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
-        <translation>Per dati curvilinei: &apos;normalised&apos; prende il punto più lontano per errore o deformazione; &apos;paper&apos; confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
-    </message>
-    <message>
-        <source>normalised</source>
-        <translation>normalizzata</translation>
-    </message>
-    <message>
-        <source>paper</source>
-        <translation>articolo</translation>
-    </message>
-    <message>
-        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
-        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita sia l&apos;errore sia la deformazione.</translation>
-    </message>
-    <message>
-        <source>Distributing the points</source>
-        <translation>Distribuzione dei punti</translation>
-    </message>
-    <message>
-        <source>Refining</source>
-        <translation>Raffinamento</translation>
-    </message>
-    <message>
-        <source>Isosurfaces</source>
-        <translation>Isosuperfici</translation>
-    </message>
-    <message>
-        <source>Shows the surfaces on which the field has the chosen values, each with a colour and an opacity.</source>
-        <translation>Mostra le superfici su cui il campo ha i valori scelti, ciascuna con un colore e un&apos;opacità.</translation>
-    </message>
-    <message>
-        <source>Isovalues</source>
-        <translation>Isovalori</translation>
-    </message>
-    <message>
-        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
-        <translation>I valori di cui si mostrano le superfici, ciascuno con colore e opacità.</translation>
-    </message>
-    <message>
-        <source>Bounding box</source>
-        <translation>Parallelepipedo limite</translation>
-    </message>
-    <message>
-        <source>Shows the edges of the box that the data fill.</source>
-        <translation>Mostra gli spigoli del parallelepipedo che i dati riempiono.</translation>
-    </message>
-    <message>
-        <source>Volumes on regular lattices</source>
-        <translation>Volumi su reticoli regolari</translation>
-    </message>
-    <message>
-        <source>Reads NRRD files with attached or detached data, raw, gzip or text, and raw files that are described.</source>
-        <translation>Legge file NRRD con dati interni o esterni, raw, gzip o testo, e file raw di cui si dà la descrizione.</translation>
-    </message>
-    <message>
-        <source>NRRD writer</source>
-        <translation>Scrittura NRRD</translation>
-    </message>
-    <message>
-        <source>Writes volumes on regular lattices as NRRD files, raw or gzip.</source>
-        <translation>Scrive volumi su reticoli regolari come file NRRD, raw o gzip.</translation>
-    </message>
-    <message>
-        <source>NRRD volume (*.nrrd *.nhdr)</source>
-        <translation>Volume NRRD (*.nrrd *.nhdr)</translation>
-    </message>
-    <message>
-        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
-        <translation>Volume raw (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
-    </message>
-    <message>
-        <source>Reading</source>
-        <translation>Lettura</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Dimensione</translation>
-    </message>
-    <message>
-        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
-        <translation>File raw: il numero di punti lungo x (che varia più in fretta), y e z, come in 256x256x128.</translation>
-    </message>
-    <message>
-        <source>points</source>
-        <translation>punti</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
-        <source>Raw files: the type of a sample.</source>
-        <translation>File raw: il tipo di un campione.</translation>
-    </message>
-    <message>
-        <source>Byte order</source>
-        <translation>Ordine dei byte</translation>
-    </message>
-    <message>
-        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
-        <translation>File raw: little (PC) o big endian, per tipi di più di un byte.</translation>
-    </message>
-    <message>
-        <source>little</source>
-        <translation>little-endian (PC)</translation>
-    </message>
-    <message>
-        <source>big</source>
-        <translation>big-endian</translation>
-    </message>
-    <message>
-        <source>Skip</source>
-        <translation>Salta</translation>
-    </message>
-    <message>
-        <source>Raw files: the length of a header before the samples.</source>
-        <translation>File raw: la lunghezza di un&apos;intestazione prima dei campioni.</translation>
-    </message>
-    <message>
-        <source>bytes</source>
-        <translation>byte</translation>
-    </message>
-    <message>
-        <source>Spacing</source>
-        <translation>Spaziatura</translation>
-    </message>
-    <message>
-        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
-        <translation>File raw: la distanza fra punti vicini lungo x, y e z, come in 1x1x2.5.</translation>
-    </message>
-    <message>
-        <source>Origin</source>
-        <translation>Origine</translation>
-    </message>
-    <message>
-        <source>Raw files: the position of the first point, as in 0,0,0.</source>
-        <translation>File raw: la posizione del primo punto, come in 0,0,0.</translation>
-    </message>
-    <message>
-        <source>uint8</source>
-        <translation>uint8</translation>
-    </message>
-    <message>
-        <source>int8</source>
-        <translation>int8</translation>
-    </message>
-    <message>
-        <source>uint16</source>
-        <translation>uint16</translation>
-    </message>
-    <message>
-        <source>int16</source>
-        <translation>int16</translation>
-    </message>
-    <message>
-        <source>uint32</source>
-        <translation>uint32</translation>
-    </message>
-    <message>
-        <source>int32</source>
-        <translation>int32</translation>
-    </message>
-    <message>
-        <source>float</source>
-        <translation>float</translation>
-    </message>
-    <message>
-        <source>double</source>
-        <translation>double</translation>
-    </message>
-    <message>
-        <source>builder</source>
-        <translation>costruzione</translation>
-    </message>
-    <message>
-        <source>renderer</source>
-        <translation>resa</translation>
-    </message>
-    <message>
-        <source>reader</source>
-        <translation>lettura</translation>
-    </message>
-    <message>
-        <source>writer</source>
-        <translation>scrittura</translation>
-    </message>
-    <message>
-        <source>editor</source>
-        <translation>editor</translation>
-    </message>
-    <message>
-        <source>found</source>
-        <translation>trovato</translation>
-    </message>
-    <message>
-        <source>loaded</source>
-        <translation>caricato</translation>
-    </message>
-    <message>
-        <source>disabled</source>
-        <translation>disattivato</translation>
-    </message>
-    <message>
-        <source>refused</source>
-        <translation>rifiutato</translation>
-    </message>
-    <message>
-        <source>PLOT3D grids</source>
-        <translation>Griglie PLOT3D</translation>
-    </message>
-    <message>
-        <source>Reads curvilinear grids with a scalar of their solution from binary PLOT3D files of any byte order and precision.</source>
-        <translation>Legge griglie curvilinee con uno scalare della soluzione da file PLOT3D binari di qualsiasi ordine dei byte e precisione.</translation>
-    </message>
-    <message>
-        <source>PLOT3D writer</source>
-        <translation>Scrittura PLOT3D</translation>
-    </message>
-    <message>
-        <source>Writes datasets on grids as a PLOT3D grid file and a solution file beside it.</source>
-        <translation>Scrive insiemi di dati su griglie come file di griglia PLOT3D con accanto un file di soluzione.</translation>
-    </message>
-    <message>
-        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
-        <translation>Griglia e soluzione PLOT3D (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
-    </message>
-    <message>
-        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
-        <translation>Quale scalare della soluzione: automatico prende la densità o, se questa è ovunque uguale, il primo che varia.</translation>
-    </message>
-    <message>
-        <source>Solution file</source>
-        <translation>File di soluzione</translation>
-    </message>
-    <message>
-        <source>The PLOT3D solution of the grid; without it the one beside it with a fitting name.</source>
-        <translation>La soluzione PLOT3D della griglia; se vuoto quella accanto con un nome adatto.</translation>
-    </message>
-    <message>
-        <source>VTK readers</source>
-        <translation>Letture VTK</translation>
-    </message>
-    <message>
-        <source>Reads VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM and more, by means of VTK.</source>
-        <translation>Legge VTK, Exodus, EnSight, NetCDF, CGNS, MetaImage, NIfTI, TIFF, DICOM e altri, per mezzo di VTK.</translation>
-    </message>
-    <message>
-        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
-        <translation>Di vettori con più componenti: il numero di una, da 0, o &apos;magnitude&apos;.</translation>
-    </message>
-    <message>
-        <source>Time step</source>
-        <translation>Passo temporale</translation>
-    </message>
-    <message>
-        <source>Of files with several time steps: which one, from 1.</source>
-        <translation>Di file con più passi temporali: quale, da 1.</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Parte</translation>
-    </message>
-    <message>
-        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
-        <translation>Di file con più blocchi o parti: una, per nome o numero da 1; se vuoto tutte le mesh irregolari che hanno i valori, o la prima griglia.</translation>
-    </message>
-    <message>
-        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
-        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
-    </message>
-    <message>
-        <source>VTK legacy (*.vtk)</source>
-        <translation>VTK legacy (*.vtk)</translation>
-    </message>
-    <message>
-        <source>VTK HDF (*.vtkhdf *.hdf)</source>
-        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
-    </message>
-    <message>
-        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
-        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
-    </message>
-    <message>
-        <source>EnSight (*.case *.encas)</source>
-        <translation>EnSight (*.case *.encas)</translation>
-    </message>
-    <message>
-        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
-        <translation>NetCDF, convenzioni CF (*.nc *.cdf)</translation>
-    </message>
-    <message>
-        <source>CGNS (*.cgns)</source>
-        <translation>CGNS (*.cgns)</translation>
-    </message>
-    <message>
-        <source>MetaImage (*.mhd *.mha)</source>
-        <translation>MetaImage (*.mhd *.mha)</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii *.nii.gz)</source>
-        <translation>NIfTI (*.nii *.nii.gz)</translation>
-    </message>
-    <message>
-        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
-        <translation>Microscopia elettronica MRC (*.mrc *.ccp4 *.map)</translation>
-    </message>
-    <message>
-        <source>TIFF stack (*.tif *.tiff)</source>
-        <translation>Serie TIFF (*.tif *.tiff)</translation>
-    </message>
-    <message>
-        <source>DICOM series (*.dcm *.dicom)</source>
-        <translation>Serie DICOM (*.dcm *.dicom)</translation>
-    </message>
-    <message>
-        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
-        <translation>PLOT3D, anche testo (*.xyz *.x *.g *.p3d *.q)</translation>
-    </message>
-    <message>
-        <source>GAMBIT (*.neu)</source>
-        <translation>GAMBIT (*.neu)</translation>
-    </message>
-    <message>
-        <source>Fluent (*.cas)</source>
-        <translation>Fluent (*.cas)</translation>
-    </message>
-    <message>
-        <source>OpenFOAM (*.foam controlDict)</source>
-        <translation>OpenFOAM (*.foam controlDict)</translation>
-    </message>
-    <message>
-        <source>Tecplot text (*.tec *.tp)</source>
-        <translation>Testo Tecplot (*.tec *.tp)</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Griglia</translation>
-    </message>
-    <message>
-        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
-        <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 prende l&apos;unica.</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>automatico</translation>
-    </message>
-    <message>
-        <source>density</source>
-        <translation>densità</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>pressione</translation>
-    </message>
-    <message>
-        <source>energy</source>
-        <translation>energia</translation>
-    </message>
-    <message>
-        <source>velocity_magnitude</source>
-        <translation>modulo della velocità</translation>
-    </message>
-    <message>
-        <source>momentum_magnitude</source>
-        <translation>modulo della quantità di moto</translation>
-    </message>
-    <message>
-        <source>momentum_x</source>
-        <translation>quantità di moto x</translation>
-    </message>
-    <message>
-        <source>momentum_y</source>
-        <translation>quantità di moto y</translation>
-    </message>
-    <message>
-        <source>momentum_z</source>
-        <translation>quantità di moto z</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>temperatura</translation>
-    </message>
-    <message>
-        <source>mach</source>
-        <translation>Mach</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volume</translation>
-    </message>
-    <message>
-        <source>Shows the field as a translucent cloud: a transfer function gives each value its colour and opacity.</source>
-        <translation>Mostra il campo come una nube traslucida: una funzione di trasferimento dà a ogni valore colore e opacità.</translation>
-    </message>
-    <message>
-        <source>Focus</source>
-        <translation>Focus</translation>
-    </message>
-    <message>
-        <source>Shows the field as a volume that is finer inside the focus than outside, blended at its border.</source>
-        <translation>Mostra il campo come un volume più fine dentro il focus che fuori, sfumato al bordo.</translation>
-    </message>
-    <message>
-        <source>Volume with isosurfaces</source>
-        <translation>Volume con isosuperfici</translation>
-    </message>
-    <message>
-        <source>Shows the field as a translucent cloud with surfaces of chosen values in it.</source>
-        <translation>Mostra il campo come una nube traslucida con dentro superfici di valori scelti.</translation>
-    </message>
-    <message>
-        <source>Transfer function</source>
-        <translation>Funzione di trasferimento</translation>
-    </message>
-    <message>
-        <source>The colour and the opacity of each value.</source>
-        <translation>Il colore e l&apos;opacità di ogni valore.</translation>
-    </message>
-    <message>
-        <source>Shaded</source>
-        <translation>Ombreggiato</translation>
-    </message>
-    <message>
-        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
-        <translation>Illumina il volume, come se una superficie stesse di traverso alla direzione in cui i valori cambiano di più.</translation>
-    </message>
-    <message>
-        <source>Clip planes</source>
-        <translation>Piani di taglio</translation>
-    </message>
-    <message>
-        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
-        <translation>Taglia via ciò che sta davanti a un piano: nx,ny,nz,offset mostra i punti con nx x + ny y + nz z &gt;= offset.</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Ordine</translation>
-    </message>
-    <message>
-        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
-        <translation>Come si ordinano superfici e volume: &apos;exact&apos;, oppure come faceva l&apos;articolo &apos;with-cell&apos;, dove la parte di superficie in una cella si disegna prima della cella.</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>esatto</translation>
-    </message>
-    <message>
-        <source>with-cell</source>
-        <translation>con la cella</translation>
-    </message>
-    <message>
-        <source>Decimation by edge collapse</source>
-        <translation>Decimazione per contrazione di spigoli</translation>
-    </message>
-    <message>
-        <source>Starts from the whole mesh and takes away the points that matter least; takes meshes of any shape and keeps their cavities.</source>
-        <translation>Parte dall&apos;intera mesh e toglie i punti che contano meno; accetta mesh di qualsiasi forma e ne conserva le cavità.</translation>
-    </message>
-    <message>
-        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
-        <translation>L&apos;errore a cui fermarsi; 0 prosegue fino alla mesh più grossolana.</translation>
-    </message>
-    <message>
-        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
-        <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
-    </message>
-    <message>
-        <source>rounds</source>
-        <translation>a turni</translation>
-    </message>
-    <message>
-        <source>Evaluating vertices</source>
-        <translation>Valutazione dei vertici</translation>
-    </message>
-    <message>
-        <source>Collapsing</source>
-        <translation>Contrazione</translation>
-    </message>
-    <message>
-        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
-        <translation>I punti sparsi non hanno tetraedri da cui la decimazione possa partire. Usare il raffinamento.</translation>
-    </message>
-    <message>
-        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
-        <translation>Una mesh di tetraedri richiede una cella: due o più punti lungo ogni asse.</translation>
-    </message>
-    <message>
-        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
-        <translation>densità elettronica della molecola C60, una sfera cava di gobbe lisce</translation>
-    </message>
-    <message>
-        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
-        <translation>densità di probabilità dell&apos;elettrone 3d dell&apos;atomo di idrogeno: due lobi e un anello</translation>
-    </message>
-    <message>
-        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
-        <translation>il segnale di prova di Marschner e Lobb: increspature difficili da riprodurre</translation>
-    </message>
-    <message>
-        <source>white noise, the worst case: no sample tells of its neighbour</source>
-        <translation>rumore bianco, il caso peggiore: nessun campione dice nulla del vicino</translation>
-    </message>
-    <message>
-        <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
-        <translation>flusso davanti a una semisfera: una griglia curvilinea con l&apos;asse collassato</translation>
-    </message>
-    <message>
-        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
-        <translation>flusso attorno a un cilindro: una griglia curvilinea che si chiude su sé stessa</translation>
-    </message>
-    <message>
-        <source>flow through a bent duct: a curvilinear grid</source>
-        <translation>flusso in un condotto curvo: una griglia curvilinea</translation>
-    </message>
-    <message>
-        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
-        <translation>uno strato presso una parete: una griglia rettilinea con spaziature crescenti</translation>
-    </message>
-    <message>
-        <source>random points in a ball, with waves that grow finer outwards</source>
-        <translation>punti casuali in una sfera, con onde più fini verso l&apos;esterno</translation>
-    </message>
-    <message>
-        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
-        <translation>tensione in una piastra con cinque fori e una cavità chiusa: una mesh irregolare</translation>
-    </message>
-    <message>
-        <source>Transfer function editor</source>
-        <translation>Editor della funzione di trasferimento</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>nessuno</translation>
-    </message>
-    <message>
-        <source>Boundary</source>
-        <translation>Contorno</translation>
-    </message>
-    <message>
-        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
-        <translation>Mostra dove finisce la mesh, con fori e cavità: «traslucido» in un solo colore chiaro, così che si veda che cosa c&apos;è dentro le sue pareti, oppure con i colori che la funzione di trasferimento dà ai «valori» in quei punti.</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>spento</translation>
-    </message>
-    <message>
-        <source>translucent</source>
-        <translation>traslucido</translation>
-    </message>
-    <message>
-        <source>values</source>
-        <translation>valori</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Opacità</translation>
-    </message>
-    <message>
-        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
-        <translation>L&apos;opacità di un contorno traslucido; 1 nasconde ciò che sta dietro.</translation>
-    </message>
-    <message>
-        <source>Back faces only</source>
-        <translation>Solo facce posteriori</translation>
-    </message>
-    <message>
-        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
-        <translation>Mostra solo le pareti lontane del bordo, dall&apos;interno, e tralascia quelle rivolte verso la camera.</translation>
-    </message>
-    <message>
-        <source>Finest error</source>
-        <translation>Errore più fine</translation>
-    </message>
-    <message>
-        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
-        <translation>Tralascia dal modello le mesh con errori minori, così che sia più piccolo; 0 conserva tutto.</translation>
-    </message>
-    <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
-    </message>
-    <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
-    </message>
-    <message>
-        <source>VTK XML writer</source>
-        <translation>Scrittura VTK XML</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra as VTK XML unstructured grids, and surfaces as polydata.</source>
-        <translation>Scrive mesh di tetraedri come griglie non strutturate VTK XML e superfici come polydata.</translation>
-    </message>
-    <message>
-        <source>Legacy VTK writer</source>
-        <translation>Scrittura VTK legacy</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra and surfaces as legacy VTK files.</source>
-        <translation>Scrive mesh di tetraedri e superfici come file VTK legacy.</translation>
-    </message>
-    <message>
-        <source>PLY writer</source>
-        <translation>Scrittura PLY</translation>
-    </message>
-    <message>
-        <source>Writes meshes of tetrahedra and surfaces as PLY files.</source>
-        <translation>Scrive mesh di tetraedri e superfici come file PLY.</translation>
-    </message>
-    <message>
-        <source>STL writer</source>
-        <translation>Scrittura STL</translation>
-    </message>
-    <message>
-        <source>Writes surfaces as STL files.</source>
-        <translation>Scrive superfici come file STL.</translation>
-    </message>
-    <message>
-        <source>OBJ writer</source>
-        <translation>Scrittura OBJ</translation>
-    </message>
-    <message>
-        <source>Writes surfaces as Wavefront text.</source>
-        <translation>Scrive superfici come testo Wavefront.</translation>
-    </message>
-    <message>
-        <source>glTF writer</source>
-        <translation>Scrittura glTF</translation>
-    </message>
-    <message>
-        <source>Writes surfaces as binary glTF files.</source>
-        <translation>Scrive superfici come file glTF binari.</translation>
-    </message>
-    <message>
-        <source>NRRD volumes</source>
-        <translation>Volumi NRRD</translation>
-    </message>
-    <message>
-        <source>Tables of points</source>
-        <translation>Tabelle di punti</translation>
-    </message>
-    <message>
-        <source>PLOT3D grids with a solution file</source>
-        <translation>Griglie PLOT3D con file di soluzione</translation>
-    </message>
-    <message>
-        <source>VTK XML unstructured grids</source>
-        <translation>Griglie non strutturate VTK XML</translation>
-    </message>
-    <message>
-        <source>VTK XML polydata</source>
-        <translation>VTK XML polydata</translation>
-    </message>
-    <message>
-        <source>VTK legacy files</source>
-        <translation>File VTK legacy</translation>
-    </message>
-    <message>
-        <source>PLY files</source>
-        <translation>File PLY</translation>
-    </message>
-    <message>
-        <source>STL files</source>
-        <translation>File STL</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ files</source>
-        <translation>File Wavefront OBJ</translation>
-    </message>
-    <message>
-        <source>Binary glTF files</source>
-        <translation>File glTF binari</translation>
-    </message>
-    <message>
-        <source>Transfer</source>
-        <translation>Trasferimento</translation>
-    </message>
-    <message>
-        <source>The transfer function gives each value a colour and an opacity for the volume.</source>
-        <translation>La funzione di trasferimento dà a ogni valore un colore e un&apos;opacità per il volume.</translation>
-    </message>
-</context>
-<context>
     <name>PluginChoice</name>
     <message>
         <source>Boundary: %1</source>
         <translation>Contorno: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PointClipboard</name>
-    <message>
-        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
-        <translation>Gli appunti non contengono punti di una funzione di trasferimento. Copiarne alcuni qui o in un&apos;altra finestra. %1</translation>
     </message>
 </context>
 <context>
@@ -1770,1109 +927,6 @@
     <message>
         <source>Random values, the worst case for any method; regular grid, %1, computed by TAn. Look at the statistics: even at a large error nearly all points are needed.</source>
         <translation>Valori casuali, il caso peggiore per ogni metodo; griglia regolare, %1, calcolata da TAn. Da guardare: le statistiche, perché anche con un errore grande servono quasi tutti i punti.</translation>
-    </message>
-</context>
-<context>
-    <name>Sentence</name>
-    <message>
-        <source>&apos;%1&apos; does not exist, or its folder may not be entered. Check the name.</source>
-        <translation>«%1» non esiste, o la sua cartella non è accessibile. Controllare il nome.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a folder. Choose a file inside it.</source>
-        <translation>«%1» è una cartella. Scegliere un file al suo interno.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is a device or a pipe. Give a file.</source>
-        <translation>«%1» è un dispositivo o una pipe. Scegliere un file.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
-        <translation>«%1» è vuoto. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be read: %2.</source>
-        <translation>«%1» non può essere letto: %2.</translation>
-    </message>
-    <message>
-        <source>Cannot read &apos;%1&apos;: %2</source>
-        <translation>«%1» non può essere letto: %2</translation>
-    </message>
-    <message>
-        <source>%1. Check its name and folder.</source>
-        <translation>%1. Controllare il nome e la cartella.</translation>
-    </message>
-    <message>
-        <source>%1. Ask its owner for the right to read it.</source>
-        <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
-    </message>
-    <message>
-        <source>it is a folder. Name a file in it.</source>
-        <translation>è una cartella. Indicare un file al suo interno.</translation>
-    </message>
-    <message>
-        <source>it is not a regular file. Copy its content into one first.</source>
-        <translation>non è un file ordinario. Copiarne prima il contenuto in uno.</translation>
-    </message>
-    <message>
-        <source>Cannot open &apos;%1&apos;: too many files are open. Close some of them.</source>
-        <translation>«%1» non può essere aperto: troppi file sono aperti. Chiuderne alcuni.</translation>
-    </message>
-    <message>
-        <source>No reader is installed.</source>
-        <translation>Nessun lettore è installato.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; cannot be read: %2.</source>
-        <translation>Il file «%1» non può essere letto: %2.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
-        <translation>Il file «%1» è troppo grande per essere ciò che si cerca qui.</translation>
-    </message>
-    <message>
-        <source>In &apos;%1&apos;: %2</source>
-        <translation>In «%1»: %2</translation>
-    </message>
-    <message>
-        <source>it is empty. Get or make the file again.</source>
-        <translation>è vuoto. Procurarsi o creare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it changed while it was read. Read it again.</source>
-        <translation>è cambiato durante la lettura. Leggerlo di nuovo.</translation>
-    </message>
-    <message>
-        <source>it holds no points.</source>
-        <translation>non contiene punti.</translation>
-    </message>
-    <message>
-        <source>it is not a text.</source>
-        <translation>non è un testo.</translation>
-    </message>
-    <message>
-        <source>it is of no format that VTK reads.</source>
-        <translation>non è di un formato che VTK legge.</translation>
-    </message>
-    <message>
-        <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
-        <translation>non ha un vettore «%1». Sceglierne uno fra questi: %2.</translation>
-    </message>
-    <message>
-        <source>it has no array &apos;%1&apos;. There are: %2.</source>
-        <translation>non ha un vettore «%1». Ci sono: %2.</translation>
-    </message>
-    <message>
-        <source>it has no array with a number for each point or cell. Write it with one.</source>
-        <translation>non ha vettori con un numero per ogni punto o cella. Scriverlo con uno.</translation>
-    </message>
-    <message>
-        <source>it has no values, of points or of cells.</source>
-        <translation>non ha valori, né di punti né di celle.</translation>
-    </message>
-    <message>
-        <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>
-        <translation>dovrebbe contenere %1, ma ci sono solo %2. È troncato, o la descrizione (dimensioni, tipo, byte da saltare) è sbagliata.</translation>
-    </message>
-    <message>
-        <source>it should hold %1, but there are %2, %3 too many. Its description is wrong: check the sizes, the type and the bytes to skip.</source>
-        <translation>dovrebbe contenere %1, ma ci sono %2, %3 di troppo. La descrizione è sbagliata: controllare dimensioni, tipo e byte da saltare.</translation>
-    </message>
-    <message>
-        <source>%1 samples of type %2, %3 bytes</source>
-        <translation>%1 campioni di tipo %2, %3 byte</translation>
-    </message>
-    <message>
-        <source>%1 bytes</source>
-        <translation>%1 byte</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3). Replace them by numbers first.</source>
-        <translation>%1 dei suoi %2 campioni sono NaN o infiniti, il primo nel punto (%3). Sostituirli prima con numeri.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has an unknown format. %2</source>
-        <translation>«%1» ha un formato sconosciuto. %2</translation>
-    </message>
-    <message>
-        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
-        <translation>Il manuale e «tan info --help» elencano i file che si possono leggere; campioni soli, senza intestazione, si leggono come file grezzo.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
-        <translation>«%1» è compresso. Decomprimerlo prima con «%2» e aprire ciò che contiene.</translation>
-    </message>
-    <message>
-        <source>Cannot read &apos;%1&apos;: %2 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
-        <translation>Impossibile leggere «%1»: %2 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto a essi: gunzip.)</translation>
-    </message>
-    <message>
-        <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
-        <translation>è compresso con gzip, e danneggiato o troncato. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it is compressed with gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
-        <translation>è compresso con gzip, e non si può decomprimere in «%1»: %2. Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
-    </message>
-    <message>
-        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
-        <translation>è compresso con gzip, e decompresso supera %1, metà dello spazio in «%2». Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
-    </message>
-    <message>
-        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
-        <translation>VTK dice: %1 Il file è danneggiato, incompleto o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and its header asks for %2. It is cut short: copy the file again.</source>
-        <translation>ha %1 byte, e la sua intestazione ne chiede %2. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>its data file &apos;%1&apos; has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
-        <translation>il suo file di dati «%1» ha %2 byte, e l’intestazione ne chiede %3. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>its data file &apos;%1&apos; is missing. Copy it into the folder of this one: the two belong together.</source>
-        <translation>il suo file di dati «%1» manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
-    </message>
-    <message>
-        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
-        <translation>il suo file «%1» manca. Copiarlo nella cartella di questo: vanno insieme.</translation>
-    </message>
-    <message>
-        <source>its file &apos;%1&apos; ends in line %2, before the last %3. It is cut short: copy the file again.</source>
-        <translation>il suo file «%1» finisce alla riga %2, prima di tutti i dati (%3). È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
-        <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiare di nuovo il file, o esportarlo di nuovo.</translation>
-    </message>
-    <message>
-        <source>page %1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
-        <translation>la pagina %1 sta oltre la sua fine, a %2 byte. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it ends within its header. It is cut short: copy the file again.</source>
-        <translation>finisce dentro la sua intestazione. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it ends within its appended data. It is cut short: copy the file again.</source>
-        <translation>finisce dentro i dati in coda. È troncato: copiare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
-        <translation>è un elenco di file, uno per ogni passo temporale o parte. Aprirne uno, per esempio «%1».</translation>
-    </message>
-    <message>
-        <source>it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView.</source>
-        <translation>è un file UCD binario, e si legge solo il testo. Scriverlo come testo o come .vtu, per esempio con ParaView.</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK richiede più di %1 di memoria, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
-        <translation>VTK richiede più di %1 di memoria, metà di quella di questa macchina. È danneggiato, o troppo grande per questa macchina: prenderne una parte.</translation>
-    </message>
-    <message>
-        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
-        <translation>VTK richiede più di %1 secondi del processore, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
-        <translation>VTK richiede più memoria dei %1 che i programmi possono prendere qui. Alzare il limite (ulimit -v).</translation>
-    </message>
-    <message>
-        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
-        <translation>il sistema ha terminato VTK, come fa quando la memoria finisce. Chiudere altri programmi, o prendere una parte del file.</translation>
-    </message>
-    <message>
-        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
-        <translation>VTK ha atteso per minuti il suo disco. Verificare che il disco risponda, o copiare il file su un altro.</translation>
-    </message>
-    <message>
-        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
-        <translation>Memoria, processi o file aperti non bastano per avviare i lettori VTK (%1). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>The file ends without an end of line: if it was cut short there, its last number is wrong.</source>
-        <translation>Il file finisce senza fine riga: se è stato troncato lì, il suo ultimo numero è sbagliato.</translation>
-    </message>
-    <message>
-        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
-        <translation>1 cella è detta lineare e ha i vertici di una quadratica: è stata presa come tale.</translation>
-    </message>
-    <message>
-        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
-        <translation>%1 celle sono dette lineari e hanno i vertici di quadratiche: sono state prese come tali.</translation>
-    </message>
-    <message>
-        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
-        <translation>Il lettore di VTK si è arrestato in modo anomalo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
-    </message>
-    <message>
-        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
-        <translation>I lettori VTK non sono installati. Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
-        <translation>«%1» è danneggiato: %2. Copiare di nuovo il file, o ricostruirlo.</translation>
-    </message>
-    <message>
-        <source>its header makes no sense</source>
-        <translation>la sua intestazione non ha senso</translation>
-    </message>
-    <message>
-        <source>the checksum of its header is wrong</source>
-        <translation>la somma di controllo della sua intestazione è sbagliata</translation>
-    </message>
-    <message>
-        <source>the checksum of its text is wrong</source>
-        <translation>la somma di controllo del suo testo è sbagliata</translation>
-    </message>
-    <message>
-        <source>the checksum of section &apos;%1&apos; is wrong</source>
-        <translation>la somma di controllo della sezione «%1» è sbagliata</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes and should have %2</source>
-        <translation>ha %1 byte e dovrebbe averne %2</translation>
-    </message>
-    <message>
-        <source>section &apos;%1&apos; is missing</source>
-        <translation>manca la sezione «%1»</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
-        <translation>«%1» è troncato: ha %2 byte e dovrebbe averne %3. Copiare di nuovo il file, o ricostruirlo.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
-        <translation>«%1» è vuoto. I modelli si costruiscono da insiemi di dati.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a TAn model: it does not begin like one. Models are made by &apos;tan build&apos;.</source>
-        <translation>«%1» non è un modello TAn: non comincia come tale. I modelli si costruiscono da insiemi di dati.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was written with the other byte order. Build it again on this machine.</source>
-        <translation>«%1» è scritto nell&apos;altro ordine dei byte. Ricostruirlo su questo computer.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has format version %2; this program reads up to version %3. Install a later version of TAn.</source>
-        <translation>«%1» ha la versione %2 del formato; questo programma legge fino alla versione %3. Installare una versione più recente di TAn.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
-        <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiare di nuovo il file, o ricostruirlo.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
-        <translation>«%1» è stato troncato o cambiato mentre era aperto, perciò ciò che se ne è ricavato sarebbe sbagliato. Aprirlo di nuovo; se non riesce, procurarsi o creare di nuovo il file.</translation>
-    </message>
-    <message>
-        <source>Cannot write &apos;%1&apos;: %2. %3</source>
-        <translation>«%1» non può essere scritto: %2. %3</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; does not exist: create it or choose another.</source>
-        <translation>La cartella «%1» non esiste: crearla o sceglierne un&apos;altra.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a folder: choose another.</source>
-        <translation>«%1» non è una cartella: sceglierne un&apos;altra.</translation>
-    </message>
-    <message>
-        <source>It is a folder: name a file in it.</source>
-        <translation>È una cartella: indicare un file al suo interno.</translation>
-    </message>
-    <message>
-        <source>Choose another folder, or change the permissions of this one.</source>
-        <translation>Scegliere un&apos;altra cartella, o cambiare i permessi di questa.</translation>
-    </message>
-    <message>
-        <source>Choose a folder on a disk that can be written.</source>
-        <translation>Scegliere una cartella su un disco scrivibile.</translation>
-    </message>
-    <message>
-        <source>Free some space or choose another disk.</source>
-        <translation>Liberare spazio o scegliere un altro disco.</translation>
-    </message>
-    <message>
-        <source>Choose a disk that allows larger files, or raise the limit (ulimit -f).</source>
-        <translation>Scegliere un disco che permetta file più grandi, o alzare il limite (ulimit -f).</translation>
-    </message>
-    <message>
-        <source>Choose a shorter name.</source>
-        <translation>Scegliere un nome più corto.</translation>
-    </message>
-    <message>
-        <source>Choose another folder or disk.</source>
-        <translation>Scegliere un&apos;altra cartella o un altro disco.</translation>
-    </message>
-    <message>
-        <source>it is not a regular file</source>
-        <translation>non è un file ordinario</translation>
-    </message>
-    <message>
-        <source>Choose another name.</source>
-        <translation>Scegliere un altro nome.</translation>
-    </message>
-    <message>
-        <source>the file is read-only</source>
-        <translation>il file è di sola lettura</translation>
-    </message>
-    <message>
-        <source>Choose another name, or make it writable.</source>
-        <translation>Scegliere un altro nome, o renderlo scrivibile.</translation>
-    </message>
-    <message>
-        <source>it does not name a file</source>
-        <translation>non indica un file</translation>
-    </message>
-    <message>
-        <source>Name a file.</source>
-        <translation>Indicare un file.</translation>
-    </message>
-    <message>
-        <source>Cannot work in &apos;%1&apos;: %2. %3</source>
-        <translation>Non si può lavorare in «%1»: %2. %3</translation>
-    </message>
-    <message>
-        <source>another program is building this model</source>
-        <translation>un altro programma sta costruendo questo modello</translation>
-    </message>
-    <message>
-        <source>Wait for it, or give the model another name.</source>
-        <translation>Aspettarlo, o dare al modello un altro nome.</translation>
-    </message>
-    <message>
-        <source>Choose another folder for the model.</source>
-        <translation>Scegliere un&apos;altra cartella per il modello.</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>File o cartella inesistente</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>Permesso negato</translation>
-    </message>
-    <message>
-        <source>Operation not permitted</source>
-        <translation>Operazione non permessa</translation>
-    </message>
-    <message>
-        <source>Input/output error</source>
-        <translation>Errore di input/output</translation>
-    </message>
-    <message>
-        <source>Cannot allocate memory</source>
-        <translation>Memoria insufficiente</translation>
-    </message>
-    <message>
-        <source>Resource temporarily unavailable</source>
-        <translation>Risorsa temporaneamente non disponibile</translation>
-    </message>
-    <message>
-        <source>Device or resource busy</source>
-        <translation>Dispositivo o risorsa occupati</translation>
-    </message>
-    <message>
-        <source>Invalid cross-device link</source>
-        <translation>Su un altro dispositivo</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>Non è una cartella</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>È una cartella</translation>
-    </message>
-    <message>
-        <source>Invalid argument</source>
-        <translation>Argomento non valido</translation>
-    </message>
-    <message>
-        <source>Too many open files</source>
-        <translation>Troppi file aperti</translation>
-    </message>
-    <message>
-        <source>Too many open files in system</source>
-        <translation>Troppi file aperti nel sistema</translation>
-    </message>
-    <message>
-        <source>File too large</source>
-        <translation>File troppo grande</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>Spazio esaurito sul disco</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>File system in sola lettura</translation>
-    </message>
-    <message>
-        <source>File name too long</source>
-        <translation>Nome del file troppo lungo</translation>
-    </message>
-    <message>
-        <source>Too many levels of symbolic links</source>
-        <translation>Troppi livelli di collegamenti simbolici</translation>
-    </message>
-    <message>
-        <source>Disk quota exceeded</source>
-        <translation>Quota disco superata</translation>
-    </message>
-    <message>
-        <source>Stale file handle</source>
-        <translation>Il file non esiste più sul server</translation>
-    </message>
-    <message>
-        <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
-        <translation>Il risultato «%1» è l&apos;origine «%2». Dare al risultato un altro nome.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
-        <translation>«%1» esiste e non è un modello TAn, perciò non viene sovrascritto. Dare al modello un altro nome, o rimuovere prima quel file.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
-        <translation>«%1» non può essere scritto: %2. Scegliere un altro posto.</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; for samples cannot be made: %2. Make it writable, or free some space.</source>
-        <translation>La cartella «%1» per gli esempi non può essere creata: %2. Renderla scrivibile, o liberare spazio.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
-        <translation>«%1» non termina né in .csv né in .json, i formati in cui si scrivono le statistiche. Scegliere una di queste estensioni.</translation>
-    </message>
-    <message>
-        <source>There is no surface to save: add an isovalue, or show one.</source>
-        <translation>Non c&apos;è alcuna superficie da salvare: aggiungere un isovalore, o mostrarne uno.</translation>
-    </message>
-    <message>
-        <source>A film needs two key frames at least. Add another view.</source>
-        <translation>Un filmato richiede almeno due fotogrammi chiave. Aggiungere un&apos;altra vista.</translation>
-    </message>
-    <message>
-        <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
-        <translation>Non è stato possibile creare il video: %1 dice «%2». Scegliere un altro formato, o immagini PNG.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to write &apos;%1&apos;.</source>
-        <translation>La memoria non basta per scrivere «%1».</translation>
-    </message>
-    <message>
-        <source>Not enough memory to write &apos;%1&apos;. Close other programs.</source>
-        <translation>La memoria non basta per scrivere «%1». Chiudere altri programmi.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to read &apos;%1&apos;. Close other programs.</source>
-        <translation>La memoria non basta per leggere «%1». Chiudere altri programmi.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close other programs.</source>
-        <translation>La memoria non basta per la mesh a questa accuratezza. Sceglierne una minore, o chiudere altri programmi.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
-        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un focus più piccolo o un limite.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
-        <translation>La memoria non basta per la mesh del focus. Scegliere un errore maggiore o un focus più piccolo.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for a picture of this size.</source>
-        <translation>La memoria non basta per un&apos;immagine di queste dimensioni.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh.</source>
-        <translation>La memoria non basta per un&apos;immagine di queste dimensioni e di questa scena. Rimpicciolire l&apos;immagine o ridurre l&apos;accuratezza della mesh.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.</source>
-        <translation>La memoria non basta per l&apos;isosuperficie. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.</source>
-        <translation>La memoria non basta per le isosuperfici. Mostrarne meno o ridurre l&apos;accuratezza della mesh.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.</source>
-        <translation>La memoria non basta per disegnare questa mesh come volume. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for this part. Take a smaller one.</source>
-        <translation>La memoria non basta per questa parte. Prenderne una più piccola.</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the mesh. Take a part of it.</source>
-        <translation>La memoria non basta per la mesh. Prenderne una parte.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
-        <translation>La memoria non basta per raffinare questo reticolo. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
-        <translation>La memoria non basta per raffinare questa griglia. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points.</source>
-        <translation>La memoria non basta per raffinare questi punti. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei punti.</translation>
-    </message>
-    <message>
-        <source>Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data.</source>
-        <translation>La memoria non basta per decimare questa mesh. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
-    </message>
-    <message>
-        <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
-        <translation>L&apos;errore minimo (%1 %) è maggiore dell&apos;errore a cui fermarsi (%2 %). Scegliere un errore minimo più piccolo, o 0 per tenere tutto.</translation>
-    </message>
-    <message>
-        <source>Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
-        <translation>La decimazione di %1 richiede circa %2 di memoria, e questo computer ne ha %3. Prenderne una regione o meno campioni, oppure, se è un reticolo o una griglia, usare il raffinamento.</translation>
-    </message>
-    <message>
-        <source>%1 points and %2 tetrahedra</source>
-        <translation>%1 punti e %2 tetraedri</translation>
-    </message>
-    <message>
-        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
-        <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
-    </message>
-    <message>
-        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
-        <translation>Il plugin «%1» ha fallito: %2. È un errore del plugin; segnalarlo all&apos;autore.</translation>
-    </message>
-    <message>
-        <source>The build was stopped before there was a mesh of known error, so there is nothing to keep.</source>
-        <translation>La costruzione è stata fermata prima che ci fosse una mesh di errore noto, perciò non c&apos;è nulla da conservare.</translation>
-    </message>
-    <message>
-        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
-        <translation>La costruzione richiede circa %1 sul disco di «%2» (%3), e %4 sono liberi. Liberare spazio, scegliere un altro disco o un errore maggiore.</translation>
-    </message>
-    <message>
-        <source>The builder &apos;%1&apos; does not accept &apos;%2&apos;: %3</source>
-        <translation>«%1» non accetta «%2»: %3</translation>
-    </message>
-    <message>
-        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
-        <translation>La dimensione «%1» dei blocchi non è né «automatic» né «none» né un numero di celle da 1.</translation>
-    </message>
-    <message>
-        <source>The weight &apos;%1&apos; cannot be used: %2.</source>
-        <translation>Il peso «%1» non è utilizzabile: %2.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a number</source>
-        <translation>«%1» non è un numero</translation>
-    </message>
-    <message>
-        <source>it has %1 numbers, and the form is %2</source>
-        <translation>ha %1 numeri, e la forma è %2</translation>
-    </message>
-    <message>
-        <source>its reach is %1 and must be at least 0</source>
-        <translation>la sua portata è %1 e deve essere almeno 0</translation>
-    </message>
-    <message>
-        <source>its reach is %1 and must be above 0</source>
-        <translation>la sua portata è %1 e deve essere maggiore di 0</translation>
-    </message>
-    <message>
-        <source>its floor is %1 and must be from %2 to 1</source>
-        <translation>il suo minimo è %1 e deve essere da %2 a 1</translation>
-    </message>
-    <message>
-        <source>a weight begins with &apos;point:&apos;, &apos;box:&apos; or &apos;value:&apos;</source>
-        <translation>un peso comincia con «point:», «box:» o «value:»</translation>
-    </message>
-    <message>
-        <source>its first corner must be the smaller one along every axis</source>
-        <translation>il suo primo vertice deve essere il minore lungo ogni asse</translation>
-    </message>
-    <message>
-        <source>The mesh has %1. Repair the mesh in the program that made it.</source>
-        <translation>La mesh ha %1. Correggerla nel programma che l&apos;ha creata.</translation>
-    </message>
-    <message>
-        <source>No cell of the mesh has a volume: nothing is left.</source>
-        <translation>Nessuna cella della mesh ha un volume: non resta nulla.</translation>
-    </message>
-    <message>
-        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
-        <translation>La mesh più grossolana di «%1» ha %2 tetraedri, più del limite di %3. Permetterne almeno altrettanti.</translation>
-    </message>
-    <message>
-        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
-        <translation>La mesh più grossolana ha %1 tetraedri, più del limite di %2. Permetterne almeno altrettanti.</translation>
-    </message>
-    <message>
-        <source>The error in the focus is larger than that outside. Swap them.</source>
-        <translation>L&apos;errore nel focus è maggiore di quello esterno. Scambiarli.</translation>
-    </message>
-    <message>
-        <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
-        <translation>La mesh del focus è diventata troppo grande. Scegliere un errore maggiore o un focus più piccolo.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
-        <translation>«%1» non è un piano di taglio: dare quattro numeri nx,ny,nz,distanza, i primi tre non tutti nulli; si mostrano i punti con nx x + ny y + nz z &gt;= distanza.</translation>
-    </message>
-    <message>
-        <source>The model of the session cannot be opened. %1</source>
-        <translation>Il modello della sessione non può essere aperto. %1</translation>
-    </message>
-    <message>
-        <source>%1: The session cannot be read: %2</source>
-        <translation>%1: La sessione non può essere letta: %2</translation>
-    </message>
-    <message>
-        <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation>«format» non è «%1».</translation>
-    </message>
-    <message>
-        <source>this program knows version %1 of sessions only.</source>
-        <translation>questo programma conosce solo la versione %1 delle sessioni.</translation>
-    </message>
-    <message>
-        <source>it names no model in &quot;model.path&quot;.</source>
-        <translation>non indica un modello in «model.path».</translation>
-    </message>
-    <message>
-        <source>The transfer function cannot be read: %1</source>
-        <translation>La funzione di trasferimento non può essere letta: %1</translation>
-    </message>
-    <message>
-        <source>The transfer function cannot be read. %1</source>
-        <translation>La funzione di trasferimento non può essere letta. %1</translation>
-    </message>
-    <message>
-        <source>The ParaView preset cannot be read: %1</source>
-        <translation>La preimpostazione di ParaView non può essere letta: %1</translation>
-    </message>
-    <message>
-        <source>The preset &apos;%1&apos; cannot be used: %2.</source>
-        <translation>La preimpostazione «%1» non può essere usata: %2.</translation>
-    </message>
-    <message>
-        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
-        <translation>La preimpostazione «%1» non può essere modificata: %2. Controllare i permessi della cartella, e che ci sia spazio.</translation>
-    </message>
-    <message>
-        <source>Not valid JSON: %1</source>
-        <translation>JSON non valido: %1</translation>
-    </message>
-    <message>
-        <source>This is no camera. %1</source>
-        <translation>Questa non è una camera. %1</translation>
-    </message>
-    <message>
-        <source>This is no camera: it holds no JSON object, in braces.</source>
-        <translation>Questa non è una camera: non contiene un oggetto JSON, fra graffe.</translation>
-    </message>
-    <message>
-        <source>The key &quot;%1&quot; of the camera %2 (%3).</source>
-        <translation>La chiave «%1» della camera %2 (%3).</translation>
-    </message>
-    <message>
-        <source>is no number from %1 to %2</source>
-        <translation>non è un numero da %1 a %2</translation>
-    </message>
-    <message>
-        <source>is neither true nor false</source>
-        <translation>non è né true né false</translation>
-    </message>
-    <message>
-        <source>is not a list of three numbers</source>
-        <translation>non è un elenco di tre numeri</translation>
-    </message>
-    <message>
-        <source>is not known</source>
-        <translation>non è nota</translation>
-    </message>
-    <message>
-        <source>expected a value (%1).</source>
-        <translation>manca un valore (%1).</translation>
-    </message>
-    <message>
-        <source>line %1, column %2</source>
-        <translation>riga %1, colonna %2</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
-        <translation>La memoria della scheda grafica non basta per un&apos;immagine di queste dimensioni. Rimpicciolirla, o far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
-        <translation>La memoria della scheda grafica non basta per questa immagine. Rimpicciolirla, o far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
-        <translation>La memoria della scheda grafica non basta per questo volume. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
-        <translation>La memoria della scheda grafica non basta per questa superficie. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
-        <translation>Il contesto OpenGL non è utilizzabile, forse perché la scheda grafica è stata reinizializzata. Far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>The OpenGL driver has version %1; TAn needs 3.3. Use the CPU back end, or another driver.</source>
-        <translation>Il driver OpenGL ha la versione %1; TAn richiede la 3.3. Far disegnare il processore, o usare un altro driver.</translation>
-    </message>
-    <message>
-        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
-        <translation>OpenGL taglia le scene con al più %1 piani. Usarne meno, o far disegnare il processore.</translation>
-    </message>
-    <message>
-        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
-        <translation>Richiede il plugin «%1», che manca o non è utilizzabile. Installarlo.</translation>
-    </message>
-    <message>
-        <source>It needs the plugin &quot;%1&quot;, which cannot be used: %2</source>
-        <translation>Richiede il plugin «%1», che non è utilizzabile: %2</translation>
-    </message>
-    <message>
-        <source>It is not a plugin, or is damaged: %1 Install it again, or remove the file.</source>
-        <translation>Non è un plugin, o è danneggiato: %1 Installarlo di nuovo, o rimuovere il file.</translation>
-    </message>
-    <message>
-        <source>Another plugin has the same id and was found first: %1. Remove one of the two.</source>
-        <translation>Un altro plugin ha lo stesso identificativo ed è stato trovato prima: %1. Rimuovere uno dei due.</translation>
-    </message>
-    <message>
-        <source>The library %1 is missing. %2</source>
-        <translation>Manca la libreria %1. %2</translation>
-    </message>
-    <message>
-        <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
-        <translation>È stato compilato con Qt %1, e questo programma usa Qt %2. Installare il plugin per questo Qt.</translation>
-    </message>
-    <message>
-        <source>A part of %1 of the %2 points.</source>
-        <translation>Una parte di %1 dei %2 punti.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron inside the region was left out: it touches the others only at a vertex or an edge.</source>
-        <translation>1 tetraedro nella regione è stato omesso: tocca gli altri solo in un vertice o uno spigolo.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra inside the region were left out: they touch the others only at a vertex or an edge.</source>
-        <translation>%1 tetraedri nella regione sono stati omessi: toccano gli altri solo in un vertice o uno spigolo.</translation>
-    </message>
-    <message>
-        <source>The values belong to cells: each point got the mean of the cells around it.</source>
-        <translation>I valori appartengono alle celle: ogni punto ha ricevuto la media delle celle attorno.</translation>
-    </message>
-    <message>
-        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
-        <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
-    </message>
-    <message>
-        <source>All cells had inverted orientation and were corrected.</source>
-        <translation>Tutte le celle avevano orientamento inverso e sono state corrette.</translation>
-    </message>
-    <message>
-        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
-        <translation>Ciò che unisce i suoi punti (linee, poligoni) è stato omesso: sono punti sparsi.</translation>
-    </message>
-    <message>
-        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
-        <translation>Una griglia con celle escluse, o i cui valori non sono numeri: una mesh irregolare senza di esse.</translation>
-    </message>
-    <message>
-        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
-        <translation>%1 delle sue parti non hanno «%2» e sono state omesse.</translation>
-    </message>
-    <message>
-        <source>%1 of its parts are no irregular meshes and were left out.</source>
-        <translation>%1 delle sue parti non sono mesh irregolari e sono state omesse.</translation>
-    </message>
-    <message>
-        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
-        <translation>Contiene %1 parti; questa è quella chiamata «%2». Un&apos;altra si sceglie con «Parte».</translation>
-    </message>
-    <message>
-        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
-        <translation>Passo temporale %1 di %2. Un altro si sceglie con «Passo temporale».</translation>
-    </message>
-    <message>
-        <source>%1 points whose value is no number were left out.</source>
-        <translation>%1 punti il cui valore non è un numero sono stati omessi.</translation>
-    </message>
-    <message>
-        <source>The samples were multiplied and shifted as the header of the file asks.</source>
-        <translation>I campioni sono stati moltiplicati e traslati come chiede l&apos;intestazione del file.</translation>
-    </message>
-    <message>
-        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
-        <translation>I suoi interi a 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
-    </message>
-    <message>
-        <source>VTK says: %1</source>
-        <translation>VTK dice: %1</translation>
-    </message>
-    <message>
-        <source>1 cell is a vertex, line or polygon without volume and not part of the mesh.</source>
-        <translation>1 cella è un vertice, una linea o un poligono senza volume e non fa parte della mesh.</translation>
-    </message>
-    <message>
-        <source>%1 cells are a vertex, line or polygon without volume and not part of the mesh.</source>
-        <translation>%1 celle sono vertici, linee o poligoni senza volume e non fanno parte della mesh.</translation>
-    </message>
-    <message>
-        <source>1 cell is blanked out in the file: a hole.</source>
-        <translation>1 cella è esclusa nel file: un foro.</translation>
-    </message>
-    <message>
-        <source>%1 cells are blanked out in the file: a hole.</source>
-        <translation>%1 celle sono escluse nel file: un foro.</translation>
-    </message>
-    <message>
-        <source>1 cell has a value that is not finite and became a hole.</source>
-        <translation>1 cella ha un valore non finito ed è diventata un foro.</translation>
-    </message>
-    <message>
-        <source>%1 cells have a value that is not finite and became a hole.</source>
-        <translation>%1 celle hanno un valore non finito e sono diventate un foro.</translation>
-    </message>
-    <message>
-        <source>1 cell names a corner twice, has no volume and was left out.</source>
-        <translation>1 cella nomina due volte un vertice, non ha volume ed è stata omessa.</translation>
-    </message>
-    <message>
-        <source>%1 cells name a corner twice, have no volume and were left out.</source>
-        <translation>%1 celle nominano due volte un vertice, non hanno volume e sono state omesse.</translation>
-    </message>
-    <message>
-        <source>1 cell without volume was left out.</source>
-        <translation>1 cella senza volume è stata omessa.</translation>
-    </message>
-    <message>
-        <source>%1 cells without volume were left out.</source>
-        <translation>%1 celle senza volume sono state omesse.</translation>
-    </message>
-    <message>
-        <source>1 cell had inverted orientation and was corrected.</source>
-        <translation>1 cella aveva orientamento inverso ed è stata corretta.</translation>
-    </message>
-    <message>
-        <source>%1 cells had inverted orientation and were corrected.</source>
-        <translation>%1 celle avevano orientamento inverso e sono state corrette.</translation>
-    </message>
-    <message>
-        <source>1 point on the place of another one joined with it.</source>
-        <translation>1 punto nel posto di un altro è stato unito a esso.</translation>
-    </message>
-    <message>
-        <source>%1 points on the place of another one joined with it.</source>
-        <translation>%1 punti nel posto di un altro sono stati uniti a esso.</translation>
-    </message>
-    <message>
-        <source>1 place had different values and got their mean.</source>
-        <translation>1 posto aveva valori diversi e ha ricevuto la loro media.</translation>
-    </message>
-    <message>
-        <source>%1 places had different values and got their mean.</source>
-        <translation>%1 posti avevano valori diversi e hanno ricevuto la loro media.</translation>
-    </message>
-    <message>
-        <source>1 node in the middle of an edge or face was left out: not all cells there have them, or cells bend too much.</source>
-        <translation>1 nodo nel mezzo di uno spigolo o di una faccia è stato omesso: non tutte le celle lì lo hanno, o si incurvano troppo.</translation>
-    </message>
-    <message>
-        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
-        <translation>%1 nodi nel mezzo di spigoli e facce sono stati omessi: non tutte le celle lì li hanno, o si incurvano troppo.</translation>
-    </message>
-    <message>
-        <source>1 cell was cut along other diagonals, because the faces are not flat.</source>
-        <translation>1 cella è stata divisa lungo altre diagonali, perché le facce non sono piane.</translation>
-    </message>
-    <message>
-        <source>%1 cells were cut along other diagonals, because the faces are not flat.</source>
-        <translation>%1 celle sono state divise lungo altre diagonali, perché le facce non sono piane.</translation>
-    </message>
-    <message>
-        <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
-        <translation>1 cella è stata omessa: troppo deformata per essere divisa in tetraedri senza un nuovo punto.</translation>
-    </message>
-    <message>
-        <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
-        <translation>%1 celle sono state omesse: troppo deformate per essere divise in tetraedri senza un nuovo punto.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron was there twice.</source>
-        <translation>1 tetraedro c&apos;era due volte.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra were there twice.</source>
-        <translation>%1 tetraedri c&apos;erano due volte.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron was left out where parts of the mesh touched in an edge or a point only.</source>
-        <translation>1 tetraedro è stato omesso dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra were left out where parts of the mesh touched in an edge or a point only.</source>
-        <translation>%1 tetraedri sono stati omessi dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
-    </message>
-    <message>
-        <source>1 point is of no cell: left out.</source>
-        <translation>1 punto non è di alcuna cella: omesso.</translation>
-    </message>
-    <message>
-        <source>%1 points are of no cell: left out.</source>
-        <translation>%1 punti non sono di alcuna cella: omessi.</translation>
-    </message>
-    <message>
-        <source>1 incomplete row was skipped.</source>
-        <translation>1 riga incompleta è stata saltata.</translation>
-    </message>
-    <message>
-        <source>%1 incomplete rows were skipped.</source>
-        <translation>%1 righe incomplete sono state saltate.</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron that is flat or inverted, one at %1</source>
-        <translation>1 tetraedro piatto o invertito, in %1</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra that are flat or inverted, one at %2</source>
-        <translation>%1 tetraedri piatti o invertiti, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron at a face that three or more share, one at %1</source>
-        <translation>1 tetraedro su una faccia che tre o più condividono, in %1</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra at faces that three or more share, one at %2</source>
-        <translation>%1 tetraedri su facce che tre o più condividono, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 tetrahedron that overlaps its neighbour, one at %1</source>
-        <translation>1 tetraedro che si sovrappone al vicino, in %1</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2</source>
-        <translation>%1 tetraedri che si sovrappongono a un vicino dallo stesso lato di una faccia, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 edge in which parts of it only touch, one at %1</source>
-        <translation>1 spigolo in cui le sue parti si toccano soltanto, in %1</translation>
-    </message>
-    <message>
-        <source>%1 edges in which parts of it only touch, one at %2</source>
-        <translation>%1 spigoli in cui le sue parti si toccano soltanto, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 point in which parts of it only touch, one at %1</source>
-        <translation>1 punto in cui le sue parti si toccano soltanto, in %1</translation>
-    </message>
-    <message>
-        <source>%1 points in which parts of it only touch, one at %2</source>
-        <translation>%1 punti in cui le sue parti si toccano soltanto, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 part inside another part, one at %1</source>
-        <translation>1 parte dentro un&apos;altra, in %1</translation>
-    </message>
-    <message>
-        <source>%1 parts inside other parts, one at %2</source>
-        <translation>%1 parti dentro altre, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
-        <translation>La memoria non basta per il contorno della mesh. Ridurre la precisione della mesh.</translation>
-    </message>
-    <message>
-        <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
-        <translation>La mesh ha troppi tetraedri perché se ne mostri il contorno. Ridurre la precisione della mesh.</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
-        <translation>Non si può scrivere nella cartella «%1», quindi la vista non può essere conservata. Liberare spazio lì, o salvare la sessione.</translation>
-    </message>
-    <message>
-        <source>%1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>%1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>Close other programs, or raise the limit (ulimit).</source>
-        <translation>Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>it holds something else</source>
-        <translation>contiene qualcos&apos;altro</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that folder away.</source>
-        <translation>Dare al modello un altro nome o spostare quella cartella.</translation>
-    </message>
-    <message>
-        <source>it is a link</source>
-        <translation>è un collegamento</translation>
-    </message>
-    <message>
-        <source>Give the model another name, or move that link away.</source>
-        <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
-    </message>
-    <message>
-        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
-        <translation>Impossibile creare un file temporaneo in «%1»: %2. %3</translation>
-    </message>
-    <message>
-        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
-        <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
-    </message>
-    <message>
-        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
-        <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
-        <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>Not all plugins can be loaded now: %1. Close other programs, or raise the limit (ulimit).</source>
-        <translation>In questo momento non è possibile caricare tutti i plugin: %1. Chiudere altri programmi o alzare il limite (ulimit).</translation>
-    </message>
-    <message>
-        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Un dataset non può essere scritto come «%1». %2</translation>
-    </message>
-    <message>
-        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Una mesh non può essere scritta come «%1». %2</translation>
-    </message>
-    <message>
-        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Le superfici non possono essere scritte come «%1». %2</translation>
-    </message>
-    <message>
-        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
-        <translation>Scegliere una di queste estensioni: %1; oppure, per il solo contorno della mesh, %2.</translation>
-    </message>
-    <message>
-        <source>Choose one of these endings: %1.</source>
-        <translation>Scegliere una di queste estensioni: %1.</translation>
-    </message>
-    <message>
-        <source>The plugin &quot;%1&quot; cannot be used. %2</source>
-        <translation>Il plugin «%1» non può essere usato. %2</translation>
-    </message>
-    <message>
-        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
-        <translation>È stato compilato con %1 e questo programma con %2. Ricompilare il plugin con questo compilatore e gli header di questo TAn, oppure installarne una versione per questo TAn.</translation>
     </message>
 </context>
 <context>
@@ -3050,7 +1104,7 @@
         <translation>Tetraedri</translation>
     </message>
     <message>
-        <source>This model was built down to an error of %1; it has nothing finer.</source>
+        <source>This model was built down to an error of %1; it contains nothing finer.</source>
         <translation>Questo modello è stato costruito fino a un errore di %1; non ha nulla di più fine.</translation>
     </message>
     <message>
@@ -3072,7 +1126,7 @@
         <translation>La mesh più piccola con questo errore</translation>
     </message>
     <message>
-        <source>The best mesh with so many tetrahedra. A focus keeps its proportion to the rest.</source>
+        <source>The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest.</source>
         <translation>La mesh migliore con tanti tetraedri. Un focus conserva la sua proporzione col resto.</translation>
     </message>
     <message>
@@ -3120,8 +1174,8 @@ deformazione %2</translation>
         <translation>Fotogrammi chiave</translation>
     </message>
     <message>
-        <source>The camera goes round what is shown, or from view to view</source>
-        <translation>La camera gira attorno a ciò che si vede, o va da vista a vista</translation>
+        <source>Turntable, or a camera path through key frames</source>
+        <translation>Piattaforma girevole, o percorso della camera per fotogrammi chiave</translation>
     </message>
     <message>
         <source>Frames a second</source>
@@ -3132,8 +1186,8 @@ deformazione %2</translation>
         <translation> immagini/s</translation>
     </message>
     <message>
-        <source>Pictures a second of the film</source>
-        <translation>Immagini al secondo nel filmato</translation>
+        <source>Frames per second of the film</source>
+        <translation>Fotogrammi al secondo del filmato</translation>
     </message>
     <message>
         <source>Write it as pictures or a video</source>
@@ -3180,8 +1234,8 @@ deformazione %2</translation>
         <translation>Numero di fotogrammi</translation>
     </message>
     <message>
-        <source>Pictures of the whole film</source>
-        <translation>Immagini di tutto il filmato</translation>
+        <source>Number of frames of the film</source>
+        <translation>Numero di fotogrammi del filmato</translation>
     </message>
     <message>
         <source>A&amp;xis</source>
@@ -3200,8 +1254,8 @@ deformazione %2</translation>
         <translation>Fotogramma</translation>
     </message>
     <message>
-        <source>The frame that is shown</source>
-        <translation>Il fotogramma mostrato</translation>
+        <source>Frame shown</source>
+        <translation>Fotogramma mostrato</translation>
     </message>
     <message>
         <source>Add two views or more.</source>
@@ -3239,8 +1293,8 @@ deformazione %2</translation>
         <translation>In basso a destra</translation>
     </message>
     <message>
-        <source>Corner of the picture where it stands</source>
-        <translation>Angolo dell&apos;immagine in cui si trova</translation>
+        <source>Corner of the picture</source>
+        <translation>Angolo dell&apos;immagine</translation>
     </message>
     <message>
         <source>%1: corner</source>
@@ -3254,8 +1308,8 @@ deformazione %2</translation>
         <translation>Massimo di tetraedri</translation>
     </message>
     <message>
-        <source>The mesh is as good as so many tetrahedra allow</source>
-        <translation>La mesh è buona quanto lo permettono tanti tetraedri</translation>
+        <source>The best mesh within this number of tetrahedra</source>
+        <translation>La mesh migliore entro questo numero di tetraedri</translation>
     </message>
 </context>
 <context>
@@ -3281,8 +1335,8 @@ deformazione %2</translation>
         <translation>File del modello</translation>
     </message>
     <message>
-        <source>The file that the model is written to</source>
-        <translation>Il file in cui si scrive il modello</translation>
+        <source>Model file to write</source>
+        <translation>File del modello da scrivere</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -3301,8 +1355,8 @@ deformazione %2</translation>
         <translation>A&amp;nnulla</translation>
     </message>
     <message>
-        <source>Stop the build and discard what it has made</source>
-        <translation>Ferma la costruzione e scarta ciò che ha fatto</translation>
+        <source>Stop the build and discard the result</source>
+        <translation>Ferma la costruzione e scarta il risultato</translation>
     </message>
     <message>
         <source>Stop and &amp;Keep</source>
@@ -3711,7 +1765,7 @@ deformazione %2</translation>
         <translation>Salvato.</translation>
     </message>
     <message>
-        <source>It has no frames yet: add two views or more in the panel Animation.</source>
+        <source>It has no frames yet: add at least two views in the Animation panel.</source>
         <translation>Non ha ancora fotogrammi: aggiungere due viste o più nel pannello Animazione.</translation>
     </message>
     <message>
@@ -3750,7 +1804,7 @@ deformazione %2</translation>
 <context>
     <name>tetra::FocusPanel</name>
     <message>
-        <source>A part of the domain with an error of its own. Choose a shape, then drag its handles in the picture; a double click on a surface brings the focus there.</source>
+        <source>A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there.</source>
         <translation>Una parte del dominio con un errore proprio. Scegliere una forma, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie vi porta il focus.</translation>
     </message>
     <message>
@@ -3766,7 +1820,7 @@ deformazione %2</translation>
         <translation>Box</translation>
     </message>
     <message>
-        <source>A box with an error of its own (B)</source>
+        <source>A box with its own error (B)</source>
         <translation>Un parallelepipedo con un errore proprio (B)</translation>
     </message>
     <message>
@@ -3774,7 +1828,7 @@ deformazione %2</translation>
         <translation>Sfera</translation>
     </message>
     <message>
-        <source>A sphere with an error of its own (F)</source>
+        <source>A sphere with its own error (F)</source>
         <translation>Una sfera con un errore proprio (F)</translation>
     </message>
     <message>
@@ -3818,12 +1872,12 @@ deformazione %2</translation>
         <translation>Errore nel focus, in percento dell&apos;intervallo dei valori</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at (C)</source>
-        <translation>Porta il focus dove guarda la camera (C)</translation>
+        <source>Move the focus to the camera&apos;s target (C)</source>
+        <translation>Sposta il focus al punto mirato dalla camera (C)</translation>
     </message>
     <message>
-        <source>Place, size, error and fall-off as they were at first</source>
-        <translation>Posizione, dimensione, errore e transizione com&apos;erano all&apos;inizio</translation>
+        <source>Reset place, size, error and fall-off</source>
+        <translation>Reimposta posizione, dimensioni, errore e decadimento</translation>
     </message>
     <message>
         <source>Outside %1, as chosen under Accuracy.</source>
@@ -3987,7 +2041,7 @@ deformazione %2</translation>
         <translation>Primo punto lungo %1</translation>
     </message>
     <message>
-        <source>The first point that is taken, counted from 0</source>
+        <source>First point taken, counted from 0</source>
         <translation>Il primo punto preso, contando da 0</translation>
     </message>
     <message>
@@ -3995,7 +2049,7 @@ deformazione %2</translation>
         <translation>Ultimo punto lungo %1</translation>
     </message>
     <message>
-        <source>The last point that is taken, counted from 0</source>
+        <source>Last point taken, counted from 0</source>
         <translation>L&apos;ultimo punto preso, contando da 0</translation>
     </message>
     <message>
@@ -4147,16 +2201,16 @@ deformazione %2</translation>
         <translation>&amp;Aggiungi vista</translation>
     </message>
     <message>
-        <source>Add what is seen now as the next key frame</source>
-        <translation>Aggiunge ciò che si vede ora come prossimo fotogramma chiave</translation>
+        <source>Add the current view as the next key frame</source>
+        <translation>Aggiunge la vista attuale come prossimo fotogramma chiave</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Sostituisci</translation>
     </message>
     <message>
-        <source>Put what is seen now in the place of this key frame</source>
-        <translation>Mette ciò che si vede ora al posto di questo fotogramma chiave</translation>
+        <source>Replace this key frame with the current view</source>
+        <translation>Sostituisce questo fotogramma chiave con la vista attuale</translation>
     </message>
     <message>
         <source>S&amp;how</source>
@@ -4179,16 +2233,16 @@ deformazione %2</translation>
         <translation>&amp;Prima</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame before it (Alt+Up)</source>
-        <translation>Lo scambia con il fotogramma chiave precedente (Alt+Su)</translation>
+        <source>Swap with the previous key frame (Alt+Up)</source>
+        <translation>Scambia con il fotogramma chiave precedente (Alt+Su)</translation>
     </message>
     <message>
         <source>La&amp;ter</source>
         <translation>&amp;Dopo</translation>
     </message>
     <message>
-        <source>Exchange it with the key frame after it (Alt+Down)</source>
-        <translation>Lo scambia con il fotogramma chiave seguente (Alt+Giù)</translation>
+        <source>Swap with the next key frame (Alt+Down)</source>
+        <translation>Scambia con il fotogramma chiave successivo (Alt+Giù)</translation>
     </message>
     <message>
         <source>Show Key Frame</source>
@@ -4344,7 +2398,7 @@ deformazione %2</translation>
         <translation>Immagine</translation>
     </message>
     <message>
-        <source>One file can be open at a time; of those dropped, %1 was opened.</source>
+        <source>Only one file can be open at a time; of those dropped, %1 was opened.</source>
         <translation>Si può aprire un solo file per volta; di quelli trascinati si è aperto %1.</translation>
     </message>
     <message>
@@ -4433,6 +2487,4781 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Message</name>
+    <message>
+        <source>The folder &apos;%1&apos; does not exist: create it or choose another.</source>
+        <translation>La cartella «%1» non esiste: crearla o sceglierne un&apos;altra.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a folder: choose another.</source>
+        <translation>«%1» non è una cartella: sceglierne un&apos;altra.</translation>
+    </message>
+    <message>
+        <source>It is a folder: name a file in it.</source>
+        <translation>È una cartella: indicare un file al suo interno.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or change the permissions of this one.</source>
+        <translation>Scegliere un&apos;altra cartella, o cambiare i permessi di questa.</translation>
+    </message>
+    <message>
+        <source>Choose a folder on a disk that can be written.</source>
+        <translation>Scegliere una cartella su un disco scrivibile.</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name.</source>
+        <translation>Scegliere un nome più corto.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or disk.</source>
+        <translation>Scegliere un&apos;altra cartella o un altro disco.</translation>
+    </message>
+    <message>
+        <source>Not valid JSON: %1 (%2).</source>
+        <translation>JSON non valido: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at (%3, %4, %5). Repair the mesh in the program that made it.</source>
+        <translation>%1 celle sono ripiegate o così deformate che nessun tetraedro le riempie; la prima è la cella %2 in (%3, %4, %5). Riparare la mesh nel programma che l&apos;ha creata.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>The runs of the blocks do not fit together. Start the build again.</source>
+        <translation>Le sequenze dei blocchi non combaciano. Riavviare la costruzione.</translation>
+    </message>
+    <message>
+        <source>Extracting the mesh</source>
+        <translation>Estrazione della mesh</translation>
+    </message>
+    <message>
+        <source>Choosing from the mesh</source>
+        <translation>Scelta dalla mesh</translation>
+    </message>
+    <message>
+        <source>The mesh has too many tetrahedra for its boundary to be shown. Lower the accuracy of the mesh.</source>
+        <translation>La mesh ha troppi tetraedri perché se ne mostri il contorno. Ridurre la precisione della mesh.</translation>
+    </message>
+    <message>
+        <source>the text</source>
+        <translation>il testo</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read: %1 (%2).</source>
+        <translation>La funzione di trasferimento non può essere letta: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>esatto</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normalizzata</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>articolo</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Scelta</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;normalised&apos; takes the point that is farthest off in error or warping; &apos;paper&apos; compares the two in the units of the data, as the paper did, to compare with it. Both keep cells from turning over.</source>
+        <translation>Per dati curvilinei: &apos;normalised&apos; prende il punto più lontano per errore o deformazione; &apos;paper&apos; confronta i due nelle unità dei dati, come faceva l&apos;articolo, per confrontarsi con esso. Entrambe evitano che le celle si rovescino.</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trovato</translation>
+    </message>
+    <message>
+        <source>loaded</source>
+        <translation>caricato</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>disattivato</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>rifiutato</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; %2.</source>
+        <translation>il vettore «%1» %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1: %2&apos; in its header %3</source>
+        <translation>«%1: %2» nella sua intestazione %3</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, and its header asks for %3. It is cut short: copy the file again.</source>
+        <translation>%1 ha %2 byte, e la sua intestazione ne chiede %3. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>has no %1 in line %2, but &apos;%3&apos;. It is damaged, or of another version of the format: export it again.</source>
+        <translation>non contiene alla riga %2 ciò che ci si aspetta (%1), ma «%3». È danneggiato, o di un&apos;altra versione del formato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>has no %1 in line %2, but &apos;%3&apos;. It is damaged: export it again.</source>
+        <translation>non contiene alla riga %2 ciò che ci si aspetta (%1), ma «%3». È danneggiato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>has no %1. It is cut short or damaged.</source>
+        <translation>manca di un&apos;indicazione (%1). È troncato o danneggiato.</translation>
+    </message>
+    <message>
+        <source>has a part without a number, in the line &apos;%1&apos;. It is damaged.</source>
+        <translation>ha una parte senza numero, nella riga «%1». È danneggiato.</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valore</translation>
+    </message>
+    <message>
+        <source>number of values</source>
+        <translation>numero di valori</translation>
+    </message>
+    <message>
+        <source>place of a value</source>
+        <translation>posto di un valore</translation>
+    </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>Non è stato possibile leggerlo.</translation>
+    </message>
+    <message>
+        <source>The session cannot be read: %1</source>
+        <translation>La sessione non può essere letta: %1</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2. %3</source>
+        <translation>«%1» non può essere scritto: %2. %3</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>non è un file ordinario</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Scegliere un altro nome.</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>il file è di sola lettura</translation>
+    </message>
+    <message>
+        <source>Choose another name, or make it writable.</source>
+        <translation>Scegliere un altro nome, o renderlo scrivibile.</translation>
+    </message>
+    <message>
+        <source>it does not name a file</source>
+        <translation>non indica un file</translation>
+    </message>
+    <message>
+        <source>Name a file.</source>
+        <translation>Indicare un file.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;. Close other programs.</source>
+        <translation>La memoria non basta per scrivere «%1». Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to build a model. Close other programs, or take fewer samples.</source>
+        <translation>La memoria non basta per costruire un modello. Chiudere altri programmi, o prendere meno campioni.</translation>
+    </message>
+    <message>
+        <source>there is something after the end of the value</source>
+        <translation>c&apos;è qualcosa dopo la fine del valore</translation>
+    </message>
+    <message>
+        <source>a byte that is not of UTF-8 text</source>
+        <translation>un byte che non è di testo UTF-8</translation>
+    </message>
+    <message>
+        <source>too many levels</source>
+        <translation>troppi livelli</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;]&apos;</source>
+        <translation>ci si aspetta «,» o «]»</translation>
+    </message>
+    <message>
+        <source>the member &quot;%1&quot; is there twice</source>
+        <translation>il membro «%1» compare due volte</translation>
+    </message>
+    <message>
+        <source>expected &apos;:&apos;</source>
+        <translation>ci si aspetta «:»</translation>
+    </message>
+    <message>
+        <source>expected &apos;,&apos; or &apos;}&apos;</source>
+        <translation>ci si aspetta «,» o «}»</translation>
+    </message>
+    <message>
+        <source>expected a value</source>
+        <translation>ci si aspetta un valore</translation>
+    </message>
+    <message>
+        <source>expected four hexadecimal digits</source>
+        <translation>ci si aspettano quattro cifre esadecimali</translation>
+    </message>
+    <message>
+        <source>unknown escape</source>
+        <translation>sequenza di escape sconosciuta</translation>
+    </message>
+    <message>
+        <source>half of a surrogate pair</source>
+        <translation>metà di una coppia di surrogati</translation>
+    </message>
+    <message>
+        <source>expected a name in quotes</source>
+        <translation>ci si aspetta un nome tra virgolette</translation>
+    </message>
+    <message>
+        <source>a control character inside quotes</source>
+        <translation>un carattere di controllo tra virgolette</translation>
+    </message>
+    <message>
+        <source>the closing quote is missing</source>
+        <translation>mancano le virgolette di chiusura</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>riga %1, colonna %2</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: %2</source>
+        <translation>«%1» non può essere letto: %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1. Check its name and folder.</source>
+        <translation>%1. Controllare il nome e la cartella.</translation>
+    </message>
+    <message>
+        <source>%1. Ask its owner for the right to read it.</source>
+        <translation>%1. Chiedere al proprietario il permesso di leggerlo.</translation>
+    </message>
+    <message>
+        <source>it is a folder. Name a file in it.</source>
+        <translation>è una cartella. Indicare un file al suo interno.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file. Copy its content into one first.</source>
+        <translation>non è un file ordinario. Copiarne prima il contenuto in uno.</translation>
+    </message>
+    <message>
+        <source>Cannot open &apos;%1&apos;: too many files are open. Close some of them.</source>
+        <translation>«%1» non può essere aperto: troppi file sono aperti. Chiuderne alcuni.</translation>
+    </message>
+    <message>
+        <source>Not enough memory: %1 MiB of address space for %2 were refused (%3). Close other programs, or raise the memory limit.</source>
+        <translation>La memoria non basta: %1 MiB di spazio di indirizzi per %2 sono stati rifiutati (%3). Chiudere altri programmi, o alzare il limite di memoria.</translation>
+    </message>
+    <message>
+        <source>Cannot make a temporary file in &apos;%1&apos;: %2. %3</source>
+        <translation>Impossibile creare un file temporaneo in «%1»: %2. %3</translation>
+    </message>
+    <message>
+        <source>A temporary file in &apos;%1&apos; cannot be used: %2. %3</source>
+        <translation>Un file temporaneo in «%1» non può essere usato: %2. %3</translation>
+    </message>
+    <message>
+        <source>This machine can start no more threads now. Close other programs, or raise the limit (ulimit).</source>
+        <translation>Questo computer non può avviare altri thread in questo momento. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for this. Close other programs, or raise the limit (ulimit).</source>
+        <translation>La memoria di questo computer non basta. Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>File o cartella inesistente</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permesso negato</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Operazione non permessa</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Errore di input/output</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>Memoria insufficiente</translation>
+    </message>
+    <message>
+        <source>Resource temporarily unavailable</source>
+        <translation>Risorsa temporaneamente non disponibile</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Dispositivo o risorsa occupati</translation>
+    </message>
+    <message>
+        <source>Invalid cross-device link</source>
+        <translation>Su un altro dispositivo</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Non è una cartella</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>È una cartella</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>Argomento non valido</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Troppi file aperti</translation>
+    </message>
+    <message>
+        <source>Too many open files in system</source>
+        <translation>Troppi file aperti nel sistema</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>File troppo grande</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Spazio esaurito sul disco</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>File system in sola lettura</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Nome del file troppo lungo</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Troppi livelli di collegamenti simbolici</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Quota disco superata</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Il file non esiste più sul server</translation>
+    </message>
+    <message>
+        <source>system error %1</source>
+        <translation>errore di sistema %1</translation>
+    </message>
+    <message>
+        <source>Choose a disk that allows larger files, or raise the limit (ulimit -f).</source>
+        <translation>Scegliere un disco che permetta file più grandi, o alzare il limite (ulimit -f).</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk.</source>
+        <translation>Liberare spazio o scegliere un altro disco.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or raise the limit (ulimit).</source>
+        <translation>Chiudere altri programmi o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>Cannot work in &apos;%1&apos;: %2. %3</source>
+        <translation>Non si può lavorare in «%1»: %2. %3</translation>
+    </message>
+    <message>
+        <source>Choose another folder for the model.</source>
+        <translation>Scegliere un&apos;altra cartella per il modello.</translation>
+    </message>
+    <message>
+        <source>another program is building this model</source>
+        <translation>un altro programma sta costruendo questo modello</translation>
+    </message>
+    <message>
+        <source>Wait for it, or give the model another name.</source>
+        <translation>Aspettarlo, o dare al modello un altro nome.</translation>
+    </message>
+    <message>
+        <source>it holds something else</source>
+        <translation>contiene qualcos&apos;altro</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that folder away.</source>
+        <translation>Dare al modello un altro nome o spostare quella cartella.</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>è un collegamento</translation>
+    </message>
+    <message>
+        <source>Give the model another name, or move that link away.</source>
+        <translation>Dare al modello un altro nome o spostare quel collegamento.</translation>
+    </message>
+    <message>
+        <source>A mesh of %1 points and %2 tetrahedra is too large to be decimated: %3 points and %4 tetrahedra are the most. Take a region of it or fewer samples.</source>
+        <translation>Una mesh di %1 punti e %2 tetraedri è troppo grande per essere decimata: al massimo %3 punti e %4 tetraedri. Prenderne una regione o meno campioni.</translation>
+    </message>
+    <message>
+        <source>Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine has %4. Take a region of it or fewer samples, or, of a lattice or grid, refine it instead.</source>
+        <translation>La decimazione di %1 punti e %2 tetraedri richiede circa %3 di memoria, e questo computer ne ha %4. Prenderne una regione o meno campioni oppure, per un reticolo o una griglia, usare il raffinamento.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to decimate &apos;%1&apos;. Take a region of it or fewer samples.</source>
+        <translation>La memoria non basta per decimare «%1». Prenderne una regione o meno campioni.</translation>
+    </message>
+    <message>
+        <source>The finest error (%1 %) is larger than the error at which to stop (%2 %). Choose a smaller finest error, or 0 to keep everything.</source>
+        <translation>L&apos;errore minimo (%1 %) è maggiore dell&apos;errore a cui fermarsi (%2 %). Scegliere un errore minimo più piccolo, o 0 per tenere tutto.</translation>
+    </message>
+    <message>
+        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
+        <translation>I punti sparsi non hanno tetraedri da cui la decimazione possa partire. Usare il raffinamento.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
+        <translation>Una mesh di tetraedri richiede una cella: due o più punti lungo ogni asse.</translation>
+    </message>
+    <message>
+        <source>model about %1, work files %2</source>
+        <translation>modello circa %1, file di lavoro %2</translation>
+    </message>
+    <message>
+        <source>The build needs about %1 on the disk of &apos;%2&apos; (%3), and %4 are free. Free some space, choose another disk or ask for a larger error.</source>
+        <translation>La costruzione richiede circa %1 sul disco di «%2» (%3), e %4 sono liberi. Liberare spazio, scegliere un altro disco o un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2.</source>
+        <translation>«%1» non può essere letto: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists and is no TAn model, so it is not overwritten. Give the model another name, or remove that file first.</source>
+        <translation>«%1» esiste e non è un modello TAn, perciò non viene sovrascritto. Dare al modello un altro nome, o rimuovere prima quel file.</translation>
+    </message>
+    <message>
+        <source>%1 is no percentage at which to stop. Give one from 0 to 100.</source>
+        <translation>%1 non è una percentuale a cui fermarsi. Indicarne una da 0 a 100.</translation>
+    </message>
+    <message>
+        <source>The build</source>
+        <translation>La costruzione</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Blocks cannot be built into this target. Set the block to &quot;none&quot;.</source>
+        <translation>In questa destinazione non si può costruire a blocchi. Impostare «block» su «none».</translation>
+    </message>
+    <message>
+        <source>Point %1 of &apos;%2&apos; has a position or a value that is not a finite number. Leave it out.</source>
+        <translation>Il punto %1 di «%2» ha una posizione o un valore che non è un numero finito. Ometterlo.</translation>
+    </message>
+    <message>
+        <source>A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.</source>
+        <translation>Un reticolo di %1 punti è troppo grande: un modello ne contiene al massimo 4294967296. Ritagliarlo o sottocampionarlo.</translation>
+    </message>
+    <message>
+        <source>A tetrahedral mesh needs four points or more.</source>
+        <translation>Una mesh di tetraedri richiede quattro punti o più.</translation>
+    </message>
+    <message>
+        <source>Refinement does not take %1 data.</source>
+        <translation>Il raffinamento non accetta dati di questo tipo: %1.</translation>
+    </message>
+    <message>
+        <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
+        <translation>Blocchi di %1 celle dividono questo insieme di dati in %2 pezzi; il massimo è %3. Scegliere blocchi più grandi.</translation>
+    </message>
+    <message>
+        <source>The values belong to cells: each point got the mean of the cells around it.</source>
+        <translation>I valori appartengono alle celle: ogni punto ha ricevuto la media delle celle attorno.</translation>
+    </message>
+    <message>
+        <source>1 cell is a vertex, line or polygon without volume and not part of the mesh.</source>
+        <translation>1 cella è un vertice, una linea o un poligono senza volume e non fa parte della mesh.</translation>
+    </message>
+    <message>
+        <source>%1 cells are vertices, lines or polygons without volume and not part of the mesh.</source>
+        <translation>%1 celle sono vertici, linee o poligoni senza volume e non fanno parte della mesh.</translation>
+    </message>
+    <message>
+        <source>1 cell is blanked out in the file: a hole.</source>
+        <translation>1 cella è esclusa nel file: un foro.</translation>
+    </message>
+    <message>
+        <source>%1 cells are blanked out in the file: holes.</source>
+        <translation>%1 celle sono escluse nel file: buchi.</translation>
+    </message>
+    <message>
+        <source>1 cell has a value that is not finite and became a hole.</source>
+        <translation>1 cella ha un valore non finito ed è diventata un foro.</translation>
+    </message>
+    <message>
+        <source>%1 cells have a value that is not finite and became holes.</source>
+        <translation>%1 celle hanno un valore non finito e sono diventate buchi.</translation>
+    </message>
+    <message>
+        <source>1 cell names a corner twice, has no volume and was left out.</source>
+        <translation>1 cella nomina due volte un vertice, non ha volume ed è stata omessa.</translation>
+    </message>
+    <message>
+        <source>%1 cells name a corner twice, have no volume and were left out.</source>
+        <translation>%1 celle nominano due volte un vertice, non hanno volume e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>1 cell without volume was left out.</source>
+        <translation>1 cella senza volume è stata omessa.</translation>
+    </message>
+    <message>
+        <source>%1 cells without volume were left out.</source>
+        <translation>%1 celle senza volume sono state omesse.</translation>
+    </message>
+    <message>
+        <source>All cells had inverted orientation and were corrected.</source>
+        <translation>Tutte le celle avevano orientamento inverso e sono state corrette.</translation>
+    </message>
+    <message>
+        <source>1 cell had inverted orientation and was corrected.</source>
+        <translation>1 cella aveva orientamento inverso ed è stata corretta.</translation>
+    </message>
+    <message>
+        <source>%1 cells had inverted orientation and were corrected.</source>
+        <translation>%1 celle avevano orientamento inverso e sono state corrette.</translation>
+    </message>
+    <message>
+        <source>1 point on the place of another one was merged with it.</source>
+        <translation>1 punto nella posizione di un altro è stato unito ad esso.</translation>
+    </message>
+    <message>
+        <source>%1 points on the place of another one were merged with it.</source>
+        <translation>%1 punti nella posizione di un altro sono stati uniti ad esso.</translation>
+    </message>
+    <message>
+        <source>1 place had different values and got their mean.</source>
+        <translation>1 posto aveva valori diversi e ha ricevuto la loro media.</translation>
+    </message>
+    <message>
+        <source>%1 places had different values and got their mean.</source>
+        <translation>%1 posti avevano valori diversi e hanno ricevuto la loro media.</translation>
+    </message>
+    <message>
+        <source>1 node in the middle of an edge or face was left out: not all cells there have it, or cells bend too much.</source>
+        <translation>1 nodo nel mezzo di uno spigolo o di una faccia è stato omesso: non tutte le celle lì lo hanno, o si incurvano troppo.</translation>
+    </message>
+    <message>
+        <source>%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells bend too much.</source>
+        <translation>%1 nodi nel mezzo di spigoli e facce sono stati omessi: non tutte le celle lì li hanno, o si incurvano troppo.</translation>
+    </message>
+    <message>
+        <source>1 cell was cut along other diagonals, because its faces are not flat.</source>
+        <translation>1 cella è stata divisa lungo altre diagonali, perché le sue facce non sono piane.</translation>
+    </message>
+    <message>
+        <source>%1 cells were cut along other diagonals, because their faces are not flat.</source>
+        <translation>%1 celle sono state divise lungo altre diagonali, perché le loro facce non sono piane.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>1 cella è stata omessa: troppo deformata per essere divisa in tetraedri senza un nuovo punto.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: too warped to be cut into tetrahedra without a new point.</source>
+        <translation>%1 celle sono state omesse: troppo deformate per essere divise in tetraedri senza un nuovo punto.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was there twice.</source>
+        <translation>1 tetraedro c&apos;era due volte.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were there twice.</source>
+        <translation>%1 tetraedri c&apos;erano due volte.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron was left out where parts of the mesh touched only in an edge or a point.</source>
+        <translation>1 tetraedro è stato omesso dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were left out where parts of the mesh touched only in an edge or a point.</source>
+        <translation>%1 tetraedri sono stati omessi dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
+    </message>
+    <message>
+        <source>1 point belongs to no cell and was left out.</source>
+        <translation>1 punto non appartiene a nessuna cella ed è stato omesso.</translation>
+    </message>
+    <message>
+        <source>%1 points belong to no cell and were left out.</source>
+        <translation>%1 punti non appartengono a nessuna cella e sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>The mesh has no cells or no points.</source>
+        <translation>La mesh non ha celle o non ha punti.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 points; at most 4294967294 can be numbered. Take a part of it.</source>
+        <translation>La mesh ha %1 punti; se ne possono numerare al massimo 4294967294. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>The cells&apos; lists of corners do not fit together: their offsets do not rise from 0 to the number of corners.</source>
+        <translation>Gli elenchi dei vertici delle celle non combaciano: i loro inizi non crescono da 0 al numero dei vertici.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 cells, but says of %2 whether they are blanked out.</source>
+        <translation>La mesh ha %1 celle, ma dice di %2 se sono escluse.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 cells, but %2 values.</source>
+        <translation>La mesh ha %1 celle, ma %2 valori.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 points, but %2 values.</source>
+        <translation>La mesh ha %1 punti, ma %2 valori.</translation>
+    </message>
+    <message>
+        <source>Cells name points that do not exist (%1 in all, the first is cell %2). The mesh has %3 points: the file is damaged.</source>
+        <translation>Delle celle nominano punti che non esistono (%1 in tutto, la prima è la cella %2). La mesh ha %3 punti: il file è danneggiato.</translation>
+    </message>
+    <message>
+        <source>Cells have another number of corners than their shape (%1 in all, the first is cell %2). The file is damaged.</source>
+        <translation>Delle celle hanno un numero di vertici diverso dalla loro forma (%1 in tutto, la prima è la cella %2). Il file è danneggiato.</translation>
+    </message>
+    <message>
+        <source>Cells are polyhedra with any number of faces (%1 in all, the first is cell %2). Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).</source>
+        <translation>Delle celle sono poliedri con un numero qualsiasi di facce (%1 in tutto, la prima è la cella %2). Dividerle prima in tetraedri (in ParaView con il filtro Tetrahedralize).</translation>
+    </message>
+    <message>
+        <source>Cells have a corner whose place is not finite (%1 in all, the first is cell %2). Correct the points, or blank the cells.</source>
+        <translation>Delle celle hanno un vertice la cui posizione non è finita (%1 in tutto, la prima è la cella %2). Correggere i punti, o escludere le celle.</translation>
+    </message>
+    <message>
+        <source>No cell of the mesh has a volume and finite values: nothing is left.</source>
+        <translation>Nessuna cella della mesh ha un volume e valori finiti: non resta nulla.</translation>
+    </message>
+    <message>
+        <source>Cutting the cells</source>
+        <translation>Suddivisione delle celle</translation>
+    </message>
+    <message>
+        <source>The cells make more than %1 tetrahedra. Take a part of the mesh.</source>
+        <translation>Le celle danno più di %1 tetraedri. Prendere una parte della mesh.</translation>
+    </message>
+    <message>
+        <source>Checking the mesh</source>
+        <translation>Controllo della mesh</translation>
+    </message>
+    <message>
+        <source>The mesh has %1. Repair the mesh in the program that made it.</source>
+        <translation>La mesh ha %1. Correggerla nel programma che l&apos;ha creata.</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that is flat or inverted, one at %1</source>
+        <translation>1 tetraedro piatto o invertito, in %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that are flat or inverted, one at %2</source>
+        <translation>%1 tetraedri piatti o invertiti, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron at a face that three or more share, one at %1</source>
+        <translation>1 tetraedro su una faccia che tre o più condividono, in %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra at faces that three or more share, one at %2</source>
+        <translation>%1 tetraedri su facce che tre o più condividono, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron that overlaps its neighbour, one at %1</source>
+        <translation>1 tetraedro che si sovrappone al vicino, in %1</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra that overlap a neighbour on the same side of a face, one at %2</source>
+        <translation>%1 tetraedri che si sovrappongono a un vicino dallo stesso lato di una faccia, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 edge in which parts of it only touch, one at %1</source>
+        <translation>1 spigolo in cui le sue parti si toccano soltanto, in %1</translation>
+    </message>
+    <message>
+        <source>%1 edges in which parts of it only touch, one at %2</source>
+        <translation>%1 spigoli in cui le sue parti si toccano soltanto, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 point in which parts of it only touch, one at %1</source>
+        <translation>1 punto in cui le sue parti si toccano soltanto, in %1</translation>
+    </message>
+    <message>
+        <source>%1 points in which parts of it only touch, one at %2</source>
+        <translation>%1 punti in cui le sue parti si toccano soltanto, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
+        <translation>L&apos;insieme di dati non è una mesh irregolare: non ha posizioni o non ha tetraedri.</translation>
+    </message>
+    <message>
+        <source>The mesh does not have a finite position and a finite value for each point.</source>
+        <translation>La mesh non ha una posizione finita e un valore finito per ogni punto.</translation>
+    </message>
+    <message>
+        <source>A tetrahedron of the mesh names point %1 of %2.</source>
+        <translation>Un tetraedro della mesh nomina il punto %1 di %2.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 points that no tetrahedron uses.</source>
+        <translation>La mesh ha %1 punti che nessun tetraedro usa.</translation>
+    </message>
+    <message>
+        <source>1 pair of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %1</source>
+        <translation>1 coppia di facce del contorno che si tagliano o si toccano: le celle lì si sovrappongono o non combaciano, in %1</translation>
+    </message>
+    <message>
+        <source>%1 pairs of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %2</source>
+        <translation>%1 coppie di facce del contorno che si tagliano o si toccano: le celle lì si sovrappongono o non combaciano, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>1 part inside another part, one at %1</source>
+        <translation>1 parte dentro un&apos;altra, in %1</translation>
+    </message>
+    <message>
+        <source>%1 parts inside other parts, one at %2</source>
+        <translation>%1 parti dentro altre, per esempio in %2</translation>
+    </message>
+    <message>
+        <source>The mesh has more than %1 tetrahedra. Take a part of it.</source>
+        <translation>La mesh ha più di %1 tetraedri. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>No cell of the mesh has a volume: nothing is left.</source>
+        <translation>Nessuna cella della mesh ha un volume: non resta nulla.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh. Take a part of it.</source>
+        <translation>La memoria non basta per la mesh. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open, so that what was made of it would be wrong. Open it again; if that fails, get or make the file again.</source>
+        <translation>«%1» è stato troncato o cambiato mentre era aperto, perciò ciò che se ne è ricavato sarebbe sbagliato. Aprirlo di nuovo; se non riesce, procurarsi o creare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>it has %1 points. A volume needs at least 2 along each axis: put several slices together, or repeat the one there is.</source>
+        <translation>ha %1 punti. Un volume ne richiede almeno 2 lungo ogni asse: unire più strati, o ripetere quello che c&apos;è.</translation>
+    </message>
+    <message>
+        <source>it claims to have %1 points, more than any machine can hold. Its description is wrong: check the sizes.</source>
+        <translation>dichiara %1 punti, più di quanti un computer possa contenere. La descrizione è sbagliata: controllare le dimensioni.</translation>
+    </message>
+    <message>
+        <source>its spacing is %1. The distance of neighbouring points must be a positive number along each axis.</source>
+        <translation>la sua spaziatura è %1. La distanza fra punti vicini deve essere un numero positivo lungo ogni asse.</translation>
+    </message>
+    <message>
+        <source>its origin %1 and spacing %2 give positions that are no finite numbers. Check both.</source>
+        <translation>la sua origine %1 e la spaziatura %2 danno posizioni che non sono numeri finiti. Controllarle entrambe.</translation>
+    </message>
+    <message>
+        <source>its origin %1 is so far away for the spacing %2 that neighbouring points fall together. Move the origin nearer to 0.</source>
+        <translation>la sua origine %1 è così lontana per la spaziatura %2 che punti vicini coincidono. Avvicinare l&apos;origine a 0.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 samples are NaN or infinite, the first at point (%3, %4, %5). Replace them by numbers first.</source>
+        <translation>%1 dei suoi %2 campioni sono NaN o infiniti, il primo nel punto (%3, %4, %5). Sostituirli prima con numeri.</translation>
+    </message>
+    <message>
+        <source>the position of point %1 is no number, or far beyond what can be reckoned with. Repair the file.</source>
+        <translation>la posizione del punto %1 non è un numero, o è ben oltre ciò con cui si può calcolare. Riparare il file.</translation>
+    </message>
+    <message>
+        <source>%1 values are too large for single precision, or no numbers. Choose another array.</source>
+        <translation>%1 valori sono troppo grandi per la precisione singola, o non sono numeri. Scegliere un altro vettore.</translation>
+    </message>
+    <message>
+        <source>all its points lie in a plane or closer, so that no cell has a volume. TAn takes volumes.</source>
+        <translation>tutti i suoi punti giacciono in un piano o meno, perciò nessuna cella ha volume. TAn accetta volumi.</translation>
+    </message>
+    <message>
+        <source>Cannot use &apos;%1&apos;: %2</source>
+        <translation>«%1» non può essere usato: %2</translation>
+    </message>
+    <message>
+        <source>it has %1 values for %2 points. Give one a point.</source>
+        <translation>ha %1 valori per %2 punti. Darne uno a ogni punto.</translation>
+    </message>
+    <message>
+        <source>the position or the value of point %1 is no finite number, or too large. Leave it out.</source>
+        <translation>la posizione o il valore del punto %1 non è un numero finito, o è troppo grande. Ometterlo.</translation>
+    </message>
+    <message>
+        <source>it has no points.</source>
+        <translation>non ha punti.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has more than 4294967295 points. Take a part of them.</source>
+        <translation>«%1» ha più di 4294967295 punti. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>The region does not lie in the grid: along %1 it takes whole numbers from 0 to %2.</source>
+        <translation>La regione non sta nella griglia: lungo %1 accetta numeri interi da 0 a %2.</translation>
+    </message>
+    <message>
+        <source>A stride is a whole number from 1.</source>
+        <translation>Un passo è un numero intero da 1.</translation>
+    </message>
+    <message>
+        <source>The part has %1 points along %2, and a volume needs at least two along each axis. Take a larger region or a smaller stride.</source>
+        <translation>La parte ha %1 punti lungo %2, e un volume ne richiede almeno due lungo ogni asse. Prendere una regione più grande o un passo più piccolo.</translation>
+    </message>
+    <message>
+        <source>No cell of the part has a volume. Take another region or a smaller stride.</source>
+        <translation>Nessuna cella della parte ha un volume. Prendere un&apos;altra regione o un passo più piccolo.</translation>
+    </message>
+    <message>
+        <source>A part of %1 of the %2 points.</source>
+        <translation>Una parte di %1 dei %2 punti.</translation>
+    </message>
+    <message>
+        <source>The region holds %1. Take a larger one; &apos;bounds&apos; of &apos;tan info&apos; says where the points lie.</source>
+        <translation>La regione contiene %1. Prenderne una più grande; «bounds» di «tan info» dice dove stanno i punti.</translation>
+    </message>
+    <message>
+        <source>no whole tetrahedron</source>
+        <translation>nessun tetraedro intero</translation>
+    </message>
+    <message>
+        <source>1 tetrahedron inside the region was left out: it touches the others only at a vertex or an edge.</source>
+        <translation>1 tetraedro nella regione è stato omesso: tocca gli altri solo in un vertice o uno spigolo.</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra inside the region were left out: they touch the others only at a vertex or an edge.</source>
+        <translation>%1 tetraedri nella regione sono stati omessi: toccano gli altri solo in un vertice o uno spigolo.</translation>
+    </message>
+    <message>
+        <source>%1 points, and a volume needs four</source>
+        <translation>%1 punti, e un volume ne richiede quattro</translation>
+    </message>
+    <message>
+        <source>Only points of a grid can be taken by a stride. Take a region.</source>
+        <translation>Solo i punti di una griglia si possono prendere con un passo. Prendere una regione.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for this part. Take a smaller one.</source>
+        <translation>La memoria non basta per questa parte. Prenderne una più piccola.</translation>
+    </message>
+    <message>
+        <source>The region &apos;%1&apos; %2</source>
+        <translation>La regione «%1» %2</translation>
+    </message>
+    <message>
+        <source>is not understood. Give six numbers separated by commas: the first corner&apos;s and the last one&apos;s, as in 0,0,0,31,31,15.</source>
+        <translation>non si capisce. Indicare sei numeri separati da virgole: quelli del primo vertice e quelli dell&apos;ultimo, come in 0,0,0,31,31,15.</translation>
+    </message>
+    <message>
+        <source>holds &apos;%1&apos;, which is no number.</source>
+        <translation>contiene «%1», che non è un numero.</translation>
+    </message>
+    <message>
+        <source>ends before it begins. Give the smaller numbers first.</source>
+        <translation>finisce prima di cominciare. Indicare prima i numeri più piccoli.</translation>
+    </message>
+    <message>
+        <source>The stride &apos;%1&apos; is not understood. Give one whole number from 1, or three separated by commas, as in 2,2,1.</source>
+        <translation>Il passo «%1» non si capisce. Indicare un numero intero da 1, o tre separati da virgole, come in 2,2,1.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>There is no layer %1 along this axis.</source>
+        <translation>Non c&apos;è uno strato %1 lungo questo asse.</translation>
+    </message>
+    <message>
+        <source>The preview</source>
+        <translation>L&apos;anteprima</translation>
+    </message>
+    <message>
+        <source>Not enough memory: %1 samples of type %2 do not fit into the %3 MiB of this machine. Use a smaller part or a coarser version of the data.</source>
+        <translation>La memoria non basta: %1 campioni di tipo %2 non stanno nei %3 MiB di questo computer. Usare una parte più piccola o una versione più grossolana dei dati.</translation>
+    </message>
+    <message>
+        <source>the samples</source>
+        <translation>i campioni</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the weights of %1 points. Build without weights, or close other programs.</source>
+        <translation>La memoria non basta per i pesi di %1 punti. Costruire senza pesi, o chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>Weighting the points</source>
+        <translation>Ponderazione dei punti</translation>
+    </message>
+    <message>
+        <source>The weight &apos;%1&apos; cannot be used: %2.</source>
+        <translation>Il peso «%1» non è utilizzabile: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>«%1» non è un numero</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers, and the form is %2</source>
+        <translation>ha %1 numeri, e la forma è %2</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be at least 0</source>
+        <translation>la sua portata è %1 e deve essere almeno 0</translation>
+    </message>
+    <message>
+        <source>its reach is %1 and must be above 0</source>
+        <translation>la sua portata è %1 e deve essere maggiore di 0</translation>
+    </message>
+    <message>
+        <source>its floor is %1 and must be from %2 to 1</source>
+        <translation>il suo minimo è %1 e deve essere da %2 a 1</translation>
+    </message>
+    <message>
+        <source>a weight begins with &apos;point:&apos;, &apos;box:&apos; or &apos;value:&apos;</source>
+        <translation>un peso comincia con «point:», «box:» o «value:»</translation>
+    </message>
+    <message>
+        <source>its first corner must be the smaller one along every axis</source>
+        <translation>il suo primo vertice deve essere il minore lungo ogni asse</translation>
+    </message>
+    <message>
+        <source>The history has more than 4 billion tetrahedra. Decimate a part of the mesh.</source>
+        <translation>La storia ha più di 4 miliardi di tetraedri. Decimare una parte della mesh.</translation>
+    </message>
+    <message>
+        <source>The decimation</source>
+        <translation>La decimazione</translation>
+    </message>
+    <message>
+        <source>Writing the history</source>
+        <translation>Scrittura della storia</translation>
+    </message>
+    <message>
+        <source>Evaluating vertices</source>
+        <translation>Valutazione dei vertici</translation>
+    </message>
+    <message>
+        <source>Collapsing</source>
+        <translation>Contrazione</translation>
+    </message>
+    <message>
+        <source>Collapsing in rounds</source>
+        <translation>Contrazione a turni</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be decimated: %1</source>
+        <translation>La mesh non può essere decimata: %1</translation>
+    </message>
+    <message>
+        <source>Meshes of more than 4294967294 points or 1073741823 tetrahedra cannot be decimated. Take a part.</source>
+        <translation>Mesh di più di 4294967294 punti o 1073741823 tetraedri non possono essere decimate. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>it has no tetrahedra.</source>
+        <translation>non ha tetraedri.</translation>
+    </message>
+    <message>
+        <source>it has not one value, weight and place for each of its %1 points.</source>
+        <translation>non ha un valore, un peso e una posizione per ciascuno dei suoi %1 punti.</translation>
+    </message>
+    <message>
+        <source>point %1 has no finite place.</source>
+        <translation>il punto %1 non ha una posizione finita.</translation>
+    </message>
+    <message>
+        <source>point %1 has no finite value.</source>
+        <translation>il punto %1 non ha un valore finito.</translation>
+    </message>
+    <message>
+        <source>weights must be above 0 and at most 1.</source>
+        <translation>i pesi devono essere sopra 0 e al massimo 1.</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has vertex %1, which does not exist.</source>
+        <translation>un tetraedro ha il vertice %1, che non esiste.</translation>
+    </message>
+    <message>
+        <source>point %1 is in no tetrahedron. Leave it out.</source>
+        <translation>il punto %1 non è in nessun tetraedro. Ometterlo.</translation>
+    </message>
+    <message>
+        <source>The weight of the warping must be a positive number.</source>
+        <translation>Il peso della deformazione deve essere un numero positivo.</translation>
+    </message>
+    <message>
+        <source>The error to stop at must not be negative.</source>
+        <translation>L&apos;errore a cui fermarsi non può essere negativo.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or take a part of the data.</source>
+        <translation>La memoria non basta per decimare questa mesh. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>point %1 is not in the dataset</source>
+        <translation>il punto %1 non è nell&apos;insieme di dati</translation>
+    </message>
+    <message>
+        <source>the error before it is not a number of at least 0</source>
+        <translation>l&apos;errore precedente non è un numero da 0 in su</translation>
+    </message>
+    <message>
+        <source>The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.</source>
+        <translation>La storia ha più di 4294967295 tetraedri. Chiedere un errore più grande, o costruire a blocchi.</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of its star has a site that comes after it</source>
+        <translation>un tetraedro della sua stella ha un sito che viene dopo di esso</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of its star has a site twice</source>
+        <translation>un tetraedro della sua stella ha due volte un sito</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of its star has an error or a warping that is not a number of at least 0</source>
+        <translation>un tetraedro della sua stella ha un errore o una deformazione che non è un numero da 0 in su</translation>
+    </message>
+    <message>
+        <source>it destroys tetrahedron %1, which is not in the mesh</source>
+        <translation>distrugge il tetraedro %1, che non è nella mesh</translation>
+    </message>
+    <message>
+        <source>it destroys tetrahedron %1 twice</source>
+        <translation>distrugge due volte il tetraedro %1</translation>
+    </message>
+    <message>
+        <source>The finest mesh would have about %1 tetrahedra, and a model holds meshes of at most %2. Ask for a larger error, or take a part of the dataset.</source>
+        <translation>La mesh più fine avrebbe circa %1 tetraedri, e un modello contiene mesh di al massimo %2. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
+    </message>
+    <message>
+        <source>%1. Start the build again.</source>
+        <translation>%1. Riavviare la costruzione.</translation>
+    </message>
+    <message>
+        <source>it is not what was written. Start the build again.</source>
+        <translation>non è ciò che era stato scritto. Riavviare la costruzione.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;, which this build had written: %2</source>
+        <translation>«%1», che questa costruzione aveva scritto, non può essere letto: %2</translation>
+    </message>
+    <message>
+        <source>Refining the blocks</source>
+        <translation>Raffinamento dei blocchi</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine blocks of this size. Close other programs, use fewer threads or choose smaller blocks.</source>
+        <translation>La memoria non basta per raffinare blocchi di queste dimensioni. Chiudere altri programmi, usare meno thread o scegliere blocchi più piccoli.</translation>
+    </message>
+    <message>
+        <source>The model would have more than 4294967294 sites. Ask for a larger error, or take a part of the dataset.</source>
+        <translation>Il modello avrebbe più di 4294967294 siti. Chiedere un errore più grande, o prendere una parte dell&apos;insieme di dati.</translation>
+    </message>
+    <message>
+        <source>Merging the blocks</source>
+        <translation>Unione dei blocchi</translation>
+    </message>
+    <message>
+        <source>Numbering the sites</source>
+        <translation>Numerazione dei siti</translation>
+    </message>
+    <message>
+        <source>Not enough memory to merge the blocks. Close other programs, or ask for a larger error.</source>
+        <translation>La memoria non basta per unire i blocchi. Chiudere altri programmi, o chiedere un errore più grande.</translation>
+    </message>
+    <message>
+        <source>its star offsets do not fit its mesh sizes</source>
+        <translation>gli inizi delle stelle non corrispondono alle dimensioni delle mesh</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 sites has %2 tetrahedra instead of %3</source>
+        <translation>la mesh di %1 siti ha %2 tetraedri invece di %3</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of site %1 or soon after has a site that comes after its creator</source>
+        <translation>un tetraedro del sito %1 o poco dopo ha un sito che viene dopo il suo creatore</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of site %1 has a site that comes after its creator</source>
+        <translation>un tetraedro del sito %1 ha un sito che viene dopo il suo creatore</translation>
+    </message>
+    <message>
+        <source>the mesh of %1 sites has more than the %2 tetrahedra that it should have</source>
+        <translation>la mesh di %1 siti ha più dei %2 tetraedri che dovrebbe avere</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 sites, fewer than the %3 asked for.</source>
+        <translation>«%1» ha %2 siti, meno dei %3 richiesti.</translation>
+    </message>
+    <message>
+        <source>The first %1 sites of &apos;%2&apos; have no mesh of their own: site %3 enters together with the one before it.</source>
+        <translation>I primi %1 siti di «%2» non hanno una mesh propria: il sito %3 entra insieme a quello precedente.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a mesh of %1 sites. Choose a larger error.</source>
+        <translation>La memoria non basta per una mesh di %1 siti. Scegliere un errore più grande.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; ends in neither .csv nor .json, the formats in which statistics are written. Choose one of these endings.</source>
+        <translation>«%1» non termina né in .csv né in .json, i formati in cui si scrivono le statistiche. Scegliere una di queste estensioni.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or build it again.</source>
+        <translation>«%1» è danneggiato: %2. Copiare di nuovo il file, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is cut short: it has %2 bytes and should have %3. Copy the file again, or build it again.</source>
+        <translation>«%1» è troncato: ha %2 byte e dovrebbe averne %3. Copiare di nuovo il file, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. Models are made by &apos;tan build&apos;.</source>
+        <translation>«%1» è vuoto. I modelli si costruiscono da insiemi di dati.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a TAn model: it does not begin like one. Models are made by &apos;tan build&apos;.</source>
+        <translation>«%1» non è un modello TAn: non comincia come tale. I modelli si costruiscono da insiemi di dati.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was written with the other byte order. Build it again on this machine.</source>
+        <translation>«%1» è scritto nell&apos;altro ordine dei byte. Ricostruirlo su questo computer.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has format version %2.%3; this program reads up to version %4. Install a later version of TAn.</source>
+        <translation>«%1» ha la versione di formato %2.%3; questo programma legge fino alla versione %4. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>its header makes no sense</source>
+        <translation>la sua intestazione non ha senso</translation>
+    </message>
+    <message>
+        <source>the checksum of its header is wrong</source>
+        <translation>la somma di controllo della sua intestazione è sbagliata</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes and should have %2</source>
+        <translation>ha %1 byte e dovrebbe averne %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a model of domain class %2, which this version cannot read. Install a later version of TAn.</source>
+        <translation>«%1» è un modello della classe %2, che questa versione non sa leggere. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has samples of type %2, which this version cannot read. Install a later version of TAn.</source>
+        <translation>«%1» ha campioni di tipo %2, che questa versione non sa leggere. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>a lattice of %1 x %2 x %3 points is impossible</source>
+        <translation>un reticolo di %1 x %2 x %3 punti è impossibile</translation>
+    </message>
+    <message>
+        <source>the spacing or the origin of its lattice makes no sense</source>
+        <translation>la spaziatura o l&apos;origine del suo reticolo non ha senso</translation>
+    </message>
+    <message>
+        <source>%1 points cannot have %2 sites and %3 tetrahedra</source>
+        <translation>%1 punti non possono avere %2 siti e %3 tetraedri</translation>
+    </message>
+    <message>
+        <source>its value range or its final error makes no sense</source>
+        <translation>il suo intervallo di valori o il suo errore finale non ha senso</translation>
+    </message>
+    <message>
+        <source>its bounding box makes no sense</source>
+        <translation>il suo parallelepipedo limite non ha senso</translation>
+    </message>
+    <message>
+        <source>its warping weight or its handedness makes no sense</source>
+        <translation>il suo peso della deformazione o la sua orientazione non ha senso</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is there twice</source>
+        <translation>la sezione «%1» compare due volte</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; cannot begin at byte %2</source>
+        <translation>la sezione «%1» non può cominciare al byte %2</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; reaches beyond the end of the file</source>
+        <translation>la sezione «%1» va oltre la fine del file</translation>
+    </message>
+    <message>
+        <source>its last section ends at byte %1 of %2</source>
+        <translation>la sua ultima sezione finisce al byte %1 di %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs section %2, which this version does not know. Install a later version of TAn.</source>
+        <translation>«%1» richiede la sezione %2, che questa versione non conosce. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; packs its section &apos;%2&apos; with codec %3, which this version does not know. Install a later version of TAn.</source>
+        <translation>«%1» comprime la sezione «%2» con il codec %3, che questa versione non conosce. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>its text section is missing or too long</source>
+        <translation>la sua sezione di testo manca o è troppo lunga</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is missing</source>
+        <translation>manca la sezione «%1»</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; has %2 bytes in elements of %3 instead of %4 elements of %5</source>
+        <translation>la sezione «%1» ha %2 byte in elementi di %3 invece di %4 elementi di %5</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: the names and parameters of the model are longer than 1 MiB. Shorten them.</source>
+        <translation>«%1» non può essere scritto: i nomi e i parametri del modello superano 1 MiB. Accorciarli.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: the checksum of its history kind is wrong. Copy the file again, or build it again.</source>
+        <translation>«%1» è danneggiato: la somma di controllo del tipo di storia è sbagliata. Copiare di nuovo il file, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a history of kind %2, which this version cannot read. Install a later version of TAn.</source>
+        <translation>«%1» ha una storia di tipo %2, che questa versione non sa leggere. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: the checksum of its text is wrong. Copy the file again, or build it again.</source>
+        <translation>«%1» è danneggiato: la somma di controllo del suo testo è sbagliata. Copiare di nuovo il file, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>Checking the model&apos;s file</source>
+        <translation>Controllo del file del modello</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was open. Open it again; if that fails, copy the file again, or build it again.</source>
+        <translation>«%1» è stato troncato o cambiato mentre era aperto. Aprirlo di nuovo; se non riesce, copiare di nuovo il file, o ricostruirlo.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; made another history than it had announced. Nothing was written; report this to its author.</source>
+        <translation>La costruzione «%1» ha fatto una storia diversa da quella annunciata. Nulla è stato scritto; segnalarlo al suo autore.</translation>
+    </message>
+    <message>
+        <source>its warping weight is %1</source>
+        <translation>il suo peso della deformazione è %1</translation>
+    </message>
+    <message>
+        <source>meshes of irregular data are not Delaunay ones</source>
+        <translation>le mesh di dati irregolari non sono di Delaunay</translation>
+    </message>
+    <message>
+        <source>its blocks have %1 x %2 x %3 cells</source>
+        <translation>i suoi blocchi hanno %1 x %2 x %3 celle</translation>
+    </message>
+    <message>
+        <source>%1 data need a warping weight</source>
+        <translation>questi dati (%1) richiedono un peso della deformazione</translation>
+    </message>
+    <message>
+        <source>a model needs at least the sites of a first mesh</source>
+        <translation>un modello richiede almeno i siti di una prima mesh</translation>
+    </message>
+    <message>
+        <source>the final error is not a number of at least 0</source>
+        <translation>l&apos;errore finale non è un numero da 0 in su</translation>
+    </message>
+    <message>
+        <source>The build was stopped before there was a mesh of known error, so there is nothing to keep.</source>
+        <translation>La costruzione è stata fermata prima che ci fosse una mesh di errore noto, perciò non c&apos;è nulla da conservare.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; made a history that is wrong at site %2: %3. Nothing was written; report this to its author.</source>
+        <translation>La costruzione «%1» ha fatto una storia sbagliata al sito %2: %3. Nulla è stato scritto; segnalarlo al suo autore.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos; after %2 sites. Ask for a larger error, or close other programs.</source>
+        <translation>Dopo %2 siti la memoria non basta per scrivere «%1». Chiedere un errore più grande, o chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>A model holds at most 4294967296 points, and &apos;%1&apos; has %2. Take a part of it.</source>
+        <translation>Un modello contiene al massimo 4294967296 punti, e «%1» ne ha %2. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>a tetrahedron dies before it is made</source>
+        <translation>un tetraedro viene distrutto prima di essere creato</translation>
+    </message>
+    <message>
+        <source>Looking at the history</source>
+        <translation>Esame della storia</translation>
+    </message>
+    <message>
+        <source>its destroyers changed while they were read</source>
+        <translation>i suoi distruttori sono cambiati durante la lettura</translation>
+    </message>
+    <message>
+        <source>Choosing the sites</source>
+        <translation>Scelta dei siti</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
+        <translation>La mesh più grossolana di «%1» ha %2 tetraedri, più del limite di %3. Permetterne almeno altrettanti.</translation>
+    </message>
+    <message>
+        <source>its running errors do not bound the tetrahedra&apos;s own ones</source>
+        <translation>i suoi errori correnti non limitano quelli propri dei tetraedri</translation>
+    </message>
+    <message>
+        <source>its tetrahedra do not fit its mesh sizes</source>
+        <translation>i suoi tetraedri non corrispondono alle dimensioni delle mesh</translation>
+    </message>
+    <message>
+        <source>its mesh sizes make no sense</source>
+        <translation>le dimensioni delle sue mesh non hanno senso</translation>
+    </message>
+    <message>
+        <source>a tetrahedron has a site that its creator does not need</source>
+        <translation>un tetraedro ha un sito di cui il suo creatore non ha bisogno</translation>
+    </message>
+    <message>
+        <source>its coarse tetrahedra do not fit together</source>
+        <translation>i suoi tetraedri grossolani non combaciano</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not made by inserting points into Delaunay meshes, so none can be inserted now. Use a closed set, or the automatic choice.</source>
+        <translation>«%1» non è stato fatto inserendo punti in mesh di Delaunay, perciò ora non se ne possono inserire. Usare un insieme chiuso, o la scelta automatica.</translation>
+    </message>
+    <message>
+        <source>Looking at the mesh</source>
+        <translation>Esame della mesh</translation>
+    </message>
+    <message>
+        <source>The mesh of the focus became too large. Choose a larger error or a smaller focus.</source>
+        <translation>La mesh del focus è diventata troppo grande. Scegliere un errore maggiore o un focus più piccolo.</translation>
+    </message>
+    <message>
+        <source>a sample lies nowhere</source>
+        <translation>un campione non sta in nessun luogo</translation>
+    </message>
+    <message>
+        <source>a site is no point of its grid</source>
+        <translation>un sito non è un punto della sua griglia</translation>
+    </message>
+    <message>
+        <source>Refining the focus</source>
+        <translation>Raffinamento del focus</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.</source>
+        <translation>La memoria non basta per la mesh del focus. Scegliere un errore maggiore o un focus più piccolo.</translation>
+    </message>
+    <message>
+        <source>the end of the text</source>
+        <translation>la fine del testo</translation>
+    </message>
+    <message>
+        <source>fewer fields: at most %1, nested %2 deep</source>
+        <translation>meno campi: al massimo %1, annidati %2 volte</translation>
+    </message>
+    <message>
+        <source>a number or one of %1</source>
+        <translation>un numero o uno di %1</translation>
+    </message>
+    <message>
+        <source>a half-space whose first three numbers are not all 0</source>
+        <translation>un semispazio i cui primi tre numeri non sono tutti 0</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un numero</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>un numero finito</translation>
+    </message>
+    <message>
+        <source>a number, or the name of a field</source>
+        <translation>un numero, o il nome di un campo</translation>
+    </message>
+    <message>
+        <source>a number that is not negative</source>
+        <translation>un numero non negativo</translation>
+    </message>
+    <message>
+        <source>a number of less than 308 digits</source>
+        <translation>un numero di meno di 308 cifre</translation>
+    </message>
+    <message>
+        <source>The error field cannot be read at character %1: expected %2, but the text ends.</source>
+        <translation>Il campo d&apos;errore non può essere letto al carattere %1: ci si aspetta %2, ma il testo finisce.</translation>
+    </message>
+    <message>
+        <source>The error field cannot be read at character %1: expected %2, but there is &apos;%3&apos;.</source>
+        <translation>Il campo d&apos;errore non può essere letto al carattere %1: ci si aspetta %2, ma c&apos;è «%3».</translation>
+    </message>
+    <message>
+        <source>Extracting a range of meshes</source>
+        <translation>Estrazione di un intervallo di mesh</translation>
+    </message>
+    <message>
+        <source>the meshes of %1 and %2 sites do not have the %3 and %4 tetrahedra that they should have</source>
+        <translation>le mesh di %1 e %2 siti non hanno i %3 e %4 tetraedri che dovrebbero avere</translation>
+    </message>
+    <message>
+        <source>a tetrahedron of site %1 is destroyed by a site that does not come after it</source>
+        <translation>un tetraedro del sito %1 è distrutto da un sito che non viene dopo di esso</translation>
+    </message>
+    <message>
+        <source>its first sites have an error</source>
+        <translation>i suoi primi siti hanno un errore</translation>
+    </message>
+    <message>
+        <source>Meshes of several accuracies cannot be cut at a window: what is cut has no life of its own. Ask for the tetrahedra that intersect the window, or that it contains.</source>
+        <translation>Mesh di più accuratezze non si possono tagliare a una finestra: ciò che è tagliato non ha vita propria. Chiedere i tetraedri che intersecano la finestra, o che essa contiene.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.</source>
+        <translation>La memoria non basta per tutte le mesh fino a %1 siti. Scegliere un errore più grande, o una finestra.</translation>
+    </message>
+    <message>
+        <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
+        <translation>La mesh più grossolana ha %1 tetraedri, più del limite di %2. Permetterne almeno altrettanti.</translation>
+    </message>
+    <message>
+        <source>%1. Use a closed set, or the automatic choice.</source>
+        <translation>%1. Usare un insieme chiuso, o la scelta automatica.</translation>
+    </message>
+    <message>
+        <source>Insertion is for lattices and curvilinear grids, not for scattered points</source>
+        <translation>L&apos;inserimento è per reticoli e griglie curvilinee, non per punti sparsi</translation>
+    </message>
+    <message>
+        <source>Insertion needs a model made by refinement, whose meshes are Delaunay ones</source>
+        <translation>L&apos;inserimento richiede un modello fatto per raffinamento, le cui mesh sono di Delaunay</translation>
+    </message>
+    <message>
+        <source>Insertion needs all samples of the dataset, which this model&apos;s file does not hold</source>
+        <translation>L&apos;inserimento richiede tutti i campioni dell&apos;insieme di dati, che il file di questo modello non contiene</translation>
+    </message>
+    <message>
+        <source>Insertion into a lattice is for one box, sphere or half-space of smaller error</source>
+        <translation>L&apos;inserimento in un reticolo è per un parallelepipedo, una sfera o un semispazio di errore minore</translation>
+    </message>
+    <message>
+        <source>Insertion within a budget needs a sharp border, or an error of at least %1 to fall off from</source>
+        <translation>L&apos;inserimento entro un budget richiede un bordo netto, o un errore di almeno %1 da cui decrescere</translation>
+    </message>
+    <message>
+        <source>Insertion does not know how this model was built, or its grid is too large</source>
+        <translation>L&apos;inserimento non sa come questo modello è stato costruito, o la sua griglia è troppo grande</translation>
+    </message>
+    <message>
+        <source>Trying what the budget allows</source>
+        <translation>Prova di ciò che il budget permette</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.</source>
+        <translation>La memoria non basta per questa mesh. Scegliere un errore maggiore, un focus più piccolo o un limite.</translation>
+    </message>
+    <message>
+        <source>The smallest %1 of the crop box, %2, is larger than its largest, %3. Swap them.</source>
+        <translation>Il %1 minimo della finestra, %2, è maggiore del massimo, %3. Scambiarli.</translation>
+    </message>
+    <message>
+        <source>The largest error is not a number somewhere. Give it in percent everywhere.</source>
+        <translation>L&apos;errore massimo in qualche punto non è un numero. Indicarlo ovunque in percentuale.</translation>
+    </message>
+    <message>
+        <source>The largest warping is not a number somewhere. Give it in percent everywhere.</source>
+        <translation>La deformazione massima in qualche punto non è un numero. Indicarla ovunque in percentuale.</translation>
+    </message>
+    <message>
+        <source>A budget of no tetrahedra allows no mesh of &apos;%1&apos;.</source>
+        <translation>Un budget di zero tetraedri non permette nessuna mesh di «%1».</translation>
+    </message>
+    <message>
+        <source>A range of values goes from a smaller number to a larger one: %1 and %2 do not.</source>
+        <translation>Un intervallo di valori va da un numero più piccolo a uno più grande: %1 e %2 no.</translation>
+    </message>
+    <message>
+        <source>a site is no point of its lattice</source>
+        <translation>un sito non è un punto del suo reticolo</translation>
+    </message>
+    <message>
+        <source>The error in the focus is larger than that outside. Swap them.</source>
+        <translation>L&apos;errore nel focus è maggiore di quello esterno. Scambiarli.</translation>
+    </message>
+    <message>
+        <source>Cutting at the window</source>
+        <translation>Taglio alla finestra</translation>
+    </message>
+    <message>
+        <source>The mesh that is cut at the window has more vertices than fit: choose a larger error or a smaller window.</source>
+        <translation>La mesh tagliata alla finestra ha troppi vertici: scegliere un errore più grande o una finestra più piccola.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller window.</source>
+        <translation>La memoria non basta per tagliare a una finestra una mesh di %1 tetraedri. Scegliere un errore più grande o una finestra più piccola.</translation>
+    </message>
+    <message>
+        <source>the checksum of section &apos;%1&apos; is wrong</source>
+        <translation>la somma di controllo della sezione «%1» è sbagliata</translation>
+    </message>
+    <message>
+        <source>chunks of %1 bytes cannot be</source>
+        <translation>pezzi di %1 byte sono impossibili</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; has %2 bytes instead of %3 elements of 8</source>
+        <translation>la sezione «%1» ha %2 byte invece di %3 elementi da 8</translation>
+    </message>
+    <message>
+        <source>its star offsets do not fit its tetrahedra</source>
+        <translation>gli inizi delle stelle non corrispondono ai tetraedri</translation>
+    </message>
+    <message>
+        <source>the star offsets of site %1 make no sense</source>
+        <translation>gli inizi delle stelle del sito %1 non hanno senso</translation>
+    </message>
+    <message>
+        <source>%1 was cancelled.</source>
+        <translation>Annullato: %1.</translation>
+    </message>
+    <message>
+        <source>regular</source>
+        <translation>regolare</translation>
+    </message>
+    <message>
+        <source>curvilinear</source>
+        <translation>curvilineo</translation>
+    </message>
+    <message>
+        <source>irregular</source>
+        <translation>irregolare</translation>
+    </message>
+    <message>
+        <source>scattered</source>
+        <translation>sparso</translation>
+    </message>
+    <message>
+        <source>Ordering the mesh</source>
+        <translation>Ordinamento della mesh</translation>
+    </message>
+    <message>
+        <source>A tetrahedron has a corner that does not exist.</source>
+        <translation>Un tetraedro ha un vertice che non esiste.</translation>
+    </message>
+    <message>
+        <source>The mesh and its values do not belong together.</source>
+        <translation>La mesh e i suoi valori non vanno insieme.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to put the mesh in spatial order. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per ordinare la mesh nello spazio. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>the state of the refinement&apos;s tetrahedra</source>
+        <translation>lo stato dei tetraedri del raffinamento</translation>
+    </message>
+    <message>
+        <source>the numbers of the sites</source>
+        <translation>i numeri dei siti</translation>
+    </message>
+    <message>
+        <source>The mesh grew beyond what was reserved for it.</source>
+        <translation>La mesh è cresciuta oltre ciò che era riservato per essa.</translation>
+    </message>
+    <message>
+        <source>The grid has too many points to be refined: coordinates take more than 32 bits. Crop or subsample it.</source>
+        <translation>La griglia ha troppi punti per essere raffinata: le coordinate richiedono più di 32 bit. Ritagliarla o sottocampionarla.</translation>
+    </message>
+    <message>
+        <source>Distributing the points</source>
+        <translation>Distribuzione dei punti</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>La memoria non basta per raffinare questa griglia. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>%1 A tetrahedral mesh needs four points that do not lie in one plane.</source>
+        <translation>%1 Una mesh di tetraedri richiede quattro punti che non giacciono in un piano.</translation>
+    </message>
+    <message>
+        <source>There are only %1 points.</source>
+        <translation>Ci sono solo %1 punti.</translation>
+    </message>
+    <message>
+        <source>All points lie on one place.</source>
+        <translation>Tutti i punti stanno nello stesso luogo.</translation>
+    </message>
+    <message>
+        <source>All points lie on one line.</source>
+        <translation>Tutti i punti stanno su una retta.</translation>
+    </message>
+    <message>
+        <source>All points lie in one plane.</source>
+        <translation>Tutti i punti stanno in un piano.</translation>
+    </message>
+    <message>
+        <source>Points %1 and %2 (counted from 0) lie on the same place. Merge such points first.</source>
+        <translation>I punti %1 e %2 (contati da 0) stanno nello stesso luogo. Unire prima tali punti.</translation>
+    </message>
+    <message>
+        <source>Finding the convex hull</source>
+        <translation>Ricerca dell&apos;inviluppo convesso</translation>
+    </message>
+    <message>
+        <source>The refinement</source>
+        <translation>Il raffinamento</translation>
+    </message>
+    <message>
+        <source>Point %1 lies outside the convex hull that was computed. Coordinates of so different magnitudes cannot be used; scale them.</source>
+        <translation>Il punto %1 è fuori dall&apos;inviluppo convesso calcolato. Coordinate di grandezze così diverse non si possono usare; riscalarle.</translation>
+    </message>
+    <message>
+        <source>The history has more than 4 billion tetrahedra. Ask for a larger error.</source>
+        <translation>La storia ha più di 4 miliardi di tetraedri. Chiedere un errore più grande.</translation>
+    </message>
+    <message>
+        <source>At most 4294967294 scattered points can be refined. Take a part.</source>
+        <translation>Si possono raffinare al massimo 4294967294 punti sparsi. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine these points. Close other programs, use a machine with more memory, or take a part of the points.</source>
+        <translation>La memoria non basta per raffinare questi punti. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei punti.</translation>
+    </message>
+    <message>
+        <source>Refining</source>
+        <translation>Raffinamento</translation>
+    </message>
+    <message>
+        <source>the vertices of the mesh&apos;s tetrahedra</source>
+        <translation>i vertici dei tetraedri della mesh</translation>
+    </message>
+    <message>
+        <source>the state of the mesh&apos;s tetrahedra</source>
+        <translation>lo stato dei tetraedri della mesh</translation>
+    </message>
+    <message>
+        <source>the set of the mesh&apos;s points</source>
+        <translation>l&apos;insieme dei punti della mesh</translation>
+    </message>
+    <message>
+        <source>The lattice has too many points to be refined as a whole. Crop or subsample it.</source>
+        <translation>Il reticolo ha troppi punti per essere raffinato per intero. Ritagliarlo o sottocampionarlo.</translation>
+    </message>
+    <message>
+        <source>the tetrahedra of the refinement</source>
+        <translation>i tetraedri del raffinamento</translation>
+    </message>
+    <message>
+        <source>A block of the lattice needs two points along each axis and must not stick out. Choose another block size.</source>
+        <translation>Un blocco del reticolo richiede due punti lungo ogni asse e non deve sporgere. Scegliere un&apos;altra dimensione dei blocchi.</translation>
+    </message>
+    <message>
+        <source>A block of the lattice is too large to be refined with exact arithmetic. Choose a smaller block size.</source>
+        <translation>Un blocco del reticolo è troppo grande per essere raffinato con aritmetica esatta. Scegliere blocchi più piccoli.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or crop or subsample the data.</source>
+        <translation>La memoria non basta per raffinare questo reticolo. Chiudere altri programmi, usare un computer con più memoria, o prendere una parte dei dati.</translation>
+    </message>
+    <message>
+        <source>the lists of the refinement&apos;s points</source>
+        <translation>gli elenchi dei punti del raffinamento</translation>
+    </message>
+    <message>
+        <source>A lattice of %1 x %2 x %3 points is too large to be refined as a whole with exact arithmetic (512 x 512 x 512 is about the limit). Crop or subsample it.</source>
+        <translation>Un reticolo di %1 x %2 x %3 punti è troppo grande per essere raffinato per intero con aritmetica esatta (il limite è circa 512 x 512 x 512). Ritagliarlo o sottocampionarlo.</translation>
+    </message>
+    <message>
+        <source>More than %1 points cannot be refined at once. Crop or subsample the data.</source>
+        <translation>Non si possono raffinare insieme più di %1 punti. Ritagliare o sottocampionare i dati.</translation>
+    </message>
+    <message>
+        <source>the points of the refinement</source>
+        <translation>i punti del raffinamento</translation>
+    </message>
+    <message>
+        <source>the marks of the refinement&apos;s points</source>
+        <translation>i segni dei punti del raffinamento</translation>
+    </message>
+    <message>
+        <source>Finding the boundary</source>
+        <translation>Ricerca del contorno</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per il contorno della mesh. Ridurre la precisione della mesh.</translation>
+    </message>
+    <message>
+        <source>The boundary&apos;s opacity must be above 0 and at most 1.</source>
+        <translation>L&apos;opacità del contorno deve essere sopra 0 e al massimo 1.</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is not a number from %2 to %3 (%4).</source>
+        <translation>La chiave «%1» della camera non è un numero da %2 a %3 (%4).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is neither true nor false (%2).</source>
+        <translation>La chiave «%1» della camera non è né true né false (%2).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is none of x, -x, y, -y, z and -z (%2).</source>
+        <translation>La chiave «%1» della camera non è nessuno di x, -x, y, -y, z e -z (%2).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is not known (%2).</source>
+        <translation>La chiave «%1» della camera non è nota (%2).</translation>
+    </message>
+    <message>
+        <source>The key &quot;%1&quot; of the camera is not a list of three numbers (%2).</source>
+        <translation>La chiave «%1» della camera non è un elenco di tre numeri (%2).</translation>
+    </message>
+    <message>
+        <source>This is no camera. %1</source>
+        <translation>Questa non è una camera. %1</translation>
+    </message>
+    <message>
+        <source>This is no camera: it holds no JSON object, in braces.</source>
+        <translation>Questa non è una camera: non contiene un oggetto JSON, fra graffe.</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Disegno dell&apos;immagine</translation>
+    </message>
+    <message>
+        <source>The scene has more than two thousand million vertices.</source>
+        <translation>La scena ha più di due miliardi di vertici.</translation>
+    </message>
+    <message>
+        <source>OpenGL without a window needs EGL, and %1 cannot be loaded. Install it (Debian: libegl1), or use the CPU back end.</source>
+        <translation>OpenGL senza finestra richiede EGL, e %1 non può essere caricato. Installarlo (Debian: libegl1), o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2. Install EGL 1.4, or use the CPU back end.</source>
+        <translation>%1 non ha %2. Installare EGL 1.4, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>EGL gives no OpenGL 3.3 without a window on this machine. Install the card&apos;s driver or Mesa (Debian: libgl1-mesa-dri), or use the CPU back end.</source>
+        <translation>EGL su questo computer non dà OpenGL 3.3 senza finestra. Installare il driver della scheda o Mesa (Debian: libgl1-mesa-dri), o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The OpenGL context cannot be used, perhaps because the graphics card was reset. Use the CPU back end.</source>
+        <translation>Il contesto OpenGL non è utilizzabile, forse perché la scheda grafica è stata reinizializzata. Far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>A surface has too many triangles for OpenGL. Use the CPU back end.</source>
+        <translation>Una superficie ha troppi triangoli per OpenGL. Far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this surface. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per questa superficie. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this volume. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per questo volume. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>This OpenGL driver draws volumes of at most %1 vertices. Lower the accuracy of the mesh, or use the CPU back end.</source>
+        <translation>Questo driver OpenGL disegna volumi di al massimo %1 vertici. Ridurre l&apos;accuratezza della mesh, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>This machine&apos;s OpenGL driver refuses a shader of TAn. Use the CPU back end, or another driver. It says: %1</source>
+        <translation>Il driver OpenGL di questo computer rifiuta uno shader di TAn. Far disegnare il processore, o usare un altro driver. Dice: %1</translation>
+    </message>
+    <message>
+        <source>OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.</source>
+        <translation>OpenGL taglia le scene con al più %1 piani. Usarne meno, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for a picture of this size. Make it smaller, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per un&apos;immagine di queste dimensioni. Rimpicciolirla, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver cannot draw into floating-point textures, which OpenGL 3.3 demands. Use the CPU back end.</source>
+        <translation>Il driver OpenGL non sa disegnare in texture a virgola mobile, che OpenGL 3.3 richiede. Far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take fewer samples, or use the CPU back end.</source>
+        <translation>Questo driver OpenGL disegna al massimo %1 campioni per lato. Rimpicciolire l&apos;immagine, usare meno campioni, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver has no function %1, so it is older than OpenGL 3.3. Use the CPU back end, or another driver.</source>
+        <translation>Il driver OpenGL non ha la funzione %1, perciò è più vecchio di OpenGL 3.3. Far disegnare il processore, o usare un altro driver.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver has version %1.%2; TAn needs 3.3. Use the CPU back end, or another driver.</source>
+        <translation>Il driver OpenGL ha la versione %1.%2; TAn richiede la 3.3. Far disegnare il processore, o usare un altro driver.</translation>
+    </message>
+    <message>
+        <source>The graphics card has not enough memory for this picture. Make it smaller, or use the CPU back end.</source>
+        <translation>La memoria della scheda grafica non basta per questa immagine. Rimpicciolirla, o far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per un&apos;immagine di queste dimensioni e di questa scena. Rimpicciolire l&apos;immagine o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>The scene has more than four thousand million triangles.</source>
+        <translation>La scena ha più di quattro miliardi di triangoli.</translation>
+    </message>
+    <message>
+        <source>Drawing the volume</source>
+        <translation>Disegno del volume</translation>
+    </message>
+    <message>
+        <source>A volume of the scene and its transfer function do not belong together.</source>
+        <translation>Un volume della scena e la sua funzione di trasferimento non vanno insieme.</translation>
+    </message>
+    <message>
+        <source>Extracting the isosurface</source>
+        <translation>Estrazione dell&apos;isosuperficie</translation>
+    </message>
+    <message>
+        <source>The isovalue is not a number.</source>
+        <translation>L&apos;isovalore non è un numero.</translation>
+    </message>
+    <message>
+        <source>The mesh, its values, its gradients and its index do not belong together.</source>
+        <translation>La mesh, i suoi valori, i gradienti e l&apos;indice non vanno insieme.</translation>
+    </message>
+    <message>
+        <source>The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.</source>
+        <translation>L&apos;isosuperficie ha più di quattro miliardi di vertici. Ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per l&apos;isosuperficie. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>Extracting isosurfaces</source>
+        <translation>Estrazione delle isosuperfici</translation>
+    </message>
+    <message>
+        <source>An isovalue must be a finite number, and its opacity between 0 and 1.</source>
+        <translation>Un isovalore deve essere un numero finito, e la sua opacità fra 0 e 1.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per le isosuperfici. Mostrarne meno o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no clip plane: give four numbers nx,ny,nz,offset, the first three not all zero; points with nx x + ny y + nz z &gt;= offset are shown.</source>
+        <translation>«%1» non è un piano di taglio: dare quattro numeri nx,ny,nz,distanza, i primi tre non tutti nulli; si mostrano i punti con nx x + ny y + nz z &gt;= distanza.</translation>
+    </message>
+    <message>
+        <source>A surface of the scene has not one normal for each vertex.</source>
+        <translation>Una superficie della scena non ha una normale per ogni vertice.</translation>
+    </message>
+    <message>
+        <source>A surface of the scene has not one value or colour for each vertex.</source>
+        <translation>Una superficie della scena non ha un valore o un colore per ogni vertice.</translation>
+    </message>
+    <message>
+        <source>A triangle of the scene has a corner that does not exist.</source>
+        <translation>Un triangolo della scena ha un vertice che non esiste.</translation>
+    </message>
+    <message>
+        <source>A line of the scene has an end that does not exist.</source>
+        <translation>Una linea della scena ha un estremo che non esiste.</translation>
+    </message>
+    <message>
+        <source>A picture cannot be %1 x %2 pixels. Each side must be 1 to %3.</source>
+        <translation>Un&apos;immagine non può essere di %1 x %2 pixel. Ogni lato deve essere da 1 a %3.</translation>
+    </message>
+    <message>
+        <source>The samples per axis of a pixel must be 1 to 4.</source>
+        <translation>I campioni per asse di un pixel devono essere da 1 a 4.</translation>
+    </message>
+    <message>
+        <source>The number of threads must not be negative; 0 means all.</source>
+        <translation>Il numero di thread non può essere negativo; 0 significa tutti.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>La memoria non basta per disegnare questa mesh come volume. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>The mesh has more than a thousand million tetrahedra, too many to be drawn at once. Lower its accuracy.</source>
+        <translation>La mesh ha più di un miliardo di tetraedri, troppi per essere disegnati insieme. Ridurne l&apos;accuratezza.</translation>
+    </message>
+    <message>
+        <source>The transfer function has more than 65,000 points. Leave some out.</source>
+        <translation>La funzione di trasferimento ha più di 65 000 punti. Ometterne alcuni.</translation>
+    </message>
+    <message>
+        <source>Preparing the volume</source>
+        <translation>Preparazione del volume</translation>
+    </message>
+    <message>
+        <source>Ordering the tetrahedra</source>
+        <translation>Ordinamento dei tetraedri</translation>
+    </message>
+    <message>
+        <source>A picture must have 1 to %1 samples a side. Draw a larger one in parts.</source>
+        <translation>Un&apos;immagine deve avere da 1 a %1 campioni per lato. Disegnarne una più grande a parti.</translation>
+    </message>
+    <message>
+        <source>The mesh, its transfer function and its order do not belong together.</source>
+        <translation>La mesh, la sua funzione di trasferimento e il suo ordine non vanno insieme.</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be used: %2.</source>
+        <translation>La preimpostazione «%1» non può essere usata: %2.</translation>
+    </message>
+    <message>
+        <source>a value is not a finite number</source>
+        <translation>un valore non è un numero finito</translation>
+    </message>
+    <message>
+        <source>its values do not ascend: %1 comes after %2</source>
+        <translation>i suoi valori non crescono: %1 viene dopo %2</translation>
+    </message>
+    <message>
+        <source>it has neither colours nor opacities</source>
+        <translation>non ha né colori né opacità</translation>
+    </message>
+    <message>
+        <source>its colours go by the logarithm, and its values are not all positive</source>
+        <translation>i suoi colori seguono il logaritmo, e non tutti i suoi valori sono positivi</translation>
+    </message>
+    <message>
+        <source>a channel of a colour lies outside 0 to 1</source>
+        <translation>un canale di un colore è fuori da 0 a 1</translation>
+    </message>
+    <message>
+        <source>an opacity, a midpoint or a sharpness lies outside 0 to 1</source>
+        <translation>un&apos;opacità, un punto medio o una nitidezza è fuori da 0 a 1</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read: %1 (%2).</source>
+        <translation>La preimpostazione di ParaView non può essere letta: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of numbers, %2 for each point</source>
+        <translation>«%1» deve essere un elenco di numeri, %2 per ogni punto</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds something that is no number</source>
+        <translation>«%1» contiene qualcosa che non è un numero</translation>
+    </message>
+    <message>
+        <source>the colour space &apos;%1&apos; is not known here; choose another one in ParaView&apos;s colour map editor</source>
+        <translation>lo spazio di colore «%1» qui non è noto; sceglierne un altro nell&apos;editor delle mappe di colore di ParaView</translation>
+    </message>
+    <message>
+        <source>a preset must be an object, in braces</source>
+        <translation>una preimpostazione deve essere un oggetto, tra graffe</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has colours for categories and none for values in between</source>
+        <translation>«%1» ha colori per categorie e nessuno per i valori intermedi</translation>
+    </message>
+    <message>
+        <source>the list is empty</source>
+        <translation>l&apos;elenco è vuoto</translation>
+    </message>
+    <message>
+        <source>The ParaView preset cannot be read: %1.</source>
+        <translation>La preimpostazione di ParaView non può essere letta: %1.</translation>
+    </message>
+    <message>
+        <source>a point&apos;s attribute &apos;%1&apos; is &apos;%2&apos; and no number</source>
+        <translation>l&apos;attributo «%1» di un punto è «%2» e non un numero</translation>
+    </message>
+    <message>
+        <source>the name of a colour map is not UTF-8</source>
+        <translation>il nome di una mappa di colori non è UTF-8</translation>
+    </message>
+    <message>
+        <source>the colour space &apos;%1&apos; of &apos;%2&apos; is not known here</source>
+        <translation>lo spazio di colore «%1» di «%2» qui non è noto</translation>
+    </message>
+    <message>
+        <source>the XML is damaged at byte %1: %2</source>
+        <translation>l&apos;XML è danneggiato al byte %1: %2</translation>
+    </message>
+    <message>
+        <source>there is no ColorMap element in it</source>
+        <translation>non contiene un elemento ColorMap</translation>
+    </message>
+    <message>
+        <source>The transfer function cannot be read. %1</source>
+        <translation>La funzione di trasferimento non può essere letta. %1</translation>
+    </message>
+    <message>
+        <source>has no finite value.</source>
+        <translation>non ha un valore finito.</translation>
+    </message>
+    <message>
+        <source>has a group outside 0 to 9.</source>
+        <translation>ha un gruppo fuori da 0 a 9.</translation>
+    </message>
+    <message>
+        <source>has a smaller value than the point before it. Put them in ascending order.</source>
+        <translation>ha un valore minore del punto precedente. Metterli in ordine crescente.</translation>
+    </message>
+    <message>
+        <source>is the third of its value. Two make a step; leave out those between.</source>
+        <translation>è il terzo del suo valore. Due formano un gradino; omettere quelli in mezzo.</translation>
+    </message>
+    <message>
+        <source>Colour %1 of the transfer function %2</source>
+        <translation>Il colore %1 della funzione di trasferimento %2</translation>
+    </message>
+    <message>
+        <source>has a channel outside 0 to 1.</source>
+        <translation>ha un canale fuori da 0 a 1.</translation>
+    </message>
+    <message>
+        <source>Opacity %1 of the transfer function %2</source>
+        <translation>L&apos;opacità %1 della funzione di trasferimento %2</translation>
+    </message>
+    <message>
+        <source>is outside 0 to 1.</source>
+        <translation>è fuori da 0 a 1.</translation>
+    </message>
+    <message>
+        <source>The mask of a transfer function must be a range of finite values.</source>
+        <translation>La maschera di una funzione di trasferimento deve essere un intervallo di valori finiti.</translation>
+    </message>
+    <message>
+        <source>The unit distance of a transfer function must be a length above zero.</source>
+        <translation>La distanza unitaria di una funzione di trasferimento deve essere una lunghezza sopra zero.</translation>
+    </message>
+    <message>
+        <source>%1 must be a number that fits</source>
+        <translation>%1 deve essere un numero adatto</translation>
+    </message>
+    <message>
+        <source>%1 must be an object, in braces</source>
+        <translation>%1 deve essere un oggetto, tra graffe</translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;%2&quot;</source>
+        <translation>%1 non ha «%2»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known here</source>
+        <translation>«%1» qui non è noto</translation>
+    </message>
+    <message>
+        <source>a colour must be three numbers in brackets</source>
+        <translation>un colore deve essere tre numeri tra parentesi quadre</translation>
+    </message>
+    <message>
+        <source>a channel</source>
+        <translation>un canale</translation>
+    </message>
+    <message>
+        <source>a colour</source>
+        <translation>un colore</translation>
+    </message>
+    <message>
+        <source>an opacity</source>
+        <translation>un&apos;opacità</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>un punto</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list, in brackets</source>
+        <translation>«%1» deve essere un elenco, tra parentesi quadre</translation>
+    </message>
+    <message>
+        <source>a mask</source>
+        <translation>una maschera</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; is not &quot;%1&quot;</source>
+        <translation>«format» non è «%1»</translation>
+    </message>
+    <message>
+        <source>this program knows versions 1 to %1</source>
+        <translation>questo programma conosce le versioni da 1 a %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>spento</translation>
+    </message>
+    <message>
+        <source>translucent</source>
+        <translation>traslucido</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>valori</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Shows where the mesh ends, holes and cavities included: &apos;translucent&apos; in one light colour, so that one sees what is inside within its walls, or in the colours that the transfer function gives the &apos;values&apos; there.</source>
+        <translation>Mostra dove finisce la mesh, con fori e cavità: «traslucido» in un solo colore chiaro, così che si veda che cosa c&apos;è dentro le sue pareti, oppure con i colori che la funzione di trasferimento dà ai «valori» in quei punti.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacità</translation>
+    </message>
+    <message>
+        <source>The opacity of a translucent boundary; 1 hides what lies behind.</source>
+        <translation>L&apos;opacità di un contorno traslucido; 1 nasconde ciò che sta dietro.</translation>
+    </message>
+    <message>
+        <source>Back faces only</source>
+        <translation>Solo facce posteriori</translation>
+    </message>
+    <message>
+        <source>Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.</source>
+        <translation>Mostra solo le pareti lontane del bordo, dall&apos;interno, e tralascia quelle rivolte verso la camera.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isovalori</translation>
+    </message>
+    <message>
+        <source>The values whose surfaces are shown, each with its colour and opacity.</source>
+        <translation>I valori di cui si mostrano le superfici, ciascuno con colore e opacità.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Funzione di trasferimento</translation>
+    </message>
+    <message>
+        <source>The colour and the opacity of each value.</source>
+        <translation>Il colore e l&apos;opacità di ogni valore.</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Ombreggiato</translation>
+    </message>
+    <message>
+        <source>Lights the volume, as if a surface lay across the direction in which its values change most.</source>
+        <translation>Illumina il volume, come se una superficie stesse di traverso alla direzione in cui i valori cambiano di più.</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Parallelepipedo limite</translation>
+    </message>
+    <message>
+        <source>Shows the edges of the box that the data fill.</source>
+        <translation>Mostra gli spigoli del parallelepipedo che i dati riempiono.</translation>
+    </message>
+    <message>
+        <source>Clip planes</source>
+        <translation>Piani di taglio</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z &gt;= offset.</source>
+        <translation>Taglia via ciò che sta davanti a un piano: nx,ny,nz,offset mostra i punti con nx x + ny y + nz z &gt;= offset.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Errore</translation>
+    </message>
+    <message>
+        <source>% of the value range</source>
+        <translation>% dell&apos;intervallo dei valori</translation>
+    </message>
+    <message>
+        <source>Warping</source>
+        <translation>Deformazione</translation>
+    </message>
+    <message>
+        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
+    </message>
+    <message>
+        <source>% of the diagonal</source>
+        <translation>% della diagonale</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesi</translation>
+    </message>
+    <message>
+        <source>Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by &apos;;&apos;. Errors there count in full, falling linearly to a tenth (or to &apos;,floor&apos; at the end) at the distance &apos;reach&apos;; the largest weight holds. Examples: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</source>
+        <translation>Dove conta l&apos;accuratezza: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach o value:q,reach, più di uno separati da &apos;;&apos;. Lì gli errori contano per intero e calano linearmente a un decimo (o a &apos;,floor&apos; alla fine) alla distanza &apos;reach&apos;; vale il peso maggiore. Esempi: &apos;point:16,16,8,10&apos;, &apos;value:120,15,0.05&apos;.</translation>
+    </message>
+    <message>
+        <source>rounds</source>
+        <translation>a turni</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordine</translation>
+    </message>
+    <message>
+        <source>Which point goes next: &apos;exact&apos; takes the one whose loss does the least harm, for the fewest points; &apos;paper&apos; estimates that by gradients and planes, as the paper did; &apos;rounds&apos; takes many points at a time that do not touch, so that a focus region needs the least besides.</source>
+        <translation>Quale punto togliere per primo: &apos;exact&apos; quello la cui perdita fa meno danno, per il minor numero di punti; &apos;paper&apos; lo stima con gradienti e piani, come faceva l&apos;articolo; &apos;rounds&apos; toglie molti punti per volta che non si toccano, così che una regione di focus richieda meno all&apos;intorno.</translation>
+    </message>
+    <message>
+        <source>An irregular mesh: decimation keeps its shape and its cavities.</source>
+        <translation>Una mesh irregolare: la decimazione ne conserva la forma e le cavità.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Una griglia curvilinea: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.</source>
+        <translation>Un reticolo regolare: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
+        <translation>L&apos;errore a cui fermarsi; 0 prosegue fino alla mesh più grossolana.</translation>
+    </message>
+    <message>
+        <source>Finest error</source>
+        <translation>Errore più fine</translation>
+    </message>
+    <message>
+        <source>Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps everything.</source>
+        <translation>Tralascia dal modello le mesh con errori minori, così che sia più piccolo; 0 conserva tutto.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Blocco</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
+        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>celle</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatico</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <source>The block size &apos;%1&apos; is neither &quot;automatic&quot; nor &quot;none&quot; nor a number of cells of at least 1.</source>
+        <translation>La dimensione «%1» dei blocchi non è né «automatic» né «none» né un numero di celle da 1.</translation>
+    </message>
+    <message>
+        <source>A regular lattice: refinement keeps the exact domain and needs the least time.</source>
+        <translation>Un reticolo regolare: il raffinamento conserva esattamente il dominio e richiede il tempo minore.</translation>
+    </message>
+    <message>
+        <source>A curvilinear grid: refinement in computational space bounds both error and warping.</source>
+        <translation>Una griglia curvilinea: il raffinamento nello spazio computazionale limita sia l&apos;errore sia la deformazione.</translation>
+    </message>
+    <message>
+        <source>Scattered points: refinement fills their convex hull.</source>
+        <translation>Punti sparsi: il raffinamento riempie il loro inviluppo convesso.</translation>
+    </message>
+    <message>
+        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
+        <translation>L&apos;errore a cui fermarsi; 0 conserva tutto, così poi si può mostrare qualsiasi accuratezza.</translation>
+    </message>
+    <message>
+        <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>
+        <translation>La preimpostazione «%1» non può essere modificata: %2. Controllare i permessi della cartella, e che ci sia spazio.</translation>
+    </message>
+    <message>
+        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
+        <translation>L&apos;asse dei valori resta lineare: uno logaritmico non ha posto per zero e meno, e i dati o i punti cominciano a %1. Spostare i punti sopra zero, o scegliere dati di valori positivi.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no points of a transfer function. Copy some here or in another window. %1</source>
+        <translation>Gli appunti non contengono punti di una funzione di trasferimento. Copiarne alcuni qui o in un&apos;altra finestra. %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no colour. Give #rrggbb in hexadecimal, or one of %2.</source>
+        <translation>«%1» non è un colore. Indicare #rrggbb in esadecimale, o uno di %2.</translation>
+    </message>
+    <message>
+        <source>It is written for plugin interface %1, and this program has %2. Install a newer version of TAn, or an older one of the plugin.</source>
+        <translation>È scritto per l&apos;interfaccia dei plugin %1, e questo programma ha la %2. Installare una versione più recente di TAn, o una meno recente del plugin.</translation>
+    </message>
+    <message>
+        <source>It is written for plugin interface %1, and this program has %2. Install a newer version of the plugin.</source>
+        <translation>È scritto per l&apos;interfaccia dei plugin %1, e questo programma ha la %2. Installare una versione più recente del plugin.</translation>
+    </message>
+    <message>
+        <source>Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>I suoi metadati indicano un tipo (%1), ma implementa %2 invece di %3. Chiedere all&apos;autore del plugin una versione corretta.</translation>
+    </message>
+    <message>
+        <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
+        <translation>È stato compilato con Qt %1, e questo programma usa Qt %2. Installare il plugin per questo Qt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is packed. Unpack it first, by &apos;%2&apos;, and open what is in it.</source>
+        <translation>«%1» è compresso. Decomprimerlo prima con «%2» e aprire ciò che contiene.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has an unknown format. %2%3</source>
+        <translation>«%1» ha un formato sconosciuto. %2%3</translation>
+    </message>
+    <message>
+        <source>No reader is installed.</source>
+        <translation>Nessun lettore è installato.</translation>
+    </message>
+    <message>
+        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
+        <translation>Il manuale e «tan info --help» elencano i file che si possono leggere; campioni soli, senza intestazione, si leggono come file grezzo.</translation>
+    </message>
+    <message>
+        <source>%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
+        <translation>%1 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto ad essi: gunzip.)</translation>
+    </message>
+    <message>
+        <source>reader &apos;%1&apos;</source>
+        <translation>lettura «%1»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a TAn model, and a dataset is wanted here: the file that the model was built from.</source>
+        <translation>«%1» è un modello TAn, e qui si vuole un insieme di dati: il file da cui il modello è stato costruito.</translation>
+    </message>
+    <message>
+        <source>No writer is installed.</source>
+        <translation>Nessun plugin di scrittura è installato.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which is not here or cannot be used. Install it.</source>
+        <translation>Richiede il plugin «%1», che manca o non è utilizzabile. Installarlo.</translation>
+    </message>
+    <message>
+        <source>It needs the plugin &quot;%1&quot;, which cannot be used: %2</source>
+        <translation>Richiede il plugin «%1», che non è utilizzabile: %2</translation>
+    </message>
+    <message>
+        <source>Plugins need each other in a circle: %1. Remove one of them.</source>
+        <translation>I plugin si richiedono in circolo: %1. Rimuoverne uno.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not exist, or its folder may not be entered. Check the name.</source>
+        <translation>«%1» non esiste, o la sua cartella non è accessibile. Controllare il nome.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder. Choose a file inside it.</source>
+        <translation>«%1» è una cartella. Scegliere un file al suo interno.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a device or a pipe. Give a file.</source>
+        <translation>«%1» è un dispositivo o una pipe. Scegliere un file.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read: %2. %3</source>
+        <translation>«%1» non può essere letto: %2. %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
+        <translation>«%1» è vuoto. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>The library %1 is missing. %2</source>
+        <translation>Manca la libreria %1. %2</translation>
+    </message>
+    <message>
+        <source>Install the package that contains it (on Debian, &apos;%1&apos; names it), or remove the plugin.</source>
+        <translation>Installare il pacchetto che la contiene (su Debian lo indica «%1»), o rimuovere il plugin.</translation>
+    </message>
+    <message>
+        <source>It needs the function %1, which no library here has: it was built for another version of TAn or of a library. %2</source>
+        <translation>Richiede la funzione %1, che qui nessuna libreria ha: è stato compilato per un&apos;altra versione di TAn o di una libreria. %2</translation>
+    </message>
+    <message>
+        <source>Rebuild it, or install the version for this program.</source>
+        <translation>Ricompilarlo, o installare la versione per questo programma.</translation>
+    </message>
+    <message>
+        <source>It could not be loaded: %1 %2</source>
+        <translation>Non è stato possibile caricarlo: %1 %2</translation>
+    </message>
+    <message>
+        <source>Install it again, or remove it.</source>
+        <translation>Installarlo di nuovo, o rimuoverlo.</translation>
+    </message>
+    <message>
+        <source>The builder &apos;%1&apos; does not accept &apos;%2&apos;: %3</source>
+        <translation>«%1» non accetta «%2»: %3</translation>
+    </message>
+    <message>
+        <source>%1
+%2: %3</source>
+        <translation>%1
+%2: %3</translation>
+    </message>
+    <message>
+        <source>No builder accepts &apos;%1&apos;.%2%3</source>
+        <translation>Nessuna costruzione accetta «%1».%2%3</translation>
+    </message>
+    <message>
+        <source>builder &apos;%1&apos;</source>
+        <translation>costruzione «%1»</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is the input &apos;%2&apos;. Give the output another name.</source>
+        <translation>Il risultato «%1» è l&apos;origine «%2». Dare al risultato un altro nome.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; exists and is called like the dataset that the model was built from, so it is not overwritten. Give the output another name, or remove that file first.</source>
+        <translation>«%1» esiste e si chiama come l&apos;insieme di dati da cui il modello è stato costruito, perciò non viene sovrascritto. Dare un altro nome al risultato, o rimuovere prima quel file.</translation>
+    </message>
+    <message>
+        <source>it is compressed with gzip, and damaged or cut short. The copy may be incomplete: copy the file again.</source>
+        <translation>è compresso con gzip, e danneggiato o troncato. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to unpack it.</source>
+        <translation>la memoria non basta per decomprimerlo.</translation>
+    </message>
+    <message>
+        <source>it is compressed with gzip, and cannot be unpacked into &apos;%1&apos;: %2. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>è compresso con gzip, e non si può decomprimere in «%1»: %2. Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
+    </message>
+    <message>
+        <source>Unpacking</source>
+        <translation>Decompressione</translation>
+    </message>
+    <message>
+        <source>it is compressed with gzip, and unpacks to more than %1, half of the room in &apos;%2&apos;. Free some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).</source>
+        <translation>è compresso con gzip, e decompresso supera %1, metà dello spazio in «%2». Liberare spazio là, impostare TMPDIR su una cartella che ne ha di più, o decomprimerlo a mano (gunzip).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not fit &apos;%2&apos;: it takes %3.</source>
+        <translation>«%1» non va bene per «%2»: ci si aspetta %3.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true o false</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un numero intero</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un testo</translation>
+    </message>
+    <message>
+        <source>isovalues %1</source>
+        <translation>isovalori %1</translation>
+    </message>
+    <message>
+        <source>a transfer function as JSON</source>
+        <translation>una funzione di trasferimento in JSON</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no isovalue. Give VALUE, VALUE:COLOUR or VALUE:COLOUR:OPACITY, the opacity above 0 and at most 1: 128:#ff8000:0.5</source>
+        <translation>«%1» non è un isovalore. Indicare VALORE, VALORE:COLORE o VALORE:COLORE:OPACITÀ, l&apos;opacità sopra 0 e al massimo 1: 128:#ff8000:0.5</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>uno di %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 da %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a regular lattice</source>
+        <translation>«%1» è un reticolo regolare</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a curvilinear grid</source>
+        <translation>«%1» è una griglia curvilinea</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is an irregular mesh</source>
+        <translation>«%1» è una mesh irregolare</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has scattered points</source>
+        <translation>«%1» ha punti sparsi</translation>
+    </message>
+    <message>
+        <source>The %1 knows no parameter &apos;%2&apos;. %3</source>
+        <translation>%1 non conosce un parametro «%2». %3</translation>
+    </message>
+    <message>
+        <source>It has none.</source>
+        <translation>Non ce ne sono.</translation>
+    </message>
+    <message>
+        <source>It has: %1.</source>
+        <translation>Ci sono: %1.</translation>
+    </message>
+    <message>
+        <source>The parameter &apos;%1&apos; of the %2 takes %3.</source>
+        <translation>Per il parametro «%1» di %2 ci si aspetta %3.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is for %2 data only, and %3. Leave it out.</source>
+        <translation>«%1» è solo per dati di un tipo (%2), e %3. Ometterlo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of use only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
+        <translation>«%1» serve solo se «%2» è %3. Ometterlo, o scegliere quello.</translation>
+    </message>
+    <message>
+        <source>The memory of this machine is not enough for &apos;%1&apos; here. Close other programs, or give it smaller data.</source>
+        <translation>La memoria di questo computer qui non basta per «%1». Chiudere altri programmi, o dargli dati più piccoli.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed: %2. This is a mistake in the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha fallito: %2. È un errore del plugin; segnalarlo all&apos;autore.</translation>
+    </message>
+    <message>
+        <source>It is not a plugin, or is damaged: %1 Install it again, or remove the file.</source>
+        <translation>Non è un plugin, o è danneggiato: %1 Installarlo di nuovo, o rimuovere il file.</translation>
+    </message>
+    <message>
+        <source>%1
+The plugin %2 (%3) is not used. %4</source>
+        <translation>%1
+Il plugin %2 (%3) non è in uso. %4</translation>
+    </message>
+    <message>
+        <source>Not all plugins can be loaded now: %1 %2</source>
+        <translation>Ora non tutti i plugin si possono caricare: %1 %2</translation>
+    </message>
+    <message>
+        <source>It is disabled by the settings or by %1.</source>
+        <translation>È disattivato dalle impostazioni o da %1.</translation>
+    </message>
+    <message>
+        <source>Another plugin has the same id and was found first: %1. Remove one of the two.</source>
+        <translation>Un altro plugin ha lo stesso identificativo ed è stato trovato prima: %1. Rimuovere uno dei due.</translation>
+    </message>
+    <message>
+        <source>The %1 &quot;%2&quot; cannot be used. %3</source>
+        <translation>«%2» (%1) non si può usare. %3</translation>
+    </message>
+    <message>
+        <source>There is no %1 &quot;%2&quot;. %3</source>
+        <translation>«%2» (%1) non esiste. %3</translation>
+    </message>
+    <message>
+        <source>None is installed.</source>
+        <translation>Nessuno è installato.</translation>
+    </message>
+    <message>
+        <source>There is: %1.</source>
+        <translation>Ci sono: %1.</translation>
+    </message>
+    <message>
+        <source>The plugin &quot;%1&quot; cannot be used. %2</source>
+        <translation>Il plugin «%1» non si può usare. %2</translation>
+    </message>
+    <message>
+        <source>It failed when it was started: %1. Install it again.</source>
+        <translation>È fallito all&apos;avvio: %1. Installarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>Its metadata call it a %1, but it does not implement %2. Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>I suoi metadati indicano un tipo (%1), ma non implementa %2. Chiedere all&apos;autore del plugin una versione corretta.</translation>
+    </message>
+    <message>
+        <source>builder</source>
+        <translation>costruzione</translation>
+    </message>
+    <message>
+        <source>renderer</source>
+        <translation>resa</translation>
+    </message>
+    <message>
+        <source>reader</source>
+        <translation>lettura</translation>
+    </message>
+    <message>
+        <source>writer</source>
+        <translation>scrittura</translation>
+    </message>
+    <message>
+        <source>editor</source>
+        <translation>editor</translation>
+    </message>
+    <message>
+        <source>Its metadata are malformed: %1. Ask the plugin&apos;s author for a fixed version.</source>
+        <translation>I suoi metadati non sono corretti: %1. Chiedere all&apos;autore del plugin una versione corretta.</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation>manca la chiave «%1»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a text</source>
+        <translation>«%1» non è un testo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is &quot;%2&quot;, which is no version like &quot;1.2.3&quot;</source>
+        <translation>«%1» è «%2», che non è una versione come «1.2.3»</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; is &quot;%1&quot;, which is none of builder, renderer, reader, writer, editor</source>
+        <translation>«kind» è «%1», che non è nessuno di builder, renderer, reader, writer, editor</translation>
+    </message>
+    <message>
+        <source>&quot;requires&quot; is not a list</source>
+        <translation>«requires» non è un elenco</translation>
+    </message>
+    <message>
+        <source>&quot;requires&quot; lists something that is no plugin&apos;s id</source>
+        <translation>«requires» elenca qualcosa che non è l&apos;identificativo di un plugin</translation>
+    </message>
+    <message>
+        <source>&quot;id&quot; is &quot;%1&quot;; only lower-case letters, digits, &apos;.&apos;, &apos;-&apos; and &apos;_&apos; may stand in it</source>
+        <translation>«id» è «%1»; può contenere solo lettere minuscole, cifre, «.», «-» e «_»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no component of an array that has %2: say &apos;magnitude&apos;, or a number from 0 to %3.</source>
+        <translation>«%1» non è una componente di un vettore che ne ha %2: indicare «magnitude», o un numero da 0 a %3.</translation>
+    </message>
+    <message>
+        <source>it has no values, of points or of cells.</source>
+        <translation>non ha valori, né di punti né di celle.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. There are: %2.</source>
+        <translation>non ha un vettore «%1». Ci sono: %2.</translation>
+    </message>
+    <message>
+        <source>it changed while it was read. Read it again.</source>
+        <translation>è cambiato durante la lettura. Leggerlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to read &apos;%1&apos;. Close other programs.</source>
+        <translation>La memoria non basta per leggere «%1». Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>VTK unstructured grid (*.vtu)</source>
+        <translation>Griglia non strutturata VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>AVS UCD mesh (*.inp)</source>
+        <translation>Mesh AVS UCD (*.inp)</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Vettore</translation>
+    </message>
+    <message>
+        <source>The array whose values to take, of points or of cells; nothing takes the one the file calls active, else the first.</source>
+        <translation>Il vettore di cui prendere i valori, di punti o di celle; se vuoto quello che il file dice attivo, altrimenti il primo.</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Componente</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: magnitude, or a number from 0.</source>
+        <translation>Di vettori con più componenti: il modulo, o un numero da 0.</translation>
+    </message>
+    <message>
+        <source>the first line is not five numbers: of points, cells, values a point, a cell and the model</source>
+        <translation>la prima riga non è di cinque numeri: punti, celle, valori per punto, per cella e del modello</translation>
+    </message>
+    <message>
+        <source>it is too short for %1 points and %2 cells</source>
+        <translation>è troppo corto per %1 punti e %2 celle</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punti</translation>
+    </message>
+    <message>
+        <source>a point is not its number and three coordinates</source>
+        <translation>un punto non è il suo numero e tre coordinate</translation>
+    </message>
+    <message>
+        <source>the number of a point is there twice</source>
+        <translation>il numero di un punto compare due volte</translation>
+    </message>
+    <message>
+        <source>a cell is not its number, its material and its shape: pt, line, tri, quad, tet, pyr, prism or hex</source>
+        <translation>una cella non è il suo numero, il materiale e la forma: pt, line, tri, quad, tet, pyr, prism o hex</translation>
+    </message>
+    <message>
+        <source>the list of values is missing</source>
+        <translation>manca l&apos;elenco dei valori</translation>
+    </message>
+    <message>
+        <source>the line before the values is not their number and how many components each has</source>
+        <translation>la riga prima dei valori non è il loro numero e quante componenti ha ciascuno</translation>
+    </message>
+    <message>
+        <source>the components of the values do not add up to what the first line says</source>
+        <translation>le componenti dei valori non danno in tutto ciò che dice la prima riga</translation>
+    </message>
+    <message>
+        <source>the name of a value is missing</source>
+        <translation>manca il nome di un valore</translation>
+    </message>
+    <message>
+        <source>a value belongs to a number that no point or cell has</source>
+        <translation>un valore appartiene a un numero che nessun punto o cella ha</translation>
+    </message>
+    <message>
+        <source>a value is missing or no number</source>
+        <translation>un valore manca o non è un numero</translation>
+    </message>
+    <message>
+        <source>the file ends early</source>
+        <translation>il file finisce troppo presto</translation>
+    </message>
+    <message>
+        <source>line %1: %2.</source>
+        <translation>riga %1: %2.</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 of %2 %3</source>
+        <translation>il file finisce dopo %1 di %2: %3</translation>
+    </message>
+    <message>
+        <source>a corner of a cell is not the number of a point</source>
+        <translation>un vertice di una cella non è il numero di un punto</translation>
+    </message>
+    <message>
+        <source>a cell has more corners than its shape</source>
+        <translation>una cella ha più vertici della sua forma</translation>
+    </message>
+    <message>
+        <source>it is a binary UCD file, and only text is read. Write it as text, or as .vtu, for instance with ParaView.</source>
+        <translation>è un file UCD binario, e si legge solo il testo. Scriverlo come testo o come .vtu, per esempio con ParaView.</translation>
+    </message>
+    <message>
+        <source>is too short for %1 numbers, or cut short</source>
+        <translation>è troppo corto per %1 numeri, o troncato</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, not the %2 of %3 numbers</source>
+        <translation>ha %1 byte, non i %2 di %3 numeri</translation>
+    </message>
+    <message>
+        <source>is damaged: it cannot be unpacked</source>
+        <translation>è danneggiato: non si può decomprimere</translation>
+    </message>
+    <message>
+        <source>is too short for %1 numbers</source>
+        <translation>è troppo corto per %1 numeri</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; among its numbers</source>
+        <translation>ha «%1» fra i suoi numeri</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>ha più di %1 numeri</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, not %2</source>
+        <translation>ha %1 numeri, non %2</translation>
+    </message>
+    <message>
+        <source>is of type &apos;%1&apos;, which is no number</source>
+        <translation>è di tipo «%1», che non è un numero</translation>
+    </message>
+    <message>
+        <source>has the unknown format &apos;%1&apos;</source>
+        <translation>ha il formato sconosciuto «%1»</translation>
+    </message>
+    <message>
+        <source>is of type &apos;%1&apos;, not of whole numbers</source>
+        <translation>è di tipo «%1», non di numeri interi</translation>
+    </message>
+    <message>
+        <source>a piece says that it has more points than there can be.</source>
+        <translation>un pezzo dichiara più punti di quanti possano essere.</translation>
+    </message>
+    <message>
+        <source>its points do not have three coordinates each.</source>
+        <translation>i suoi punti non hanno tre coordinate ciascuno.</translation>
+    </message>
+    <message>
+        <source>not every piece has the array &apos;%1&apos;.</source>
+        <translation>non ogni pezzo ha il vettore «%1».</translation>
+    </message>
+    <message>
+        <source>a piece says that it has more values than there can be.</source>
+        <translation>un pezzo dichiara più valori di quanti possano essere.</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells do not rise.</source>
+        <translation>gli inizi delle sue celle non crescono.</translation>
+    </message>
+    <message>
+        <source>a cell has the corner %1 of %2 points.</source>
+        <translation>una cella ha il vertice %1 di %2 punti.</translation>
+    </message>
+    <message>
+        <source>it does not begin with &lt;VTKFile&gt;, so it is no VTK XML file.</source>
+        <translation>non comincia con &lt;VTKFile&gt;, perciò non è un file VTK XML.</translation>
+    </message>
+    <message>
+        <source>its XML is damaged or cut short.</source>
+        <translation>il suo XML è danneggiato o troncato.</translation>
+    </message>
+    <message>
+        <source>it holds a %1, not an UnstructuredGrid. The VTK plugin reads those.</source>
+        <translation>contiene un %1, non un UnstructuredGrid. Il plugin VTK li legge.</translation>
+    </message>
+    <message>
+        <source>it is packed by %1, which the VTK plugin unpacks; zlib is read without it.</source>
+        <translation>è compresso con %1, che il plugin VTK decomprime; zlib si legge senza di esso.</translation>
+    </message>
+    <message>
+        <source>a piece does not say how many points and cells it has.</source>
+        <translation>un pezzo non dice quanti punti e celle ha.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; has %2 components.</source>
+        <translation>il vettore «%1» ha %2 componenti.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; does not say where it is.</source>
+        <translation>il vettore «%1» non dice dove sta.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; does not end.</source>
+        <translation>il vettore «%1» non finisce.</translation>
+    </message>
+    <message>
+        <source>its appended data do not begin.</source>
+        <translation>i suoi dati in coda non cominciano.</translation>
+    </message>
+    <message>
+        <source>it has no piece with points and cells.</source>
+        <translation>non ha un pezzo con punti e celle.</translation>
+    </message>
+    <message>
+        <source>a piece has no array &apos;%1&apos;.</source>
+        <translation>un pezzo non ha il vettore «%1».</translation>
+    </message>
+    <message>
+        <source>A .vtu file holds a mesh of tetrahedra, which this dataset is not. Write lattices as .nrrd, curvilinear grids as .xyz, points as .csv.</source>
+        <translation>Un file .vtu contiene una mesh di tetraedri, e questo insieme di dati non lo è. Scrivere i reticoli come .nrrd, le griglie curvilinee come .xyz, i punti come .csv.</translation>
+    </message>
+    <message>
+        <source>its compressed data are damaged (%1). Copy the file again.</source>
+        <translation>i suoi dati compressi sono danneggiati (%1). Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to unpack gzip data. Close other programs.</source>
+        <translation>La memoria non basta per decomprimere dati gzip. Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>they are cut short</source>
+        <translation>sono troncati</translation>
+    </message>
+    <message>
+        <source>a new part cannot be started</source>
+        <translation>una nuova parte non può cominciare</translation>
+    </message>
+    <message>
+        <source>its compressed data hold more than %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <translation>i suoi dati compressi contengono più di %1 byte dove la descrizione ne chiede %2. Le dimensioni o il tipo sono sbagliati, o i dati sono di un altro file.</translation>
+    </message>
+    <message>
+        <source>its compressed data hold only %1 bytes where the description asks for %2. The sizes or the type are wrong, or the data are of another file.</source>
+        <translation>i suoi dati compressi contengono solo %1 byte dove la descrizione ne chiede %2. Le dimensioni o il tipo sono sbagliati, o i dati sono di un altro file.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to compress the data. Close other programs.</source>
+        <translation>La memoria non basta per comprimere i dati. Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>%1 The header &apos;%2&apos; names it as its data file.</source>
+        <translation>%1 L&apos;intestazione «%2» lo nomina come suo file di dati.</translation>
+    </message>
+    <message>
+        <source>it is empty. Get or make the file again.</source>
+        <translation>è vuoto. Procurarsi o creare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>NRRD volume (*.nrrd *.nhdr)</source>
+        <translation>Volume NRRD (*.nrrd *.nhdr)</translation>
+    </message>
+    <message>
+        <source>Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)</source>
+        <translation>Volume raw (*.raw *.bin *.binary *.dat *.img *.vol)</translation>
+    </message>
+    <message>
+        <source>must have one entry for each of the %1 axes.</source>
+        <translation>deve avere una voce per ciascuno dei %1 assi.</translation>
+    </message>
+    <message>
+        <source>its header has no field &apos;dimension&apos;.</source>
+        <translation>la sua intestazione non ha il campo «dimension».</translation>
+    </message>
+    <message>
+        <source>must be a number from 1 to 16.</source>
+        <translation>deve essere un numero da 1 a 16.</translation>
+    </message>
+    <message>
+        <source>its header has no field &apos;sizes&apos;.</source>
+        <translation>la sua intestazione non ha il campo «sizes».</translation>
+    </message>
+    <message>
+        <source>must be whole numbers from 1.</source>
+        <translation>deve essere di numeri interi da 1.</translation>
+    </message>
+    <message>
+        <source>must be numbers.</source>
+        <translation>deve essere di numeri.</translation>
+    </message>
+    <message>
+        <source>must be &apos;none&apos; or three numbers in parentheses for each axis.</source>
+        <translation>deve essere «none» o tre numeri tra parentesi per ogni asse.</translation>
+    </message>
+    <message>
+        <source>line %1 of its header %2</source>
+        <translation>la riga %1 della sua intestazione %2</translation>
+    </message>
+    <message>
+        <source>it is no NRRD file: it does not begin with &apos;NRRD0001&apos; to &apos;NRRD0005&apos;.</source>
+        <translation>non è un file NRRD: non comincia con «NRRD0001» fino a «NRRD0005».</translation>
+    </message>
+    <message>
+        <source>it is of a NRRD version that is not known, &apos;%1&apos;. Save it as NRRD0005 or earlier.</source>
+        <translation>è di una versione NRRD non nota, «%1». Salvarlo come NRRD0005 o precedente.</translation>
+    </message>
+    <message>
+        <source>is neither a field nor a comment: &apos;%1&apos;.</source>
+        <translation>non è né un campo né un commento: «%1».</translation>
+    </message>
+    <message>
+        <source>has the unknown field &apos;%1&apos;. Correct its name, or write &apos;:=&apos; for a note of your own.</source>
+        <translation>ha il campo sconosciuto «%1». Correggere il nome, o scrivere «:=» per una nota propria.</translation>
+    </message>
+    <message>
+        <source>gives &apos;%1&apos; a second time. Remove one of them.</source>
+        <translation>indica «%1» una seconda volta. Rimuoverne uno.</translation>
+    </message>
+    <message>
+        <source>its header does not end: there is no empty line in the first MiB.</source>
+        <translation>la sua intestazione non finisce: nel primo MiB non c&apos;è una riga vuota.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions, %2 of them with more than one point. A volume has three: take out a part that has, such as one component or one time step.</source>
+        <translation>ha %1 dimensioni, %2 delle quali con più di un punto. Un volume ne ha tre: estrarre una parte che le ha, come una componente o un passo temporale.</translation>
+    </message>
+    <message>
+        <source>one of its axes, of size %1, holds &apos;%2&apos; instead of points. Take out one component first.</source>
+        <translation>uno dei suoi assi, di dimensione %1, contiene «%2» invece di punti. Estrarre prima una componente.</translation>
+    </message>
+    <message>
+        <source>its header gives the spacing of some axes only. Give all three, or none.</source>
+        <translation>la sua intestazione dà la spaziatura solo di alcuni assi. Darle tutte e tre, o nessuna.</translation>
+    </message>
+    <message>
+        <source>its space directions are not three vectors at right angles. Resample it on a rectangular grid.</source>
+        <translation>le sue «space directions» non sono tre vettori ad angolo retto. Ricampionarlo su una griglia rettangolare.</translation>
+    </message>
+    <message>
+        <source>its space origin &apos;%1&apos; is not three numbers in parentheses.</source>
+        <translation>il suo «space origin» «%1» non è di tre numeri tra parentesi.</translation>
+    </message>
+    <message>
+        <source>its space directions are given for some axes only. Give them for all three, or for none.</source>
+        <translation>le sue «space directions» sono date solo per alcuni assi. Darle per tutti e tre, o per nessuno.</translation>
+    </message>
+    <message>
+        <source>its header has no field &apos;%1&apos;. Add it.</source>
+        <translation>la sua intestazione non ha il campo «%1». Aggiungerlo.</translation>
+    </message>
+    <message>
+        <source>its &apos;line skip&apos; must be a whole number from 0.</source>
+        <translation>il suo «line skip» deve essere un numero intero da 0.</translation>
+    </message>
+    <message>
+        <source>its &apos;byte skip&apos; must be a whole number from 0, or -1 for raw data at the end of the file.</source>
+        <translation>il suo «byte skip» deve essere un numero intero da 0, o -1 per dati raw alla fine del file.</translation>
+    </message>
+    <message>
+        <source>its samples are spread over several files (&apos;data file: %1&apos;), which is not read. Join them into one file first.</source>
+        <translation>i suoi campioni sono ripartiti su più file («data file: %1»), cosa che non si legge. Unirli prima in un solo file.</translation>
+    </message>
+    <message>
+        <source>its data file is called &apos;%1&apos;, with characters that no name should have. Correct it.</source>
+        <translation>il suo file di dati si chiama «%1», con caratteri che nessun nome dovrebbe avere. Correggerlo.</translation>
+    </message>
+    <message>
+        <source>its type is &apos;%1&apos;. Integers of 64 bits are not read, since computing with them is not exact: convert the samples to int32 or double first.</source>
+        <translation>il suo tipo è «%1». Interi a 64 bit non si leggono, perché i calcoli con essi non sono esatti: convertire prima i campioni in int32 o double.</translation>
+    </message>
+    <message>
+        <source>its type is &apos;block&apos;, which says nothing about the samples. Convert them to a number type first.</source>
+        <translation>il suo tipo è «block», che non dice nulla dei campioni. Convertirli prima in un tipo numerico.</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is not known. There are uint8, int8, uint16, int16, uint32, int32, float and double.</source>
+        <translation>il suo tipo «%1» non è noto. Ci sono uint8, int8, uint16, int16, uint32, int32, float e double.</translation>
+    </message>
+    <message>
+        <source>its byte order &apos;%1&apos; is not known. There are little and big.</source>
+        <translation>il suo ordine dei byte «%1» non è noto. Ci sono little e big.</translation>
+    </message>
+    <message>
+        <source>its encoding &apos;%1&apos; is not read. Save it with the encoding raw, gzip or ascii.</source>
+        <translation>la sua codifica «%1» non si legge. Salvarlo con la codifica raw, gzip o ascii.</translation>
+    </message>
+    <message>
+        <source>NRRD files are written with the encoding raw or gzip, not &apos;%1&apos;.</source>
+        <translation>I file NRRD si scrivono con la codifica raw o gzip, non «%1».</translation>
+    </message>
+    <message>
+        <source>NRRD files hold regular lattices, and &apos;%1&apos; is %2. Give the file another ending: .xyz for curvilinear grids, .csv for scattered points.</source>
+        <translation>I file NRRD contengono reticoli regolari, e «%1» è %2. Dare al file un&apos;altra estensione: .xyz per griglie curvilinee, .csv per punti sparsi.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; for &apos;%2&apos; is not understood. Give three numbers, along x, y and z, as in 64x64x32.</source>
+        <translation>«%1» per «%2» non si capisce. Indicare tre numeri lungo x, y e z, come in 64x64x32.</translation>
+    </message>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1, o %2</translation>
+    </message>
+    <message>
+        <source>it is raw data, whose %1 bytes do not say how they are laid out. Describe them: size and type at least, for example %2.</source>
+        <translation>contiene dati grezzi, i cui %1 byte non dicono come sono disposti. Descriverli: almeno dimensioni e tipo, per esempio %2.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Dimensione</translation>
+    </message>
+    <message>
+        <source>Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.</source>
+        <translation>File raw: il numero di punti lungo x (che varia più in fretta), y e z, come in 256x256x128.</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Raw files: the type of a sample.</source>
+        <translation>File raw: il tipo di un campione.</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Ordine dei byte</translation>
+    </message>
+    <message>
+        <source>Raw files: little (PC) or big endian, for types of more than one byte.</source>
+        <translation>File raw: little (PC) o big endian, per tipi di più di un byte.</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little-endian (PC)</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big-endian</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Salta</translation>
+    </message>
+    <message>
+        <source>Raw files: the length of a header before the samples.</source>
+        <translation>File raw: la lunghezza di un&apos;intestazione prima dei campioni.</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>byte</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Spaziatura</translation>
+    </message>
+    <message>
+        <source>Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.</source>
+        <translation>File raw: la distanza fra punti vicini lungo x, y e z, come in 1x1x2.5.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Raw files: the position of the first point, as in 0,0,0.</source>
+        <translation>File raw: la posizione del primo punto, come in 0,0,0.</translation>
+    </message>
+    <message>
+        <source>the number of bytes to skip cannot be negative.</source>
+        <translation>il numero di byte da saltare non può essere negativo.</translation>
+    </message>
+    <message>
+        <source>%1 samples of type %2, %3 bytes</source>
+        <translation>%1 campioni di tipo %2, %3 byte</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>
+        <translation>dovrebbe contenere %1, ma ci sono solo %2. È troncato, o la descrizione (dimensioni, tipo, byte da saltare) è sbagliata.</translation>
+    </message>
+    <message>
+        <source>it has only %1 of the %2 lines that are to be skipped. Check &apos;line skip&apos;.</source>
+        <translation>ha solo %1 delle %2 righe da saltare. Controllare «line skip».</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 byte</translation>
+    </message>
+    <message>
+        <source>it should hold %1, but there are %2, %3 too many. Its description is wrong: check the sizes, the type and the bytes to skip.</source>
+        <translation>dovrebbe contenere %1, ma ci sono %2, %3 di troppo. La descrizione è sbagliata: controllare dimensioni, tipo e byte da saltare.</translation>
+    </message>
+    <message>
+        <source>%1 bytes of compressed data</source>
+        <translation>%1 byte di dati compressi</translation>
+    </message>
+    <message>
+        <source>%1 bytes of text</source>
+        <translation>%1 byte di testo</translation>
+    </message>
+    <message>
+        <source>its text holds more than the %1 numbers that the description asks for. Check the sizes.</source>
+        <translation>il suo testo contiene più dei %1 numeri che la descrizione chiede. Controllare le dimensioni.</translation>
+    </message>
+    <message>
+        <source>number %1 of its text, &apos;%2&apos;, is no number of the type. Correct it, or the type.</source>
+        <translation>il numero %1 del suo testo, «%2», non è un numero del tipo. Correggere quello, o il tipo.</translation>
+    </message>
+    <message>
+        <source>its text holds only %1 numbers where the description asks for %2. It is cut short, or the sizes are wrong.</source>
+        <translation>il suo testo contiene solo %1 numeri dove la descrizione ne chiede %2. È troncato, o le dimensioni sono sbagliate.</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densità</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pressione</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energia</translation>
+    </message>
+    <message>
+        <source>velocity_magnitude</source>
+        <translation>modulo della velocità</translation>
+    </message>
+    <message>
+        <source>momentum_magnitude</source>
+        <translation>modulo della quantità di moto</translation>
+    </message>
+    <message>
+        <source>momentum_x</source>
+        <translation>quantità di moto lungo x</translation>
+    </message>
+    <message>
+        <source>momentum_y</source>
+        <translation>quantità di moto lungo y</translation>
+    </message>
+    <message>
+        <source>momentum_z</source>
+        <translation>quantità di moto lungo z</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>mach</source>
+        <translation>numero di Mach</translation>
+    </message>
+    <message>
+        <source>No array of this solution varies.</source>
+        <translation>Nessuna grandezza di questa soluzione varia.</translation>
+    </message>
+    <message>
+        <source>These can be taken: %1.</source>
+        <translation>Si possono prendere: %1.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; is not a finite number at %2 of its points. %3</source>
+        <translation>il vettore «%1» non è un numero finito in %2 dei suoi punti. %3</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; has one value everywhere. %2</source>
+        <translation>il vettore «%1» ha lo stesso valore ovunque. %2</translation>
+    </message>
+    <message>
+        <source>none of its arrays varies, so there is nothing to see.</source>
+        <translation>nessuno dei suoi vettori varia, perciò non c&apos;è nulla da vedere.</translation>
+    </message>
+    <message>
+        <source>the lengths of its Fortran records do not fit the sizes of its grids. Copy the file again.</source>
+        <translation>le lunghezze dei suoi record Fortran non corrispondono alle dimensioni delle griglie. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1 bytes too many stand behind its data. Check that it is a PLOT3D file.</source>
+        <translation>%1 byte di troppo stanno dopo i suoi dati. Controllare che sia un file PLOT3D.</translation>
+    </message>
+    <message>
+        <source>it holds %1 grids, and a model is of one. Choose which: &apos;grid&apos; from 1 to %2.</source>
+        <translation>contiene %1 griglie, e un modello è di una. Scegliere quale: «grid» da 1 a %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no grid %2: it holds %3.</source>
+        <translation>«%1» non ha la griglia %2: ne contiene %3.</translation>
+    </message>
+    <message>
+        <source>its grid has %1 x %2 x %3 points. TAn takes volumes: at least two points along each of three axes.</source>
+        <translation>la sua griglia ha %1 x %2 x %3 punti. TAn accetta volumi: almeno due punti lungo ciascuno dei tre assi.</translation>
+    </message>
+    <message>
+        <source>it holds a two-dimensional grid. TAn takes volumes: grids with at least two points along each of three axes.</source>
+        <translation>contiene una griglia bidimensionale. TAn accetta volumi: griglie con almeno due punti lungo ciascuno dei tre assi.</translation>
+    </message>
+    <message>
+        <source>it is no binary PLOT3D file: it does not begin with the sizes of its grids. Text files are not read.</source>
+        <translation>non è un file PLOT3D binario: non comincia con le dimensioni delle griglie. I file di testo non si leggono.</translation>
+    </message>
+    <message>
+        <source>it begins like a grid of %1 points, which takes %2 bytes or more, and has %3</source>
+        <translation>comincia come una griglia di %1 punti, che occupa %2 byte o più, e ne ha %3</translation>
+    </message>
+    <message>
+        <source>%1: it is cut short. Copy the file again.</source>
+        <translation>%1: è troncato. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1, which fits no kind of PLOT3D file.</source>
+        <translation>%1, e ciò non corrisponde a nessun tipo di file PLOT3D.</translation>
+    </message>
+    <message>
+        <source>it is a PLOT3D solution, and its grid is not beside it (%1). Open the grid, and give it the solution.</source>
+        <translation>è una soluzione PLOT3D, e la sua griglia non è accanto (%1). Aprire la griglia, e darle la soluzione.</translation>
+    </message>
+    <message>
+        <source>it is a grid without values, and no solution is beside it (%1). Say where it is with &apos;solution&apos;, or give it one of these names.</source>
+        <translation>è una griglia senza valori, e nessuna soluzione è accanto (%1). Dire dov&apos;è con «solution», o darle uno di questi nomi.</translation>
+    </message>
+    <message>
+        <source>it is the solution of another grid: its sizes are not those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
+        <translation>è la soluzione di un&apos;altra griglia: le sue dimensioni non sono quelle di «%1». Sceglierne un&apos;altra con «solution».</translation>
+    </message>
+    <message>
+        <source>%1 of its points are blanked out (iblank 0), so that its domain has holes, which cannot be refined. Take the part without them.</source>
+        <translation>%1 dei suoi punti sono esclusi (iblank 0), perciò il suo dominio ha buchi, che non si possono raffinare. Prendere la parte senza di essi.</translation>
+    </message>
+    <message>
+        <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
+        <translation>Griglia e soluzione PLOT3D (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valori</translation>
+    </message>
+    <message>
+        <source>Which scalar of the solution: automatic takes the density, or if that is the same everywhere the first that varies.</source>
+        <translation>Quale scalare della soluzione: automatico prende la densità o, se questa è ovunque uguale, il primo che varia.</translation>
+    </message>
+    <message>
+        <source>Solution file</source>
+        <translation>File di soluzione</translation>
+    </message>
+    <message>
+        <source>The PLOT3D solution of the grid; without it the one beside it with a matching name.</source>
+        <translation>La soluzione PLOT3D della griglia; altrimenti quella accanto con un nome corrispondente.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Griglia</translation>
+    </message>
+    <message>
+        <source>Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.</source>
+        <translation>Quale griglia di un file PLOT3D che ne contiene più d&apos;una, da 1; 0 prende l&apos;unica.</translation>
+    </message>
+    <message>
+        <source>PLOT3D files hold points on a grid, and &apos;%1&apos; is not. Give the file another ending, such as .csv for scattered points.</source>
+        <translation>I file PLOT3D contengono punti su una griglia, e «%1» no. Dare al file un&apos;altra estensione, come .csv per punti sparsi.</translation>
+    </message>
+    <message>
+        <source>there is no column &apos;%1&apos;; there are %2, or give a number from 1 to %3.</source>
+        <translation>non c&apos;è una colonna «%1»; ci sono %2, o indicare un numero da 1 a %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not name the three columns of the positions. Give three names or numbers separated by commas, as in x,y,z or 1,2,3.</source>
+        <translation>«%1» non nomina le tre colonne delle posizioni. Indicare tre nomi o numeri separati da virgole, come in x,y,z o 1,2,3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names the same column twice.</source>
+        <translation>«%1» nomina due volte la stessa colonna.</translation>
+    </message>
+    <message>
+        <source>it has %1 columns, and points need at least four: x, y, z and a value.</source>
+        <translation>ha %1 colonne, e i punti ne richiedono almeno quattro: x, y, z e un valore.</translation>
+    </message>
+    <message>
+        <source>1 incomplete row was skipped.</source>
+        <translation>1 riga incompleta è stata saltata.</translation>
+    </message>
+    <message>
+        <source>%1 incomplete rows were skipped.</source>
+        <translation>%1 righe incomplete sono state saltate.</translation>
+    </message>
+    <message>
+        <source>Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)</source>
+        <translation>Tabella di punti (*.csv *.tsv *.xyz *.pts *.txt *.asc)</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posizioni</translation>
+    </message>
+    <message>
+        <source>Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or 1,2,3; &apos;automatic&apos; takes those called x, y and z, else the first three.</source>
+        <translation>Tabelle di punti: le colonne di x, y e z, per nome o numero, come in lon,lat,depth o 1,2,3; &apos;automatic&apos; prende quelle chiamate x, y e z, altrimenti le prime tre.</translation>
+    </message>
+    <message>
+        <source>The values to take, by name or number; &apos;automatic&apos; takes the first there are.</source>
+        <translation>I valori da prendere, per nome o numero; &apos;automatic&apos; prende i primi che ci sono.</translation>
+    </message>
+    <message>
+        <source>Skip incomplete rows</source>
+        <translation>Salta le righe incomplete</translation>
+    </message>
+    <message>
+        <source>Tables of points: leave out rows that lack a number, instead of refusing the file.</source>
+        <translation>Tabelle di punti: tralascia le righe a cui manca un numero, invece di rifiutare il file.</translation>
+    </message>
+    <message>
+        <source>it has more than 4294967295 points. Take a part of them.</source>
+        <translation>ha più di 4294967295 punti. Prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>riga %1</translation>
+    </message>
+    <message>
+        <source>%1 has a double quote that is not closed.</source>
+        <translation>%1 ha virgolette non chiuse.</translation>
+    </message>
+    <message>
+        <source>it holds no points.</source>
+        <translation>non contiene punti.</translation>
+    </message>
+    <message>
+        <source>%1, %2: there is no number. Add it, or have incomplete rows skipped.</source>
+        <translation>%1, %2: non c&apos;è un numero. Aggiungerlo, o far saltare le righe incomplete.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is not a number. Numbers need a decimal point.</source>
+        <translation>%1, %2: %3 non è un numero. I numeri richiedono il punto decimale.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is not a finite number.</source>
+        <translation>%1, %2: %3 non è un numero finito.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 columns, and those before have %3.</source>
+        <translation>%1 ha %2 colonne, e quelle prima ne hanno %3.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is too large for a position.</source>
+        <translation>%1, %2: %3 è troppo grande per una posizione.</translation>
+    </message>
+    <message>
+        <source>it is in UTF-16. Save it as UTF-8.</source>
+        <translation>è in UTF-16. Salvarlo come UTF-8.</translation>
+    </message>
+    <message>
+        <source>it is not a text.</source>
+        <translation>non è un testo.</translation>
+    </message>
+    <message>
+        <source>it is a chemical structure: elements and where their atoms are. A table of points is wanted, with a value for each x, y and z.</source>
+        <translation>è una struttura chimica: elementi e dove stanno i loro atomi. Si vuole una tabella di punti, con un valore per ogni x, y e z.</translation>
+    </message>
+    <message>
+        <source>%1 The file is damaged: copy or export it again.</source>
+        <translation>%1 Il file è danneggiato: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has no pixels. It is cut short, or no image: copy it again, or take it out of the folder.</source>
+        <translation>non ha pixel. È troncato, o non è un&apos;immagine: copiarlo di nuovo, o toglierlo dalla cartella.</translation>
+    </message>
+    <message>
+        <source>its pixels are compressed, which VTK does not read. Unpack it first, for instance with &apos;gdcmconv --raw IN OUT&apos; or &apos;dcmdjpeg IN OUT&apos;.</source>
+        <translation>i suoi pixel sono compressi, cosa che VTK non legge. Decomprimerlo prima, per esempio con «gdcmconv --raw IN OUT» o «dcmdjpeg IN OUT».</translation>
+    </message>
+    <message>
+        <source>its pixels have %1 bits, and VTK reads those of 8 or 16. Write them with 16.</source>
+        <translation>i suoi pixel hanno %1 bit, e VTK legge quelli di 8 o 16. Scriverli con 16.</translation>
+    </message>
+    <message>
+        <source>it has no rows or columns.</source>
+        <translation>non ha righe o colonne.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes of pixels of %2 (of %3 in all). It is damaged: copy the file again.</source>
+        <translation>ha %1 byte di pixel su %2 (su %3 in tutto). È danneggiato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>the file %1 of its series: %2</source>
+        <translation>il file %1 della sua serie: %2</translation>
+    </message>
+    <message>
+        <source>it ends too early. Copy the file again.</source>
+        <translation>finisce troppo presto. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its folder holds images of several sizes or types, such as %1 and %2. Put the images of one series alone into a folder.</source>
+        <translation>la sua cartella contiene immagini di dimensioni o tipi diversi, come %1 e %2. Mettere le immagini di una serie da sole in una cartella.</translation>
+    </message>
+    <message>
+        <source>ends in line %1, before the last %2. It is cut short: copy the file again.</source>
+        <translation>finisce alla riga %1, prima che ci sia tutto (%2). È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; %2</source>
+        <translation>il suo file «%1» %2</translation>
+    </message>
+    <message>
+        <source>line &apos;FORMAT&apos;</source>
+        <translation>riga «FORMAT»</translation>
+    </message>
+    <message>
+        <source>does not begin with FORMAT. It is no EnSight case, or damaged.</source>
+        <translation>non comincia con FORMAT. Non è un caso EnSight, o è danneggiato.</translation>
+    </message>
+    <message>
+        <source>line &apos;type:&apos;</source>
+        <translation>riga «type:»</translation>
+    </message>
+    <message>
+        <source>has a section &apos;%1&apos;, which VTK cannot pass over. Take it out, or put it behind the variables.</source>
+        <translation>ha una sezione «%1», che VTK non sa saltare. Toglierla, o metterla dopo le variabili.</translation>
+    </message>
+    <message>
+        <source>names no geometry (&apos;model:&apos;). It is cut short or damaged.</source>
+        <translation>non nomina una geometria («model:»). È troncato o danneggiato.</translation>
+    </message>
+    <message>
+        <source>number of a time set</source>
+        <translation>numero di un insieme di tempi</translation>
+    </message>
+    <message>
+        <source>line &apos;number of steps:&apos;</source>
+        <translation>riga «number of steps:»</translation>
+    </message>
+    <message>
+        <source>number of time steps</source>
+        <translation>numero di passi temporali</translation>
+    </message>
+    <message>
+        <source>says that there are %1 time steps.</source>
+        <translation>dichiara %1 passi temporali.</translation>
+    </message>
+    <message>
+        <source>line &apos;time values:&apos;</source>
+        <translation>riga «time values:»</translation>
+    </message>
+    <message>
+        <source>first number of its files</source>
+        <translation>primo numero dei suoi file</translation>
+    </message>
+    <message>
+        <source>line &apos;filename increment:&apos;</source>
+        <translation>riga «filename increment:»</translation>
+    </message>
+    <message>
+        <source>increment of its files&apos; numbers</source>
+        <translation>incremento dei numeri dei suoi file</translation>
+    </message>
+    <message>
+        <source>has %1 of %2 time values. It is cut short or damaged.</source>
+        <translation>ha %1 di %2 valori di tempo. È troncato o danneggiato.</translation>
+    </message>
+    <message>
+        <source>number of a file set</source>
+        <translation>numero di un insieme di file</translation>
+    </message>
+    <message>
+        <source>number of time steps in a file</source>
+        <translation>numero di passi temporali in un file</translation>
+    </message>
+    <message>
+        <source>number of a file</source>
+        <translation>numero di un file</translation>
+    </message>
+    <message>
+        <source>time step</source>
+        <translation>passo temporale</translation>
+    </message>
+    <message>
+        <source>line of its description</source>
+        <translation>riga della sua descrizione</translation>
+    </message>
+    <message>
+        <source>line &apos;node id&apos;</source>
+        <translation>riga «node id»</translation>
+    </message>
+    <message>
+        <source>line &apos;element id&apos;</source>
+        <translation>riga «element id»</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <source>line &apos;particle coordinates&apos;</source>
+        <translation>riga «particle coordinates»</translation>
+    </message>
+    <message>
+        <source>number of points</source>
+        <translation>numero di punti</translation>
+    </message>
+    <message>
+        <source>does not say how many measured points it has. It is damaged.</source>
+        <translation>non dice quanti punti misurati ha. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>measured point</source>
+        <translation>punto misurato</translation>
+    </message>
+    <message>
+        <source>has no point in the line &apos;%1&apos;. It is cut short or damaged.</source>
+        <translation>non ha un punto nella riga «%1». È troncato o danneggiato.</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posizione</translation>
+    </message>
+    <message>
+        <source>line &apos;coordinates&apos;</source>
+        <translation>riga «coordinates»</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; where a part should begin, which VTK passes over with all that follows. It is damaged, or of another version of the format: export it again.</source>
+        <translation>ha «%1» dove dovrebbe cominciare una parte, cosa che VTK salta con tutto il seguito. È danneggiato, o di un&apos;altra versione del formato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>size of a block</source>
+        <translation>dimensioni di un blocco</translation>
+    </message>
+    <message>
+        <source>has a block of the size &apos;%1&apos;. It is damaged.</source>
+        <translation>ha un blocco di dimensioni «%1». È danneggiato.</translation>
+    </message>
+    <message>
+        <source>coordinate of a block</source>
+        <translation>coordinata di un blocco</translation>
+    </message>
+    <message>
+        <source>origin or spacing of a block</source>
+        <translation>origine o spaziatura di un blocco</translation>
+    </message>
+    <message>
+        <source>mark of a blanked point</source>
+        <translation>segno di un punto escluso</translation>
+    </message>
+    <message>
+        <source>number of a part</source>
+        <translation>numero di una parte</translation>
+    </message>
+    <message>
+        <source>name of a part</source>
+        <translation>nome di una parte</translation>
+    </message>
+    <message>
+        <source>kind of a part</source>
+        <translation>tipo di una parte</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>elemento</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; where elements should begin. It is damaged, or of another version of the format: export it again.</source>
+        <translation>ha «%1» dove dovrebbero cominciare gli elementi. È danneggiato, o di un&apos;altra versione del formato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>number of elements</source>
+        <translation>numero di elementi</translation>
+    </message>
+    <message>
+        <source>number of faces</source>
+        <translation>numero di facce</translation>
+    </message>
+    <message>
+        <source>number of corners</source>
+        <translation>numero di vertici</translation>
+    </message>
+    <message>
+        <source>has &apos;%1&apos; where elements should begin, which VTK does not know. It is damaged, or of another version of the format: export it again.</source>
+        <translation>ha «%1» dove dovrebbero cominciare gli elementi, che VTK non conosce. È danneggiato, o di un&apos;altra versione del formato: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>has an element with too few corners: &apos;%1&apos;. It is cut short or damaged.</source>
+        <translation>ha un elemento con troppo pochi vertici: «%1». È troncato o danneggiato.</translation>
+    </message>
+    <message>
+        <source>has values of part &apos;%1&apos;, which the geometry does not have. One of the two is cut short, or they do not belong together.</source>
+        <translation>ha valori della parte «%1», che la geometria non ha. Uno dei due è troncato, o non vanno insieme.</translation>
+    </message>
+    <message>
+        <source>has values of &apos;%1&apos;, which the part does not have. It is damaged, or does not belong to the geometry.</source>
+        <translation>ha valori di «%1», che la parte non ha. È danneggiato, o non appartiene alla geometria.</translation>
+    </message>
+    <message>
+        <source>has no values of the elements &apos;%1&apos; of a part. It is cut short, or incomplete: export it again.</source>
+        <translation>non ha valori degli elementi «%1» di una parte. È troncato, o incompleto: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>has vectors of a block in the text format of EnSight 6, which VTK reads wrongly. Write the case as EnSight Gold, or the data as .vts.</source>
+        <translation>ha vettori di un blocco nel formato di testo di EnSight 6, che VTK legge male. Scrivere il caso come EnSight Gold, o i dati come .vts.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos; is missing. Copy it into the folder of this one: they belong together.</source>
+        <translation>il suo file «%1» manca. Copiarlo nella cartella di questo: vanno insieme.</translation>
+    </message>
+    <message>
+        <source>%1 ends within a section. It is cut short: copy the file again.</source>
+        <translation>%1 finisce dentro una sezione. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its file %1 is missing, which holds the values. Copy it into the folder of this one.</source>
+        <translation>il suo file %1, che contiene i valori, manca. Copiarlo nella cartella di questo.</translation>
+    </message>
+    <message>
+        <source>%1 has no section. It is cut short, or of another format.</source>
+        <translation>%1 non ha una sezione. È troncato, o di un altro formato.</translation>
+    </message>
+    <message>
+        <source>it</source>
+        <translation>il file</translation>
+    </message>
+    <message>
+        <source>its file %1</source>
+        <translation>il suo file %1</translation>
+    </message>
+    <message>
+        <source>it is an HDF4 file, which is not read. Convert it, for instance with h4toh5 and ParaView, to .vti or .vtu.</source>
+        <translation>è un file HDF4, che non si legge. Convertirlo, per esempio con h4toh5 e ParaView, in .vti o .vtu.</translation>
+    </message>
+    <message>
+        <source>it does not begin as HDF5 files do. It is damaged, or of another format.</source>
+        <translation>non comincia come i file HDF5. È danneggiato, o di un altro formato.</translation>
+    </message>
+    <message>
+        <source>it is an HDF5 file of another program: it has no group VTKHDF, by which VTK knows its own. Write it as .vti or .vtu.</source>
+        <translation>è un file HDF5 di un altro programma: non ha il gruppo VTKHDF, da cui VTK riconosce i suoi. Scriverlo come .vti o .vtu.</translation>
+    </message>
+    <message>
+        <source>it is a VTK HDF file of several time steps, a kind that came after VTK 9.1. Write one time step as .vti or .vtu.</source>
+        <translation>è un file VTK HDF di più passi temporali, un tipo venuto dopo VTK 9.1. Scrivere un passo temporale come .vti o .vtu.</translation>
+    </message>
+    <message>
+        <source>it is a VTK HDF file of the type %1, which came after VTK 9.1. Write it as .vti or .vtu.</source>
+        <translation>è un file VTK HDF di tipo %1, venuto dopo VTK 9.1. Scriverlo come .vti o .vtu.</translation>
+    </message>
+    <message>
+        <source>it holds &apos;%1&apos;: values alone, without points or a grid that they belong to. Write them with their grid.</source>
+        <translation>contiene «%1»: solo valori, senza punti o una griglia a cui appartengano. Scriverli con la loro griglia.</translation>
+    </message>
+    <message>
+        <source>it says &apos;%1&apos; where DATASET and a type as STRUCTURED_POINTS or UNSTRUCTURED_GRID should stand. It is damaged, or written by a faulty program.</source>
+        <translation>dice «%1» dove dovrebbe stare DATASET e un tipo come STRUCTURED_POINTS o UNSTRUCTURED_GRID. È danneggiato, o scritto da un programma difettoso.</translation>
+    </message>
+    <message>
+        <source>The file ends without an end of line: if it was cut short there, its last number is wrong.</source>
+        <translation>Il file finisce senza fine riga: se è stato troncato lì, il suo ultimo numero è sbagliato.</translation>
+    </message>
+    <message>
+        <source>its header does not say its ElementType. It is cut short: copy the file again.</source>
+        <translation>la sua intestazione non dice l&apos;ElementType. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its samples are of the type &apos;%1&apos;, which is not read. Write them as MET_INT, MET_FLOAT or MET_DOUBLE.</source>
+        <translation>i suoi campioni sono di tipo «%1», che non si legge. Scriverli come MET_INT, MET_FLOAT o MET_DOUBLE.</translation>
+    </message>
+    <message>
+        <source>its header has no NDims.</source>
+        <translation>la sua intestazione non ha NDims.</translation>
+    </message>
+    <message>
+        <source>it has %1 dimensions. Write a part of it with three.</source>
+        <translation>ha %1 dimensioni. Scriverne una parte con tre.</translation>
+    </message>
+    <message>
+        <source>its DimSize is &apos;%1&apos; and not %2 numbers of points.</source>
+        <translation>il suo DimSize è «%1» e non %2 numeri di punti.</translation>
+    </message>
+    <message>
+        <source>its ElementNumberOfChannels is &apos;%1&apos;.</source>
+        <translation>il suo ElementNumberOfChannels è «%1».</translation>
+    </message>
+    <message>
+        <source>its samples are a text with several channels, of which VTK reads a part only. Write them with BinaryData = True.</source>
+        <translation>i suoi campioni sono un testo con più canali, di cui VTK legge solo una parte. Scriverli con BinaryData = True.</translation>
+    </message>
+    <message>
+        <source>its HeaderSize is &apos;%1&apos;.</source>
+        <translation>il suo HeaderSize è «%1».</translation>
+    </message>
+    <message>
+        <source>its HeaderSize is -1, which says nothing where samples are packed or a text.</source>
+        <translation>il suo HeaderSize è -1, che non dice nulla dove i campioni sono compressi o un testo.</translation>
+    </message>
+    <message>
+        <source>%1 unpacks to %2 bytes, and its header asks for %3. It is damaged or cut short: copy the file again.</source>
+        <translation>%1 si decomprime in %2 byte, e la sua intestazione ne chiede %3. È danneggiato o troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be unpacked to its end. It is damaged or cut short: copy the file again.</source>
+        <translation>%1 non si decomprime fino alla fine. È danneggiato o troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1 has not the %2 numbers that its header asks for, each with a blank or an end of line behind it. It is cut short or damaged: copy the file again.</source>
+        <translation>%1 non ha i %2 numeri che la sua intestazione chiede, ciascuno seguito da uno spazio o da un fine riga. È troncato o danneggiato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its header has no line &apos;ElementDataFile = ...&apos;, so that it is cut short or no MetaImage. Copy the file again.</source>
+        <translation>la sua intestazione non ha la riga «ElementDataFile = ...», perciò è troncato o non è un MetaImage. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its header does not say the CompressedDataSize.</source>
+        <translation>la sua intestazione non dice il CompressedDataSize.</translation>
+    </message>
+    <message>
+        <source>its data file %1 is missing. Copy it into the folder of this one: the two belong together.</source>
+        <translation>il suo file di dati %1 manca. Copiarlo nella cartella di questo: i due vanno insieme.</translation>
+    </message>
+    <message>
+        <source>its data file %1</source>
+        <translation>il suo file di dati %1</translation>
+    </message>
+    <message>
+        <source>it should name %1 data files, each in a line of its own that ends, and names %2. It is cut short: copy the file again.</source>
+        <translation>dovrebbe nominare %1 file di dati, ciascuno in una riga propria che finisce, e ne nomina %2. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its ElementDataFile is &apos;%1&apos;.</source>
+        <translation>il suo ElementDataFile è «%1».</translation>
+    </message>
+    <message>
+        <source>its ElementDataFile &apos;%1&apos; does not name a file for each of its %2 layers. Write the numbers of the first, the last and the step behind the name.</source>
+        <translation>il suo ElementDataFile «%1» non nomina un file per ciascuno dei suoi %2 strati. Scrivere dopo il nome i numeri del primo, dell&apos;ultimo e il passo.</translation>
+    </message>
+    <message>
+        <source>its ElementDataFile &apos;%1&apos; is no name with a number as &apos;%03d&apos;.</source>
+        <translation>il suo ElementDataFile «%1» non è un nome con un numero come «%03d».</translation>
+    </message>
+    <message>
+        <source>its numbers have the byte order of other machines (big endian), which VTK reads wrongly. Write it anew on this machine.</source>
+        <translation>i suoi numeri hanno l&apos;ordine dei byte di altri computer (big endian), che VTK legge male. Riscriverlo su questo computer.</translation>
+    </message>
+    <message>
+        <source>its header says that it has %1 points along an axis.</source>
+        <translation>la sua intestazione dice che ha %1 punti lungo un asse.</translation>
+    </message>
+    <message>
+        <source>its samples are of mode %1, which VTK does not read. Write it with mode 2 (floating point).</source>
+        <translation>i suoi campioni sono di modo %1, che VTK non legge. Scriverlo con il modo 2 (virgola mobile).</translation>
+    </message>
+    <message>
+        <source>its header says that an extension of less than no bytes follows.</source>
+        <translation>la sua intestazione dice che segue un&apos;estensione di meno di zero byte.</translation>
+    </message>
+    <message>
+        <source>it ends within its header. It is cut short: copy the file again.</source>
+        <translation>finisce dentro la sua intestazione. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>its NetCDF header has lists that are longer than the file, or none where some belong.</source>
+        <translation>la sua intestazione NetCDF ha elenchi più lunghi del file, o nessuno dove ne occorrono.</translation>
+    </message>
+    <message>
+        <source>its dimension &apos;%1&apos; is %2 long, more than the file has bytes.</source>
+        <translation>la sua dimensione «%1» è lunga %2, più dei byte del file.</translation>
+    </message>
+    <message>
+        <source>an attribute in its NetCDF header is of no type that there is.</source>
+        <translation>un attributo nella sua intestazione NetCDF è di un tipo che non esiste.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; has dimensions that are not there.</source>
+        <translation>la sua variabile «%1» ha dimensioni che non ci sono.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; is of no type that there is.</source>
+        <translation>la sua variabile «%1» è di un tipo che non esiste.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; is larger than any file. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <translation>ha %1 byte, e la sua variabile «%2» è più grande di qualsiasi file. È troncato, o non è stato scritto fino alla fine: copiare di nuovo il file, o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and its variable &apos;%2&apos; reaches to byte %3. It is cut short, or was not written to its end: copy the file again, or export it again.</source>
+        <translation>ha %1 byte, e la sua variabile «%2» arriva al byte %3. È troncato, o non è stato scritto fino in fondo: copiare di nuovo il file, o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>its variable &apos;%1&apos; begins within the header.</source>
+        <translation>la sua variabile «%1» comincia dentro l&apos;intestazione.</translation>
+    </message>
+    <message>
+        <source>it does not begin as a TIFF file does.</source>
+        <translation>non comincia come un file TIFF.</translation>
+    </message>
+    <message>
+        <source>its pages name one another in a circle.</source>
+        <translation>le sue pagine si nominano in circolo.</translation>
+    </message>
+    <message>
+        <source>page %1</source>
+        <translation>la pagina %1</translation>
+    </message>
+    <message>
+        <source>%1 lies behind its end, at %2 bytes. It is cut short: copy the file again.</source>
+        <translation>%1 sta oltre la sua fine, a %2 byte. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>an entry of %1</source>
+        <translation>una voce (%1)</translation>
+    </message>
+    <message>
+        <source>%1 has no size.</source>
+        <translation>%1 non ha dimensioni.</translation>
+    </message>
+    <message>
+        <source>%1 does not say where its pixels are.</source>
+        <translation>%1 non dice dove sono i suoi pixel.</translation>
+    </message>
+    <message>
+        <source>%1 is divided into pieces of no size.</source>
+        <translation>%1 è divisa in pezzi senza dimensioni.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of its %3 pieces.</source>
+        <translation>%1 ha %2 dei suoi %3 pezzi.</translation>
+    </message>
+    <message>
+        <source>a piece of %1 has %2 bytes and should have %3.</source>
+        <translation>un pezzo (%1) ha %2 byte e dovrebbe averne %3.</translation>
+    </message>
+    <message>
+        <source>a piece of %1</source>
+        <translation>un pezzo (%1)</translation>
+    </message>
+    <message>
+        <source>its pages have two samples for each pixel, of which VTK reads the first page only. Write it with one sample.</source>
+        <translation>le sue pagine hanno due campioni per pixel, di cui VTK legge solo la prima pagina. Scriverlo con un campione.</translation>
+    </message>
+    <message>
+        <source>some of its pages say that they are part of the volume, and page %1 does not.</source>
+        <translation>alcune sue pagine dicono di far parte del volume, e la pagina %1 no.</translation>
+    </message>
+    <message>
+        <source>page %1 is of another size or type than page 1. Write a file whose pages are layers of one volume.</source>
+        <translation>la pagina %1 è di dimensioni o tipo diversi dalla pagina 1. Scrivere un file le cui pagine sono strati di un volume.</translation>
+    </message>
+    <message>
+        <source>its file %1: %2</source>
+        <translation>il suo file %1: %2</translation>
+    </message>
+    <message>
+        <source>it is of another size or type than the first file of its stack, &apos;%1&apos;. Put the layers of one volume alone into a folder.</source>
+        <translation>è di dimensioni o tipo diversi dal primo file della sua serie, «%1». Mettere gli strati di un volume da soli in una cartella.</translation>
+    </message>
+    <message>
+        <source>%1 It is damaged, or written by a faulty program: export it again.</source>
+        <translation>%1 È danneggiato, o scritto da un programma difettoso: esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it ends within its appended data. It is cut short: copy the file again.</source>
+        <translation>finisce dentro i dati in coda. È troncato: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, one for each time step or part. Open one of its files.</source>
+        <translation>è un elenco di file, uno per ogni passo temporale o parte. Aprire uno dei suoi file.</translation>
+    </message>
+    <message>
+        <source>it is a list of files, one for each time step or part. Open one of its files, such as &apos;%1&apos;.</source>
+        <translation>è un elenco di file, uno per ogni passo temporale o parte. Aprirne uno, per esempio «%1».</translation>
+    </message>
+    <message>
+        <source>its element %1 is missing.</source>
+        <translation>manca il suo elemento %1.</translation>
+    </message>
+    <message>
+        <source>the pieces in it do not fill the WholeExtent that it names.</source>
+        <translation>i pezzi in esso non riempiono il WholeExtent che indica.</translation>
+    </message>
+    <message>
+        <source>it has more than %1 elements.</source>
+        <translation>ha più di %1 elementi.</translation>
+    </message>
+    <message>
+        <source>its elements stand more than %1 deep in one another.</source>
+        <translation>i suoi elementi sono annidati più di %1 volte.</translation>
+    </message>
+    <message>
+        <source>an element has more than %1 attributes.</source>
+        <translation>un elemento ha più di %1 attributi.</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos; and not three numbers.</source>
+        <translation>il suo %1 è «%2» e non tre numeri.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has &apos;%2&apos; components.</source>
+        <translation>il suo vettore «%1» ha «%2» componenti.</translation>
+    </message>
+    <message>
+        <source>it says that it has %1 points or cells, more than %2 bytes can hold.</source>
+        <translation>dichiara %1 punti o celle, più di quanti %2 byte possano contenere.</translation>
+    </message>
+    <message>
+        <source>its file &apos;%1&apos;: %2</source>
+        <translation>il suo file «%1»: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; (of cells)</source>
+        <translation>«%1» (di celle)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Its 64-bit integers became floating-point numbers of 53 bits.</source>
+        <translation>I suoi interi a 64 bit sono diventati numeri in virgola mobile a 53 bit.</translation>
+    </message>
+    <message>
+        <source>it has no array with a number for each point or cell. Write it with one.</source>
+        <translation>non ha vettori con un numero per ogni punto o cella. Scriverlo con uno.</translation>
+    </message>
+    <message>
+        <source>it has no array &apos;%1&apos;. Choose one of these: %2.</source>
+        <translation>non ha un vettore «%1». Sceglierne uno fra questi: %2.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has no component &apos;%2&apos;. Choose one from 0 to %3, or &apos;magnitude&apos;.</source>
+        <translation>il suo vettore «%1» non ha la componente «%2». Sceglierne una da 0 a %3, o «magnitude».</translation>
+    </message>
+    <message>
+        <source>it has cells of a shape that TAn does not know: %1. Divide them into simpler ones.</source>
+        <translation>ha celle di una forma che TAn non conosce: %1. Dividerle in altre più semplici.</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>numero %1</translation>
+    </message>
+    <message>
+        <source>the lists of its cells&apos; corners contradict each other. It is damaged.</source>
+        <translation>gli elenchi dei vertici delle sue celle si contraddicono. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>cell %1 (from 0) has the corner %2, and there are %3 points. It is damaged.</source>
+        <translation>la cella %1 (da 0) ha il vertice %2, e ci sono %3 punti. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>1 cell is called linear and has the corners of a quadratic one: it was taken as such.</source>
+        <translation>1 cella è detta lineare e ha i vertici di una quadratica: è stata presa come tale.</translation>
+    </message>
+    <message>
+        <source>%1 cells are called linear and have the corners of quadratic ones: they were taken as such.</source>
+        <translation>%1 celle sono dette lineari e hanno i vertici di quadratiche: sono state prese come tali.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has values for its polygons, not its points. Choose an array of points.</source>
+        <translation>il suo vettore «%1» ha valori per i poligoni, non per i punti. Scegliere un vettore di punti.</translation>
+    </message>
+    <message>
+        <source>What joins its points (lines, polygons) was left out: they are scattered points.</source>
+        <translation>Ciò che unisce i suoi punti (linee, poligoni) è stato omesso: sono punti sparsi.</translation>
+    </message>
+    <message>
+        <source>%1 of its parts have no &apos;%2&apos; and were left out.</source>
+        <translation>%1 delle sue parti non hanno «%2» e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>It contains %1 parts; this is the one called &apos;%2&apos;. Choose another one with &apos;part&apos;.</source>
+        <translation>Contiene %1 parti; questa è quella chiamata «%2». Un&apos;altra si sceglie con «Parte».</translation>
+    </message>
+    <message>
+        <source>%1 of its parts are no irregular meshes and were left out.</source>
+        <translation>%1 delle sue parti non sono mesh irregolari e sono state omesse.</translation>
+    </message>
+    <message>
+        <source>The values of the cells were brought to the points, as the mean of the cells around.</source>
+        <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
+    </message>
+    <message>
+        <source>some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular mesh, which is too large for that. Take a part of it, or replace those values by numbers.</source>
+        <translation>alcune delle sue %1 celle sono escluse o hanno valori che non sono numeri, perciò è una mesh irregolare, troppo grande per questo. Prenderne una parte, o sostituire quei valori con numeri.</translation>
+    </message>
+    <message>
+        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
+        <translation>Una griglia con celle escluse, o i cui valori non sono numeri: una mesh irregolare senza di esse.</translation>
+    </message>
+    <message>
+        <source>The samples were multiplied and shifted as the header of the file asks.</source>
+        <translation>I campioni sono stati moltiplicati e traslati come chiede l&apos;intestazione del file.</translation>
+    </message>
+    <message>
+        <source>its header is not that of a NIfTI file.</source>
+        <translation>la sua intestazione non è quella di un file NIfTI.</translation>
+    </message>
+    <message>
+        <source>it has no part &apos;%1&apos;. %2</source>
+        <translation>non ha una parte «%1». %2</translation>
+    </message>
+    <message>
+        <source>It is all one: leave &apos;part&apos; empty.</source>
+        <translation>È tutto uno: lasciare «part» vuoto.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1</source>
+        <translation>VTK dice: %1</translation>
+    </message>
+    <message>
+        <source>Time step %1 of %2. Choose another one with &apos;time&apos;.</source>
+        <translation>Passo temporale %1 di %2. Un altro si sceglie con «Passo temporale».</translation>
+    </message>
+    <message>
+        <source>it says that it holds more than any machine can. It is damaged.</source>
+        <translation>dichiara di contenere più di quanto un computer possa. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1. It is damaged.</source>
+        <translation>VTK dice: %1. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>it is a PLOT3D solution, and its grid (.xyz, .x, .g, .p3d) is not beside it. Open the grid.</source>
+        <translation>è una soluzione PLOT3D, e la sua griglia (.xyz, .x, .g, .p3d) non è accanto. Aprire la griglia.</translation>
+    </message>
+    <message>
+        <source>it is a PLOT3D grid without values, and neither a solution (.q) nor a function file (.f, .fun) of its name is beside it. Name it with &apos;solution&apos;.</source>
+        <translation>è una griglia PLOT3D senza valori, e accanto non c&apos;è né una soluzione (.q) né un file di funzioni (.f, .fun) del suo nome. Indicarlo con «solution».</translation>
+    </message>
+    <message>
+        <source>it is a text, but not as many numbers stand in it as a PLOT3D grid of its size has. It is damaged, or of another format.</source>
+        <translation>è un testo, ma non contiene tanti numeri quanti ne ha una griglia PLOT3D delle sue dimensioni. È danneggiato, o di un altro formato.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1. The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
+        <translation>VTK dice: %1. Il file è danneggiato, incompleto, o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it has %1 time steps, and number %2 is asked for. Choose one from 1 to %3 with &apos;time&apos;.</source>
+        <translation>ha %1 passi temporali, e si chiede il numero %2. Sceglierne uno da 1 a %3 con «time».</translation>
+    </message>
+    <message>
+        <source>VTK finds nothing in it. It is damaged, or of another format.</source>
+        <translation>VTK non vi trova nulla. È danneggiato, o di un altro formato.</translation>
+    </message>
+    <message>
+        <source>VTK says: %1 The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
+        <translation>VTK dice: %1 Il file è danneggiato, incompleto o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it is no VTK file: its beginning does not say a type of data. Write it anew.</source>
+        <translation>non è un file VTK: il suo inizio non dice un tipo di dati. Riscriverlo.</translation>
+    </message>
+    <message>
+        <source>it holds data of the type &apos;%1&apos;, which are no volume. Write them as a grid, a mesh or points.</source>
+        <translation>contiene dati di tipo «%1», che non sono un volume. Scriverli come griglia, mesh o punti.</translation>
+    </message>
+    <message>
+        <source>Install VTK with &apos;apt install libvtk9.1&apos; (other systems: VTK 9).</source>
+        <translation>Installare VTK con «apt install libvtk9.1» (altri sistemi: VTK 9).</translation>
+    </message>
+    <message>
+        <source>There are not enough memory, processes or open files to start the VTK readers (%1). Close other programs, or raise the limit (ulimit).</source>
+        <translation>Memoria, processi o file aperti non bastano per avviare i lettori VTK (%1). Chiudere altri programmi, o alzare il limite (ulimit).</translation>
+    </message>
+    <message>
+        <source>The VTK readers are not installed. Install the package tan-vtk-readers, which comes with TAn: &apos;apt install ./tan-vtk-readers_*.deb&apos; where the file lies (of a build of your own: build it anew after &apos;apt install libvtk9-dev&apos;), or convert the file to NRRD or CSV.</source>
+        <translation>I lettori VTK non sono installati. Installare il pacchetto tan-vtk-readers, fornito con TAn: «apt install ./tan-vtk-readers_*.deb» dove si trova il file (se compilato da sé: ricompilare dopo «apt install libvtk9-dev»), o convertire il file in NRRD o CSV.</translation>
+    </message>
+    <message>
+        <source>The VTK readers cannot be started: &apos;%1&apos;: %2</source>
+        <translation>I lettori VTK non si possono avviare: «%1»: %2</translation>
+    </message>
+    <message>
+        <source>The VTK readers are not installed: %1. %2</source>
+        <translation>I lettori VTK non sono installati: %1. %2</translation>
+    </message>
+    <message>
+        <source>The VTK readers are installed badly: %1. %2</source>
+        <translation>I lettori VTK sono installati male: %1. %2</translation>
+    </message>
+    <message>
+        <source>the system ended VTK, which it does when memory runs out. Close other programs, or take a part of the file.</source>
+        <translation>il sistema ha terminato VTK, come fa quando la memoria finisce. Chiudere altri programmi, o prendere una parte del file.</translation>
+    </message>
+    <message>
+        <source>VTK&apos;s reader crashed. The file is damaged, larger than memory, or of a kind that VTK reads badly. Export it again, or in another format (.vtu, .vti).</source>
+        <translation>Il lettore di VTK si è arrestato in modo anomalo. Il file è danneggiato, più grande della memoria, o di un tipo che VTK legge male. Esportarlo di nuovo, o in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK has waited for its disk for minutes. See whether the disk answers, or copy the file to another one.</source>
+        <translation>VTK ha atteso per minuti il suo disco. Verificare che il disco risponda, o copiare il file su un altro.</translation>
+    </message>
+    <message>
+        <source>VTK needs more memory for it than the %1 that programs may take here. Raise the limit (ulimit -v).</source>
+        <translation>VTK richiede più memoria dei %1 che i programmi possono prendere qui. Alzare il limite (ulimit -v).</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or too large for this machine: take a part of it.</source>
+        <translation>VTK richiede più di %1 di memoria, metà di quella di questa macchina. È danneggiato, o troppo grande per questa macchina: prenderne una parte.</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 of memory for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK richiede più di %1 di memoria, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>VTK needs more than %1 seconds of the processor for it, which files of its size do not need. It is damaged; if not, write it in another format (.vtu, .vti).</source>
+        <translation>VTK richiede più di %1 secondi del processore, che file di questa grandezza non richiedono. È danneggiato; altrimenti scriverlo in un altro formato (.vtu, .vti).</translation>
+    </message>
+    <message>
+        <source>it has no zone. It is cut short, or no Tecplot text.</source>
+        <translation>non ha una zona. È troncato, o non è un testo Tecplot.</translation>
+    </message>
+    <message>
+        <source>its zone %1</source>
+        <translation>la sua zona %1</translation>
+    </message>
+    <message>
+        <source>its zone %1 (&apos;%2&apos;)</source>
+        <translation>la sua zona %1 («%2»)</translation>
+    </message>
+    <message>
+        <source>it holds &apos;%1&apos;, not a grid with its values. Write both into one file (FILETYPE = FULL).</source>
+        <translation>contiene «%1», non una griglia con i suoi valori. Scriverli entrambi in un file (FILETYPE = FULL).</translation>
+    </message>
+    <message>
+        <source>it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.</source>
+        <translation>ha più numeri di quanti ne chiedano le sue %1 zone. Le sue dimensioni sono sbagliate, o è danneggiato.</translation>
+    </message>
+    <message>
+        <source>it has &apos;%1&apos; where a record such as ZONE should begin. It is damaged, or no Tecplot text.</source>
+        <translation>ha «%1» dove dovrebbe cominciare un record come ZONE. È danneggiato, o non è un testo Tecplot.</translation>
+    </message>
+    <message>
+        <source>none of its variables is called %1, so that it has no place in space. Name the coordinates X, Y and Z.</source>
+        <translation>nessuna delle sue variabili si chiama %1, perciò non ha un posto nello spazio. Chiamare le coordinate X, Y e Z.</translation>
+    </message>
+    <message>
+        <source>it has a zone before its VARIABLES. It is damaged.</source>
+        <translation>ha una zona prima delle sue VARIABLES. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>%1 repeats variables by &apos;D&apos;, which is not read. Write it with VARSHARELIST, or all of its variables.</source>
+        <translation>%1 ripete variabili con «D», cosa che non si legge. Scriverla con VARSHARELIST, o con tutte le variabili.</translation>
+    </message>
+    <message>
+        <source>%1 ends within its header. It is cut short: copy the file again.</source>
+        <translation>%1 finisce dentro la sua intestazione. È troncata: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1 has a VARLOCATION &apos;%2&apos; that is not understood.</source>
+        <translation>%1 ha una VARLOCATION «%2» che non si capisce.</translation>
+    </message>
+    <message>
+        <source>%1 shares variables with zone &apos;%2&apos;, which does not come before it. The file is damaged or cut short.</source>
+        <translation>%1 condivide variabili con la zona «%2», che non viene prima. Il file è danneggiato o troncato.</translation>
+    </message>
+    <message>
+        <source>%1 has &apos;%2&apos;. It is damaged or cut short.</source>
+        <translation>%1 ha «%2». È danneggiata o troncata.</translation>
+    </message>
+    <message>
+        <source>%1 is of the type &apos;%2&apos;, which is not read. Divide its elements into bricks or tetrahedra.</source>
+        <translation>%1 è di tipo «%2», che non si legge. Dividere i suoi elementi in esaedri o tetraedri.</translation>
+    </message>
+    <message>
+        <source>%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.</source>
+        <translation>%1 non dice quanti nodi (N) ed elementi (E) ha. È danneggiata o troncata.</translation>
+    </message>
+    <message>
+        <source>%1 does not say how many points it has (I, J, K). It is damaged or cut short.</source>
+        <translation>%1 non dice quanti punti ha (I, J, K). È danneggiata o troncata.</translation>
+    </message>
+    <message>
+        <source>%1 ends before the last of its %2. It is cut short: copy the file again.</source>
+        <translation>%1 finisce prima che ci sia tutto: %2. È troncata: copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>%1 has no number in place of one of its %2. Its sizes are wrong, or it is damaged.</source>
+        <translation>%1 in un punto non ha un numero dove dovrebbe esserci: %2. Le sue dimensioni sono sbagliate, o è danneggiata.</translation>
+    </message>
+    <message>
+        <source>%1 ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <translation>%1 finisce subito dopo il suo ultimo numero, o dentro di esso. Se il file è intero, mettervi un fine riga; altrimenti copiarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>%1 shares values with a zone of another size. The file is damaged.</source>
+        <translation>%1 condivide valori con una zona di altre dimensioni. Il file è danneggiato.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as &apos;%2&apos;, which is not known.</source>
+        <translation>%1 è disposta come «%2», che non è noto.</translation>
+    </message>
+    <message>
+        <source>%1 has values of elements, which must be packed by blocks. It is damaged.</source>
+        <translation>%1 ha valori di elementi, che devono essere disposti a blocchi. È danneggiata.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 punti</translation>
+    </message>
+    <message>
+        <source>%1 values of &apos;%2&apos;</source>
+        <translation>%1 valori di «%2»</translation>
+    </message>
+    <message>
+        <source>%1 has more numbers than it should. Its sizes are wrong, or it is damaged.</source>
+        <translation>%1 ha più numeri del dovuto. Le sue dimensioni sono sbagliate, o è danneggiata.</translation>
+    </message>
+    <message>
+        <source>%1 has no positions of its points. Write it with all coordinates.</source>
+        <translation>%1 non ha le posizioni dei suoi punti. Scriverla con tutte le coordinate.</translation>
+    </message>
+    <message>
+        <source>%1 shares its elements with a zone that does not fit. The file is damaged.</source>
+        <translation>%1 condivide i suoi elementi con una zona che non corrisponde. Il file è danneggiato.</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 elementi</translation>
+    </message>
+    <message>
+        <source>%1 has an element at node &apos;%2&apos;, and it has %3. It is damaged.</source>
+        <translation>%1 ha un elemento al nodo «%2», e ne ha %3. È danneggiata.</translation>
+    </message>
+    <message>
+        <source>its array &apos;%1&apos; has %2 values for %3 points.</source>
+        <translation>il suo vettore «%1» ha %2 valori per %3 punti.</translation>
+    </message>
+    <message>
+        <source>it has %1 positions for a grid of %2 points.</source>
+        <translation>ha %1 posizioni per una griglia di %2 punti.</translation>
+    </message>
+    <message>
+        <source>the position of point %1 (from 0) is no number, or too large. Repair the file.</source>
+        <translation>la posizione del punto %1 (da 0) non è un numero, o è troppo grande. Riparare il file.</translation>
+    </message>
+    <message>
+        <source>%1 points whose value is no number were left out.</source>
+        <translation>%1 punti il cui valore non è un numero sono stati omessi.</translation>
+    </message>
+    <message>
+        <source>none of its values is a number.</source>
+        <translation>nessuno dei suoi valori è un numero.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>VTK legacy (*.vtk)</source>
+        <translation>VTK legacy (*.vtk)</translation>
+    </message>
+    <message>
+        <source>VTK HDF (*.vtkhdf *.hdf)</source>
+        <translation>VTK HDF (*.vtkhdf *.hdf)</translation>
+    </message>
+    <message>
+        <source>Exodus II (*.ex2 *.exo *.exii *.e *.g)</source>
+        <translation>Exodus II (*.ex2 *.exo *.exii *.e *.g)</translation>
+    </message>
+    <message>
+        <source>EnSight (*.case *.encas)</source>
+        <translation>EnSight (*.case *.encas)</translation>
+    </message>
+    <message>
+        <source>NetCDF, CF conventions (*.nc *.cdf)</source>
+        <translation>NetCDF, convenzioni CF (*.nc *.cdf)</translation>
+    </message>
+    <message>
+        <source>CGNS (*.cgns)</source>
+        <translation>CGNS (*.cgns)</translation>
+    </message>
+    <message>
+        <source>MetaImage (*.mhd *.mha)</source>
+        <translation>MetaImage (*.mhd *.mha)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii *.nii.gz)</source>
+        <translation>NIfTI (*.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>MRC electron microscopy (*.mrc *.ccp4 *.map)</source>
+        <translation>Microscopia elettronica MRC (*.mrc *.ccp4 *.map)</translation>
+    </message>
+    <message>
+        <source>TIFF stack (*.tif *.tiff)</source>
+        <translation>Serie TIFF (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>DICOM series (*.dcm *.dicom)</source>
+        <translation>Serie DICOM (*.dcm *.dicom)</translation>
+    </message>
+    <message>
+        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
+        <translation>PLOT3D, anche testo (*.xyz *.x *.g *.p3d *.q)</translation>
+    </message>
+    <message>
+        <source>GAMBIT (*.neu)</source>
+        <translation>GAMBIT (*.neu)</translation>
+    </message>
+    <message>
+        <source>Fluent (*.cas)</source>
+        <translation>Fluent (*.cas)</translation>
+    </message>
+    <message>
+        <source>OpenFOAM (*.foam controlDict)</source>
+        <translation>OpenFOAM (*.foam controlDict)</translation>
+    </message>
+    <message>
+        <source>Tecplot text (*.tec *.tp)</source>
+        <translation>Testo Tecplot (*.tec *.tp)</translation>
+    </message>
+    <message>
+        <source>Give &apos;%1&apos;, or the number of a component from 0.</source>
+        <translation>Indicare «%1», o il numero di una componente da 0.</translation>
+    </message>
+    <message>
+        <source>Of arrays with several components: the number of one, from 0, or &apos;magnitude&apos;.</source>
+        <translation>Di vettori con più componenti: il numero di una, da 0, o &apos;magnitude&apos;.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Passo temporale</translation>
+    </message>
+    <message>
+        <source>Of files with several time steps: which one, from 1.</source>
+        <translation>Di file con più passi temporali: quale, da 1.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
+        <translation>Di file con più blocchi o parti: una, per nome o numero da 1; se vuoto tutte le mesh irregolari che hanno i valori, o la prima griglia.</translation>
+    </message>
+    <message>
+        <source>it is of no format that VTK reads.</source>
+        <translation>non è di un formato che VTK legge.</translation>
+    </message>
+    <message>
+        <source>with-cell</source>
+        <translation>con la cella</translation>
+    </message>
+    <message>
+        <source>How surfaces and volume are put in order: &apos;exact&apos;, or as the paper did &apos;with-cell&apos;, where the part of a surface in a cell is drawn before the cell.</source>
+        <translation>Come si ordinano superfici e volume: &apos;exact&apos;, oppure come faceva l&apos;articolo &apos;with-cell&apos;, dove la parte di superficie in una cella si disegna prima della cella.</translation>
+    </message>
+    <message>
+        <source>electron density of the C60 molecule, a hollow ball of smooth bumps</source>
+        <translation>densità elettronica della molecola C60, una sfera cava di gobbe lisce</translation>
+    </message>
+    <message>
+        <source>probability density of the hydrogen atom&apos;s 3d electron: two lobes and a ring</source>
+        <translation>densità di probabilità dell&apos;elettrone 3d dell&apos;atomo di idrogeno: due lobi e un anello</translation>
+    </message>
+    <message>
+        <source>the test signal of Marschner and Lobb: ripples that are hard to reproduce</source>
+        <translation>il segnale di prova di Marschner e Lobb: increspature difficili da riprodurre</translation>
+    </message>
+    <message>
+        <source>white noise, the worst case: no sample tells of its neighbour</source>
+        <translation>rumore bianco, il caso peggiore: nessun campione dice nulla del vicino</translation>
+    </message>
+    <message>
+        <source>flow in front of a hemisphere: a curvilinear grid whose axis is collapsed</source>
+        <translation>flusso davanti a una semisfera: una griglia curvilinea con l&apos;asse collassato</translation>
+    </message>
+    <message>
+        <source>flow around a cylinder: a curvilinear grid that closes on itself</source>
+        <translation>flusso attorno a un cilindro: una griglia curvilinea che si chiude su sé stessa</translation>
+    </message>
+    <message>
+        <source>flow through a bent duct: a curvilinear grid</source>
+        <translation>flusso in un condotto curvo: una griglia curvilinea</translation>
+    </message>
+    <message>
+        <source>a layer at a wall: a rectilinear grid with spacings that grow</source>
+        <translation>uno strato presso una parete: una griglia rettilinea con spaziature crescenti</translation>
+    </message>
+    <message>
+        <source>random points in a ball, with waves that grow finer outwards</source>
+        <translation>punti casuali in una sfera, con onde più fini verso l&apos;esterno</translation>
+    </message>
+    <message>
+        <source>stress in a plate with five holes and a closed cavity: an irregular mesh</source>
+        <translation>tensione in una piastra con cinque fori e una cavità chiusa: una mesh irregolare</translation>
+    </message>
+    <message>
+        <source>There is no sample called &apos;%1&apos;. There are:%2.</source>
+        <translation>Non c&apos;è un esempio chiamato «%1». Ci sono:%2.</translation>
+    </message>
+    <message>
+        <source>Making the sample</source>
+        <translation>Creazione dell&apos;esempio</translation>
+    </message>
+    <message>
+        <source>The sample &apos;%1&apos; has from %2 to %3 points along each axis, not %4.</source>
+        <translation>L&apos;esempio «%1» ha da %2 a %3 punti lungo ogni asse, non %4.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to make the sample. Ask for a smaller size.</source>
+        <translation>La memoria non basta per creare l&apos;esempio. Chiedere dimensioni più piccole.</translation>
+    </message>
+    <message>
+        <source>The array &apos;%1&apos; has %2 values for %3 %4: an array needs a name, and one value for each.</source>
+        <translation>Il vettore «%1» ha %2 valori per %3 %4: un vettore richiede un nome e un valore per ciascuno.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to write &apos;%1&apos;.</source>
+        <translation>La memoria non basta per scrivere «%1».</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more vertices than a PLY file can number. Write a .vtu file.</source>
+        <translation>«%1» avrebbe più vertici di quanti un file PLY possa numerare. Scrivere un file .vtu.</translation>
+    </message>
+    <message>
+        <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
+        <translation>La superficie «%1» ha %2, perciò non può essere scritta.</translation>
+    </message>
+    <message>
+        <source>not one normal for each vertex</source>
+        <translation>non una normale per ogni vertice</translation>
+    </message>
+    <message>
+        <source>not one value for each vertex</source>
+        <translation>non un valore per ogni vertice</translation>
+    </message>
+    <message>
+        <source>triangles of vertices that it does not have</source>
+        <translation>triangoli di vertici che non ha</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be the boundary of more than 1073741824 tetrahedra, which is too many to find it. Write a .vtu file.</source>
+        <translation>«%1» sarebbe il contorno di più di 1073741824 tetraedri, troppi per trovarlo. Scrivere un file .vtu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtu file.</source>
+        <translation>«%1» avrebbe più di quanto un file VTK legacy possa numerare. Scrivere un file .vtu.</translation>
+    </message>
+    <message>
+        <source>The film</source>
+        <translation>Il filmato</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
+        <translation>«%1» non può essere scritto: %2. Scegliere un altro posto.</translation>
+    </message>
+    <message>
+        <source>A film needs two key frames at least. Add another view.</source>
+        <translation>Un filmato richiede almeno due fotogrammi chiave. Aggiungere un&apos;altra vista.</translation>
+    </message>
+    <message>
+        <source>three numbers in brackets</source>
+        <translation>tre numeri tra parentesi quadre</translation>
+    </message>
+    <message>
+        <source>an object, in braces</source>
+        <translation>un oggetto, tra graffe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be %2.</source>
+        <translation>«%1» deve essere %2.</translation>
+    </message>
+    <message>
+        <source>a name that is known here</source>
+        <translation>un nome noto qui</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
+        <translation>Non si può scrivere nella cartella «%1», quindi la vista non può essere conservata. Liberare spazio lì, o salvare la sessione.</translation>
+    </message>
+    <message>
+        <source>There is no surface to save: add an isovalue, or show one.</source>
+        <translation>Non c&apos;è alcuna superficie da salvare: aggiungere un isovalore, o mostrarne uno.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size.</source>
+        <translation>La memoria non basta per un&apos;immagine di queste dimensioni.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; for samples cannot be made: %2. Make it writable, or free some space.</source>
+        <translation>La cartella «%1» per gli esempi non può essere creata: %2. Renderla scrivibile, o liberare spazio.</translation>
+    </message>
+    <message>
+        <source>There is no sample called &apos;%1&apos;.</source>
+        <translation>Non c&apos;è un esempio chiamato «%1».</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close other programs.</source>
+        <translation>La memoria non basta per la mesh a questa accuratezza. Sceglierne una minore, o chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>it is not valid JSON, at byte %1.</source>
+        <translation>non è JSON valido, al byte %1.</translation>
+    </message>
+    <message>
+        <source>its &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>«format» non è «%1».</translation>
+    </message>
+    <message>
+        <source>this program knows version %1 of sessions only.</source>
+        <translation>questo programma conosce solo la versione %1 delle sessioni.</translation>
+    </message>
+    <message>
+        <source>it names no model in &quot;model.path&quot;.</source>
+        <translation>non indica un modello in «model.path».</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; cannot be read: %2.</source>
+        <translation>Il file «%1» non può essere letto: %2.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
+        <translation>Il file «%1» è troppo grande per essere ciò che si cerca qui.</translation>
+    </message>
+    <message>
+        <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
+        <translation>Non è stato possibile creare il video: %1 dice «%2». Scegliere un altro formato, o immagini PNG.</translation>
+    </message>
+    <message>
+        <source>The video</source>
+        <translation>Il video</translation>
+    </message>
+    <message>
+        <source>In &apos;%1&apos;: %2</source>
+        <translation>In «%1»: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The model of the session cannot be opened. %1</source>
+        <translation>Il modello della sessione non può essere aperto. %1</translation>
+    </message>
+    <message>
+        <source>Install VTK with &apos;apt install libvtk9.1&apos;.</source>
+        <translation>Installare VTK con «apt install libvtk9.1».</translation>
+    </message>
+    <message>
+        <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Un dataset non può essere scritto come «%1». %2</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Una mesh non può essere scritta come «%1». %2</translation>
+    </message>
+    <message>
+        <source>Surfaces cannot be written as &apos;%1&apos;. %2</source>
+        <translation>Le superfici non possono essere scritte come «%1». %2</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1; or, for the mesh&apos;s boundary alone, %2.</source>
+        <translation>Scegliere una di queste estensioni: %1; oppure, per il solo contorno della mesh, %2.</translation>
+    </message>
+    <message>
+        <source>Choose one of these endings: %1.</source>
+        <translation>Scegliere una di queste estensioni: %1.</translation>
+    </message>
+    <message>
+        <source>It was built with %1, and this program with %2. Rebuild the plugin with that compiler and the headers of this TAn, or install a build of it for this TAn.</source>
+        <translation>È stato compilato con %1 e questo programma con %2. Ricompilare il plugin con questo compilatore e gli header di questo TAn, oppure installarne una versione per questo TAn.</translation>
+    </message>
+    <message>
+        <source>The plugin that writes &apos;%1&apos; promises what it cannot write. Tell its author.</source>
+        <translation>Il plugin che scrive «%1» promette ciò che non sa scrivere. Avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>It does not say what it was built with, and this program was built with %1. Rebuild the plugin with tan_plugin_module().</source>
+        <translation>Non dice con che cosa è stato compilato, e questo programma è stato compilato con %1. Ricompilare il plugin con tan_plugin_module().</translation>
+    </message>
+    <message>
+        <source>%1%2</source>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>a colour, #rrggbb or a name</source>
+        <translation>un colore, #rrggbb o un nome</translation>
+    </message>
+    <message>
+        <source>three numbers x,y,z</source>
+        <translation>tre numeri x,y,z</translation>
+    </message>
+    <message>
+        <source>a text that makes a %1</source>
+        <translation>un testo che dia un %1</translation>
+    </message>
+    <message>
+        <source>&quot;edits&quot; does not say which type of parameters the editor is for</source>
+        <translation>«edits» non dice per quale tipo di parametri è l&apos;editor</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più dei 4 GiB che un file .glb può contenere. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più dei 2147483647 vertici che un file PLY può numerare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più dei 4294967295 triangoli che un file STL può contare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
+        <translation>«%1» avrebbe più di quanto un file VTK legacy possa numerare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>It makes no widget. Tell its author.</source>
+        <translation>Non mostra nulla. Avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>Tables of points</source>
+        <translation>Tabelle di punti</translation>
+    </message>
+    <message>
+        <source>NRRD volumes</source>
+        <translation>Volumi NRRD</translation>
+    </message>
+    <message>
+        <source>PLOT3D grids with a solution file</source>
+        <translation>Griglie PLOT3D con file di soluzione</translation>
+    </message>
+    <message>
+        <source>VTK XML unstructured grids</source>
+        <translation>Griglie non strutturate VTK XML</translation>
+    </message>
+    <message>
+        <source>VTK XML polydata</source>
+        <translation>VTK XML polydata</translation>
+    </message>
+    <message>
+        <source>VTK legacy files</source>
+        <translation>File VTK legacy</translation>
+    </message>
+    <message>
+        <source>PLY files</source>
+        <translation>File PLY</translation>
+    </message>
+    <message>
+        <source>STL files</source>
+        <translation>File STL</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ files</source>
+        <translation>File Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Binary glTF files</source>
+        <translation>File glTF binari</translation>
+    </message>
+    <message>
+        <source>Writing the dataset</source>
+        <translation>Scrittura dell&apos;insieme di dati</translation>
+    </message>
+    <message>
+        <source>Writing the mesh</source>
+        <translation>Scrittura della mesh</translation>
+    </message>
+    <message>
+        <source>Writing the surfaces</source>
+        <translation>Scrittura delle superfici</translation>
+    </message>
+    <message>
+        <source>writer &apos;%1&apos;</source>
+        <translation>scrittura «%1»</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>vertici</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>tetraedri</translation>
+    </message>
+    <message>
+        <source>Encoding</source>
+        <translation>Codifica</translation>
+    </message>
+    <message>
+        <source>raw is quick to write and to read, gzip is smaller.</source>
+        <translation>raw è rapido da scrivere e da leggere, gzip è più piccolo.</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>raw</translation>
+    </message>
+    <message>
+        <source>gzip</source>
+        <translation>gzip</translation>
+    </message>
+    <message>
+        <source>What draws the scene failed: %1. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>Ciò che disegna la scena ha fallito: %1. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>The shader of an optical model cannot be used: %1</source>
+        <translation>Lo shader di un modello ottico non si può usare: %1</translation>
+    </message>
+    <message>
+        <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
+        <translation>A un modello ottico della scena manca la funzione o lo shader. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>A blend of two volumes is seen by emission and absorption alone. Take the optical model away, or show one of the two.</source>
+        <translation>Una dissolvenza tra due volumi si vede solo con emissione e assorbimento. Togliere il modello ottico, o mostrare uno solo dei due.</translation>
+    </message>
+    <message>
+        <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
+        <translation>Una scena può avere un volume, o una dissolvenza tra due, e questa ne ha %1. Mostrare gli altri come superfici, o in un&apos;immagine a parte.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha fallito senza dire perché. È un errore del plugin; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no choice for &apos;%2&apos;. There is: %3.</source>
+        <translation>«%1» non è una scelta per «%2». Ci sono: %3.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; made a scene that cannot be shown: %2 This is a mistake in the plugin; tell its author.</source>
+        <translation>Il plugin «%1» ha creato una scena che non si può mostrare: %2 È un errore del plugin; avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>there is none.</source>
+        <translation>non ce n&apos;è.</translation>
+    </message>
+    <message>
+        <source>a drawable has no name.</source>
+        <translation>un elemento non ha nome.</translation>
+    </message>
+    <message>
+        <source>two drawables are called &apos;%1&apos;.</source>
+        <translation>due elementi si chiamano «%1».</translation>
+    </message>
+</context>
+<context>
     <name>tetra::MessageBar</name>
     <message>
         <source>Show or hide the older messages</source>
@@ -4511,8 +7340,8 @@ deformazione %2</translation>
         <translation>Capovolgi</translation>
     </message>
     <message>
-        <source>Let the axis that points up point down</source>
-        <translation>Rivolge verso il basso l’asse che punta verso l’alto</translation>
+        <source>Flip the up axis</source>
+        <translation>Capovolge l&apos;asse verticale</translation>
     </message>
     <message>
         <source>Roll Clockwise</source>
@@ -4535,8 +7364,8 @@ deformazione %2</translation>
         <translation>Raddrizza</translation>
     </message>
     <message>
-        <source>Take the roll away: the axis that points up is upright</source>
-        <translation>Annulla il rollio: l’asse che punta verso l’alto è verticale</translation>
+        <source>Remove the roll: make the up axis vertical</source>
+        <translation>Annulla l&apos;inclinazione: l&apos;asse in alto è verticale</translation>
     </message>
     <message>
         <source>Trackball</source>
@@ -4731,8 +7560,8 @@ deformazione %2</translation>
         <translation>Ri&amp;soluzione di stampa</translation>
     </message>
     <message>
-        <source>Only what is shown, to be laid over something else</source>
-        <translation>Solo ciò che si vede, da sovrapporre ad altro</translation>
+        <source>Leave out the background, to place the picture over something else</source>
+        <translation>Omette lo sfondo, per sovrapporre l&apos;immagine a qualcos&apos;altro</translation>
     </message>
     <message>
         <source>Background</source>
@@ -4778,7 +7607,7 @@ deformazione %2</translation>
         <translation>Il plugin %1 non può essere usato. %2</translation>
     </message>
     <message>
-        <source>What was found, and why something is not used. Space switches a plugin on or off.</source>
+        <source>The plugins found, and why some are not used. Space switches a plugin on or off.</source>
         <translation>Che cosa si è trovato, e perché qualcosa non si usa. La barra spaziatrice attiva o disattiva un plugin.</translation>
     </message>
     <message>
@@ -4809,24 +7638,24 @@ deformazione %2</translation>
         <translation>Valore</translation>
     </message>
     <message>
-        <source>Value of what is selected, in the units of the data; selected points move together</source>
-        <translation>Valore di ciò che è selezionato, nelle unità dei dati; i punti selezionati si muovono insieme</translation>
+        <source>Value of the selection, in data units; selected points move together</source>
+        <translation>Valore della selezione, nelle unità dei dati; i punti selezionati si spostano insieme</translation>
     </message>
     <message>
         <source>Opacity</source>
         <translation>Opacità</translation>
     </message>
     <message>
-        <source>Opacity of the selected points, in percent of the light that a unit distance takes away</source>
-        <translation>Opacità dei punti selezionati, in percento della luce che la distanza unitaria assorbe</translation>
+        <source>Opacity of the selected points: percent of the light absorbed per unit distance</source>
+        <translation>Opacità dei punti selezionati: percentuale di luce assorbita per distanza unitaria</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
-        <source>Colour of what is selected</source>
-        <translation>Colore di ciò che è selezionato</translation>
+        <source>Colour of the selection</source>
+        <translation>Colore della selezione</translation>
     </message>
     <message>
         <source>Unit distance</source>
@@ -4914,8 +7743,8 @@ deformazione %2</translation>
         <translation>Cerca una preimpostazione</translation>
     </message>
     <message>
-        <source>What to take of a preset</source>
-        <translation>Che cosa prendere di una preimpostazione</translation>
+        <source>Parts of a preset to apply</source>
+        <translation>Parti di una preimpostazione da applicare</translation>
     </message>
     <message>
         <source>Colours and opacities</source>
@@ -4977,15 +7806,15 @@ deformazione %2</translation>
         <translation>Focus al &amp;centro della vista</translation>
     </message>
     <message>
-        <source>Move the focus to what the camera looks at</source>
-        <translation>Porta il focus dove guarda la camera</translation>
+        <source>Move the focus to the camera&apos;s target</source>
+        <translation>Sposta il focus al punto mirato dalla camera</translation>
     </message>
     <message>
         <source>&amp;Window</source>
         <translation>&amp;Finestra</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only</source>
+        <source>Show only the part of the domain in a box</source>
         <translation>Mostra solo la parte del dominio in un parallelepipedo</translation>
     </message>
     <message>
@@ -5008,12 +7837,12 @@ deformazione %2</translation>
         <translation>Solo una fin&amp;estra</translation>
     </message>
     <message>
-        <source>Show the part of the domain in a box only (W)</source>
+        <source>Show only the part of the domain in a box (W)</source>
         <translation>Mostra solo la parte del dominio in un parallelepipedo (W)</translation>
     </message>
     <message>
-        <source>Where the window ends, in the coordinates of the data</source>
-        <translation>Dove finisce la finestra, nelle coordinate dei dati</translation>
+        <source>Bounds of the window, in data coordinates</source>
+        <translation>Limiti della finestra, nelle coordinate dei dati</translation>
     </message>
     <message>
         <source>&amp;To</source>
@@ -5115,8 +7944,8 @@ deformazione %2</translation>
         <translation>M&amp;ostra</translation>
     </message>
     <message>
-        <source>While movin&amp;g</source>
-        <translation>In mo&amp;vimento</translation>
+        <source>Frame r&amp;ate</source>
+        <translation>Frequen&amp;za</translation>
     </message>
 </context>
 <context>
@@ -5137,8 +7966,8 @@ deformazione %2</translation>
         <translation>Asse degli strati</translation>
     </message>
     <message>
-        <source>The axis across which the layer lies</source>
-        <translation>L&apos;asse di traverso al quale giace lo strato</translation>
+        <source>Axis perpendicular to the layer</source>
+        <translation>Asse perpendicolare allo strato</translation>
     </message>
     <message>
         <source>Across %1</source>
@@ -5149,7 +7978,7 @@ deformazione %2</translation>
         <translation>Strato</translation>
     </message>
     <message>
-        <source>The layer that is shown, counted from 0</source>
+        <source>Layer shown, counted from 0</source>
         <translation>Lo strato mostrato, contando da 0</translation>
     </message>
     <message>
@@ -5191,32 +8020,32 @@ deformazione %2</translation>
 <context>
     <name>tetra::StatusLine</name>
     <message>
-        <source>The picture at the chosen accuracy is being made</source>
-        <translation>Si sta creando l&apos;immagine con l&apos;accuratezza scelta</translation>
+        <source>Drawing the picture at the chosen accuracy</source>
+        <translation>Disegno dell&apos;immagine con l&apos;accuratezza scelta</translation>
     </message>
     <message>
-        <source>Data points in the mesh that is shown</source>
-        <translation>Punti dei dati nella mesh mostrata</translation>
+        <source>Vertices of the mesh shown</source>
+        <translation>Vertici della mesh mostrata</translation>
     </message>
     <message>
-        <source>Tetrahedra in the mesh that is shown</source>
-        <translation>Tetraedri nella mesh mostrata</translation>
+        <source>Tetrahedra of the mesh shown</source>
+        <translation>Tetraedri della mesh mostrata</translation>
     </message>
     <message>
-        <source>Triangles of all surfaces that are shown</source>
+        <source>Triangles of all surfaces shown</source>
         <translation>Triangoli di tutte le superfici mostrate</translation>
     </message>
     <message>
-        <source>Time for taking the mesh out of the model</source>
+        <source>Time to extract the mesh from the model</source>
         <translation>Tempo per estrarre la mesh dal modello</translation>
     </message>
     <message>
-        <source>Memory that the program occupies, mapped files included</source>
+        <source>Memory used by the program, including mapped files</source>
         <translation>Memoria occupata dal programma, compresi i file mappati</translation>
     </message>
     <message>
-        <source>What draws the picture: OpenGL or the processor</source>
-        <translation>Che cosa disegna l&apos;immagine: OpenGL o il processore</translation>
+        <source>Rendering back end: OpenGL or the processor</source>
+        <translation>Disegno con OpenGL o con il processore</translation>
     </message>
     <message>
         <source>%1 vertices</source>
@@ -5344,7 +8173,7 @@ deformazione %2</translation>
         <translation>Carica…</translation>
     </message>
     <message>
-        <source>Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)</source>
+        <source>Load a transfer function: one of TAn or presets of ParaView (JSON or XML)</source>
         <translation>Prende una funzione di trasferimento da un file: una di TAn o preimpostazioni di ParaView (JSON o XML)</translation>
     </message>
     <message>
@@ -5424,8 +8253,8 @@ deformazione %2</translation>
         <translation>Aggiunge un punto dopo quello selezionato; oppure fare clic sulla curva, o doppio clic nel grafico</translation>
     </message>
     <message>
-        <source>Remove what is selected (Del)</source>
-        <translation>Elimina ciò che è selezionato (Canc)</translation>
+        <source>Remove the selection (Del)</source>
+        <translation>Rimuove la selezione (Canc)</translation>
     </message>
     <message>
         <source>Change the selected points, or all</source>
@@ -5444,24 +8273,24 @@ deformazione %2</translation>
         <translation>Maschera</translation>
     </message>
     <message>
-        <source>Show some values only: between two lines that can be dragged</source>
-        <translation>Mostra solo alcuni valori: tra due linee che si possono trascinare</translation>
+        <source>Show only the values between two draggable lines</source>
+        <translation>Mostra solo i valori fra due linee trascinabili</translation>
     </message>
     <message>
         <source>Table</source>
         <translation>Tabella</translation>
     </message>
     <message>
-        <source>Show all points in a table to be edited</source>
-        <translation>Mostra tutti i punti in una tabella modificabile</translation>
+        <source>Edit all points in a table</source>
+        <translation>Modifica tutti i punti in una tabella</translation>
     </message>
     <message>
         <source>Add a point</source>
         <translation>Aggiungi un punto</translation>
     </message>
     <message>
-        <source>Remove what is selected</source>
-        <translation>Elimina ciò che è selezionato</translation>
+        <source>Remove the selection</source>
+        <translation>Rimuove la selezione</translation>
     </message>
     <message>
         <source>Read-out</source>
@@ -5478,10 +8307,6 @@ deformazione %2</translation>
     <message>
         <source>Logarithmic: by &amp;factors</source>
         <translation>Logaritmico: per &amp;fattori</translation>
-    </message>
-    <message>
-        <source>The axis of values stays linear: a logarithmic one has no place for zero and less, and the data or the points begin at %1. Move the points above zero, or choose data of positive values.</source>
-        <translation>L&apos;asse dei valori resta lineare: uno logaritmico non ha posto per lo zero e i valori inferiori, e i dati o i punti cominciano da %1. Spostare i punti sopra lo zero o scegliere dati con valori positivi.</translation>
     </message>
 </context>
 <context>
@@ -5542,16 +8367,16 @@ deformazione %2</translation>
         <translation>Proiezione</translation>
     </message>
     <message>
-        <source>Whether what is farther away looks smaller (Ctrl+P)</source>
-        <translation>Se ciò che è più lontano appare più piccolo (Ctrl+P)</translation>
+        <source>Perspective: distant parts look smaller (Ctrl+P)</source>
+        <translation>Prospettiva: ciò che è lontano appare più piccolo (Ctrl+P)</translation>
     </message>
     <message>
         <source>Target</source>
         <translation>Bersaglio</translation>
     </message>
     <message>
-        <source>The point that is looked at, in the units of the data</source>
-        <translation>Il punto che si guarda, nelle unità dei dati</translation>
+        <source>The camera&apos;s target, in data units</source>
+        <translation>Il punto mirato dalla camera, nelle unità dei dati</translation>
     </message>
     <message>
         <source>A&amp;zimuth</source>
@@ -5586,8 +8411,8 @@ deformazione %2</translation>
         <translation>Mostra l&apos;intero dominio (Home)</translation>
     </message>
     <message>
-        <source>Colour behind what is shown, also in saved pictures</source>
-        <translation>Colore dietro a ciò che si mostra, anche nelle immagini salvate</translation>
+        <source>Background colour, also in saved pictures</source>
+        <translation>Colore di sfondo, anche nelle immagini salvate</translation>
     </message>
     <message>
         <source>Background colour</source>
@@ -5602,8 +8427,8 @@ deformazione %2</translation>
         <translation>Il colore adatto alla finestra, chiaro o scuro</translation>
     </message>
     <message>
-        <source>Take the camera from a JSON file</source>
-        <translation>Prende la camera da un file JSON</translation>
+        <source>Load the camera from a JSON file</source>
+        <translation>Carica la camera da un file JSON</translation>
     </message>
     <message>
         <source>Save the camera as a JSON file, which “tan render --camera” takes, too</source>
@@ -5666,8 +8491,8 @@ deformazione %2</translation>
         <translation>Rollio</translation>
     </message>
     <message>
-        <source>By how much the picture is turned clockwise, in degrees</source>
-        <translation>Di quanto l’immagine è ruotata in senso orario, in gradi</translation>
+        <source>Clockwise roll of the picture, in degrees</source>
+        <translation>Inclinazione oraria dell&apos;immagine, in gradi</translation>
     </message>
     <message>
         <source>Up axis</source>

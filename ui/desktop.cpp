@@ -5,6 +5,7 @@
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/session/plugin_choice.h"
+#include "ui/session/plugin_translations.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/main_window.h"
 #include "ui/work/steady_heap.h"
@@ -96,7 +97,7 @@ int runDesktop(int argc, char** argv)
     parser.setApplicationDescription(Desktop::tr("Shows volume data at any accuracy."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addOption({"backend", Desktop::tr("What draws the picture: auto, cpu or gl."), "name", "auto"});
+    parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
     parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open."), "[file]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
@@ -106,6 +107,8 @@ int runDesktop(int argc, char** argv)
     }
 
     const std::unique_ptr<PluginHost> host = wantedPlugins();
+    const auto ofPlugins = pluginTranslators(*host, textLocale());
+    installBehind(ofPlugins, ours);
     if (!isShown)
         return refuseWithoutDisplay();
     Workbench workbench(*host);

@@ -61,7 +61,7 @@ int print(const Streams& streams, const std::string& text, int code)
         return code;
     if (systemError == EPIPE)
         return exitCode(ErrorKind::CannotWrite);
-    const std::string reason = systemError != 0 ? ": " + systemErrorText(systemError) : "";
+    const std::string reason = systemError != 0 ? ": " + systemErrorText(systemError).text() : "";
     return fail(streams, {ErrorKind::CannotWrite, "Standard output cannot be written" + reason + "."});
 }
 

@@ -70,7 +70,7 @@ void addImportOptions(Syntax& syntax, PluginHost& host)
 {
     syntax.options.push_back({.name = "reader",
                               .placeholder = idChoices(host.readers()),
-                              .explanation = "Who reads the dataset.",
+                              .explanation = "The reader plugin to use.",
                               .byDefault = "the one that suits the file best"});
     syntax.options.push_back(
         {.name = "region",
@@ -175,9 +175,9 @@ std::string datasetText(const DatasetSummary& summary)
 void addRemarks(const Dataset& dataset, Outcome& outcome)
 {
     QJsonArray remarks;
-    for (const std::string& remark : dataset.remarks) {
-        remarks.append(QString::fromStdString(remark));
-        outcome.text += remark + "\n";
+    for (const Message& remark : dataset.remarks) {
+        remarks.append(QString::fromStdString(remark.text()));
+        outcome.text += remark.text() + "\n";
     }
     outcome.figures["remarks"] = remarks;
 }

@@ -50,12 +50,12 @@ Result<Outcome> runPlugins(const Invocation& invocation)
                                 {"kind", toQString(kind)},
                                 {"version", toQString(version)},
                                 {"state", toQString(pluginStateName(plugin.state))},
-                                {"error", toQString(plugin.error)},
+                                {"error", toQString(plugin.error.text())},
                                 {"name", toQString(metadata.name)},
                                 {"file", toQString(plugin.path.string())}});
         rows.push_back({kind, metadata.id, version, std::string(pluginStateName(plugin.state))});
         if (!plugin.error.empty())
-            errors += "\n" + metadata.id + " (" + plugin.path.string() + "): " + plugin.error + "\n";
+            errors += "\n" + metadata.id + " (" + plugin.path.string() + "): " + plugin.error.text() + "\n";
     }
     outcome.figures = {{"plugins", list}};
     outcome.text = table(rows) + errors + "\nSearched in:\n";

@@ -37,7 +37,7 @@ ProgressLine::ProgressLine(std::ostream& messages, bool isTerminal)
 
 Progress ProgressLine::progress(std::stop_token stop)
 {
-    return {std::move(stop), [this](double fraction, std::string_view activity) { report(fraction, activity); }};
+    return {std::move(stop), [this](double fraction, const Message& activity) { report(fraction, activity.text()); }};
 }
 
 void ProgressLine::clear()

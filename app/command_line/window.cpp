@@ -17,7 +17,7 @@ Error startWindow(char** argumentsOfProgram)
     const auto desktop = program.parent_path() / "tan-desktop";
     execv(desktop.c_str(), argumentsOfProgram);
     return {ErrorKind::OutOfResource, "The window program '" + desktop.string() +
-                                          "' cannot be started: " + systemErrorText(errno) +
+                                          "' cannot be started: " + systemErrorText(errno).text() +
                                           ". Install it, or see 'tan --help' for what works "
                                           "without it."};
 }

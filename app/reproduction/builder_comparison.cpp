@@ -135,8 +135,9 @@ Result<std::vector<ComparedDataset>> compareBuilders(PluginHost& host, const std
     std::error_code problem;
     std::filesystem::create_directories(models, problem);
     if (problem)
-        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " +
-                                                 systemErrorText(problem.value()) + ". Choose another place with -o."};
+        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() +
+                                                 "': " + systemErrorText(problem.value()).text() +
+                                                 ". Choose another place with -o."};
     std::vector<ComparedDataset> datasets = comparedDatasets();
     for (std::size_t number = 0; number < datasets.size(); ++number) {
         if (progress.cancelled())

@@ -144,8 +144,9 @@ Result<Reproduction> reproduce(PluginHost& host, const std::filesystem::path& da
     std::error_code problem;
     std::filesystem::create_directories(models, problem);
     if (problem)
-        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() + "': " +
-                                                 systemErrorText(problem.value()) + ". Choose another place with -o."};
+        return Error{ErrorKind::CannotWrite, "Cannot make the folder '" + models.string() +
+                                                 "': " + systemErrorText(problem.value()).text() +
+                                                 ". Choose another place with -o."};
     Reproduction reproduction{.tables = tables, .models = {}, .surfaces = {}};
     for (std::size_t number = 0; number < jobs->size(); ++number) {
         if (progress.cancelled())

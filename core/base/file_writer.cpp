@@ -25,20 +25,20 @@ constexpr std::size_t randomDigits = 8;
 constexpr std::string_view hexadecimalDigits = "0123456789abcdef";
 constexpr std::string_view temporaryEnding = ".partial";
 
-std::string remedy(int systemError, const std::filesystem::path& folder)
+Message remedy(int systemError, const std::filesystem::path& folder)
 {
     switch (systemError) {
-    case ENOENT: return "The folder '" + folder.string() + "' does not exist: create it or choose another.";
-    case ENOTDIR: return "'" + folder.string() + "' is not a folder: choose another.";
-    case EISDIR: return "It is a folder: name a file in it.";
+    case ENOENT: return Message::say("The folder '%1' does not exist: create it or choose another.", folder.string());
+    case ENOTDIR: return Message::say("'%1' is not a folder: choose another.", folder.string());
+    case EISDIR: return Message::say("It is a folder: name a file in it.");
     case EACCES:
-    case EPERM: return "Choose another folder, or change the permissions of this one.";
-    case EROFS: return "Choose a folder on a disk that can be written.";
+    case EPERM: return Message::say("Choose another folder, or change the permissions of this one.");
+    case EROFS: return Message::say("Choose a folder on a disk that can be written.");
     case ENOSPC:
     case EDQUOT:
     case EFBIG: return diskRemedy(systemError);
-    case ENAMETOOLONG: return "Choose a shorter name.";
-    default: return isLackOfResources(systemError) ? std::string(resourceRemedy) : "Choose another folder or disk.";
+    case ENAMETOOLONG: return Message::say("Choose a shorter name.");
+    default: return isLackOfResources(systemError) ? resourceRemedy : Message::say("Choose another folder or disk.");
     }
 }
 
@@ -144,7 +144,7 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
         return {};
     };
     const Status buffered =
-        guarded("Not enough memory to write '%1'. Close other programs.", takeBuffer, target.native());
+        guarded(Message::marked("Not enough memory to write '%1'. Close other programs."), takeBuffer, target.native());
     if (!buffered)
         return buffered.error();
     return writer;

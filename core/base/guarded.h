@@ -11,14 +11,14 @@ namespace tetra {
 /// its arguments, which says what the memory was for and how to need less. For the outermost functions that return a
 /// Result: they do not throw.
 ///
-///     return guarded("Not enough memory to read '%1'. Close other programs.", [&] { return readAll(path); },
-///                    path.native());
+///     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."),
+///                    [&] { return readAll(path); }, path.native());
 template <class Work, class... Arguments>
-auto guarded(const char* sentence, const Work& work, const Arguments&... arguments) -> decltype(work())
+auto guarded(MarkedText sentence, const Work& work, const Arguments&... arguments) -> decltype(work())
 try {
     return work();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::OutOfResource, Message::say(sentence, arguments...)};
+    return Error{ErrorKind::OutOfResource, Message::say(sentence.text, arguments...)};
 }
 
 } // namespace tetra

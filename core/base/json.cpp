@@ -48,10 +48,10 @@ public:
         std::optional<JsonValue> value = checkBytes() ? readValue(0) : std::nullopt;
         skipBlanks();
         if (value && next_ < text_.size())
-            value = fail("there is something after the end of the value");
+            value = fail(Message::say("there is something after the end of the value"));
         if (value)
             return std::move(*value);
-        return Error{ErrorKind::BadInput, Message::say("Not valid JSON: %1", error_)};
+        return Error{ErrorKind::BadInput, error_};
     }
 
 private:
@@ -61,14 +61,14 @@ private:
         if (good == text_.size())
             return true;
         next_ = good;
-        fail("a byte that is not of UTF-8 text");
+        fail(Message::say("a byte that is not of UTF-8 text"));
         return false;
     }
 
-    std::nullopt_t fail(std::string_view what)
+    std::nullopt_t fail(const Message& what)
     {
         if (error_.empty())
-            error_ = std::string(what) + " (" + describePlace(place()) + ").";
+            error_ = Message::say("Not valid JSON: %1 (%2).", what, describePlace(place()));
         return std::nullopt;
     }
 
@@ -104,7 +104,7 @@ private:
         JsonValue value;
         value.place = {line_, next_ - lineStart_ + 1};
         if (depth > deepestNesting)
-            return fail("too many levels");
+            return fail(Message::say("too many levels"));
         if (take("null"))
             return value;
         if (take("true") || take("false")) {
@@ -138,7 +138,7 @@ private:
                 skipBlanks();
             } while (take(","));
             if (!take("]"))
-                return fail("expected ',' or ']'");
+                return fail(Message::say("expected ',' or ']'"));
         }
         value.content = std::move(elements);
         return value;
@@ -165,10 +165,10 @@ private:
                 if (!name)
                     return std::nullopt;
                 if (isThere(*name))
-                    return fail("the member \"" + printable(*name) + "\" is there twice");
+                    return fail(Message::say("the member \"%1\" is there twice", printable(*name)));
                 skipBlanks();
                 if (!take(":"))
-                    return fail("expected ':'");
+                    return fail(Message::say("expected ':'"));
                 std::optional<JsonValue> member = readValue(depth + 1);
                 if (!member)
                     return std::nullopt;
@@ -176,7 +176,7 @@ private:
                 skipBlanks();
             } while (take(","));
             if (!take("}"))
-                return fail("expected ',' or '}'");
+                return fail(Message::say("expected ',' or '}'"));
         }
         value.content = std::move(members);
         return value;
@@ -201,7 +201,7 @@ private:
             good = digits();
         }
         if (!good)
-            return fail("expected a value");
+            return fail(Message::say("expected a value"));
         value.content = JsonValue::Number{std::string(text_.substr(start, next_ - start))};
         return value;
     }
@@ -213,7 +213,7 @@ private:
             constexpr std::string_view digits = "0123456789abcdef0123456789ABCDEF";
             const auto found = next_ < text_.size() ? digits.find(text_[next_]) : std::string_view::npos;
             if (found == std::string_view::npos)
-                return fail("expected four hexadecimal digits");
+                return fail(Message::say("expected four hexadecimal digits"));
             code = code * 16 + static_cast<std::uint32_t>(found % 16);
         }
         return code;
@@ -228,14 +228,15 @@ private:
             string.push_back(meanings[found]);
             return true;
         }
-        std::optional<std::uint32_t> code = name == 'u' ? readHexadecimal() : fail("unknown escape");
+        std::optional<std::uint32_t> code = name == 'u' ? readHexadecimal() : fail(Message::say("unknown escape"));
         if (code && *code >= 0xd800 && *code < 0xe000) {
             const bool high = *code < 0xdc00 && take("\\u");
-            const std::optional<std::uint32_t> low = high ? readHexadecimal() : fail("half of a surrogate pair");
+            const std::optional<std::uint32_t> low =
+                high ? readHexadecimal() : fail(Message::say("half of a surrogate pair"));
             if (low && *low >= 0xdc00 && *low < 0xe000)
                 code = 0x10000 + ((*code - 0xd800) << 10) + (*low - 0xdc00);
             else
-                code = fail("half of a surrogate pair");
+                code = fail(Message::say("half of a surrogate pair"));
         }
         if (code)
             appendUtf8(string, *code);
@@ -245,12 +246,12 @@ private:
     std::optional<std::string> readString()
     {
         if (!take("\""))
-            return fail("expected a name in quotes");
+            return fail(Message::say("expected a name in quotes"));
         std::string string;
         while (next_ < text_.size()) {
             const char character = text_[next_];
             if (static_cast<unsigned char>(character) < 0x20)
-                return fail("a control character inside quotes");
+                return fail(Message::say("a control character inside quotes"));
             ++next_;
             if (character == '"')
                 return string;
@@ -259,21 +260,21 @@ private:
             else if (!readEscape(string))
                 return std::nullopt;
         }
-        return fail("the closing quote is missing");
+        return fail(Message::say("the closing quote is missing"));
     }
 
     std::string_view text_;
     std::size_t next_ = 0;
     std::size_t line_ = 1; ///< of next_, like lineStart_
     std::size_t lineStart_ = 0;
-    std::string error_;
+    Message error_;
 };
 
 } // namespace
 
-std::string describePlace(const TextPlace& place)
+Message describePlace(const TextPlace& place)
 {
-    return "line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
+    return Message::say("line %1, column %2", place.line, place.column);
 }
 
 const JsonValue* JsonValue::find(std::string_view name) const noexcept

@@ -19,7 +19,7 @@ struct TextPlace {
 };
 
 /// "line 3, column 14"
-std::string describePlace(const TextPlace& place);
+Message describePlace(const TextPlace& place);
 
 struct JsonValue;
 using JsonArray = std::vector<JsonValue>;

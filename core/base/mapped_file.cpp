@@ -137,12 +137,12 @@ Error cannotRead(const std::filesystem::path& path, const Message& reason)
 
 Error cannotRead(const std::filesystem::path& path, int systemError)
 {
-    const std::string reason = systemErrorText(systemError) + ".";
+    const Message reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource, cannotRead(path, Message::say("%1 %2", reason, resourceRemedy)).message};
+        return {ErrorKind::OutOfResource, cannotRead(path, Message::say("%1. %2", reason, resourceRemedy)).message};
     switch (systemError) {
-    case ENOENT: return cannotRead(path, Message::say("%1 Check its name and folder.", reason));
-    case EACCES: return cannotRead(path, Message::say("%1 Ask its owner for the right to read it.", reason));
+    case ENOENT: return cannotRead(path, Message::say("%1. Check its name and folder.", reason));
+    case EACCES: return cannotRead(path, Message::say("%1. Ask its owner for the right to read it.", reason));
     default: return cannotRead(path, reason);
     }
 }

@@ -18,7 +18,7 @@ namespace tetra {
 /// fraction never falls.
 class SharedProgress {
 public:
-    SharedProgress(const Progress& progress, double total, std::string_view activity)
+    SharedProgress(const Progress& progress, double total, const Message& activity)
         : progress_(progress), total_(std::max(total, 1.0)), activity_(activity)
     {
     }
@@ -34,7 +34,7 @@ public:
     /// What a piece of that amount, which reports its own fractions, is given to call. It is done when it reports 1.
     Progress::Callback piece(double amount)
     {
-        return [this, amount, told = std::make_shared<double>(0)](double fraction, std::string_view) {
+        return [this, amount, told = std::make_shared<double>(0)](double fraction, const Message&) {
             done((fraction - std::exchange(*told, fraction)) * amount);
         };
     }
@@ -42,7 +42,7 @@ public:
 private:
     Progress progress_;
     double total_;
-    std::string activity_;
+    Message activity_;
     std::mutex mutex_;
     double done_ = 0;
 };

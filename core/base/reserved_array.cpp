@@ -12,7 +12,7 @@
 
 namespace tetra {
 
-Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, std::string_view purpose)
+Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, MarkedText purpose)
 {
     constexpr std::size_t hugePage = std::size_t(2) << 20;
     const std::size_t length = (std::max<std::size_t>(bytes, 1) + hugePage - 1) / hugePage * hugePage;

@@ -13,7 +13,7 @@ namespace tetra {
 
 /// Reserves address space, backed by memory only where it is touched; zero at first. Asks for huge pages, which make
 /// random access to gigabytes a good deal quicker. The error says how much was asked for, and for what.
-Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, std::string_view purpose);
+Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, MarkedText purpose);
 
 /// An array of a plain type with a known largest size and without the copies and the doubled peak of a growing vector:
 /// reserve() takes address space, memory comes with the first touch. Elements are zero until written. Not copyable.
@@ -25,7 +25,7 @@ public:
     ReservedArray(const ReservedArray&) = delete;
     ReservedArray& operator=(const ReservedArray&) = delete;
 
-    Status reserve(std::uint64_t capacity, std::string_view purpose)
+    Status reserve(std::uint64_t capacity, MarkedText purpose)
     {
         Result<std::shared_ptr<void>> memory = reserveMemory(capacity * sizeof(T), purpose);
         if (!memory)
@@ -37,7 +37,7 @@ public:
     }
 
     /// As reserve(), but keeps the memory, whatever it holds, if it is large enough.
-    Status ensure(std::uint64_t capacity, std::string_view purpose)
+    Status ensure(std::uint64_t capacity, MarkedText purpose)
     {
         return capacity <= capacity_ ? Status() : reserve(capacity, purpose);
     }

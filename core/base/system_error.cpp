@@ -28,11 +28,34 @@ Error lackOfMemory()
 
 } // namespace
 
-std::string systemErrorText(int error)
+Message systemErrorText(int error)
 {
+    switch (error) {
+    case ENOENT: return Message::say("No such file or directory");
+    case EACCES: return Message::say("Permission denied");
+    case EPERM: return Message::say("Operation not permitted");
+    case EIO: return Message::say("Input/output error");
+    case ENOMEM: return Message::say("Cannot allocate memory");
+    case EAGAIN: return Message::say("Resource temporarily unavailable");
+    case EBUSY: return Message::say("Device or resource busy");
+    case EXDEV: return Message::say("Invalid cross-device link");
+    case ENOTDIR: return Message::say("Not a directory");
+    case EISDIR: return Message::say("Is a directory");
+    case EINVAL: return Message::say("Invalid argument");
+    case EMFILE: return Message::say("Too many open files");
+    case ENFILE: return Message::say("Too many open files in system");
+    case EFBIG: return Message::say("File too large");
+    case ENOSPC: return Message::say("No space left on device");
+    case EROFS: return Message::say("Read-only file system");
+    case ENAMETOOLONG: return Message::say("File name too long");
+    case ELOOP: return Message::say("Too many levels of symbolic links");
+    case EDQUOT: return Message::say("Disk quota exceeded");
+    case ESTALE: return Message::say("Stale file handle");
+    default: break;
+    }
 #if defined(__GLIBC__)
     const char* const text = ::strerrordesc_np(error);
-    return text != nullptr ? text : "system error " + std::to_string(error);
+    return text != nullptr ? Message(text) : Message::say("system error %1", error);
 #else
     return std::generic_category().message(error);
 #endif
@@ -51,13 +74,13 @@ bool namesLackOfResources(std::string_view text) noexcept
     return std::ranges::any_of(lacks, [&](std::string_view lack) { return text.find(lack) != std::string_view::npos; });
 }
 
-std::string diskRemedy(int error)
+Message diskRemedy(int error)
 {
     if (isLackOfResources(error))
-        return std::string(resourceRemedy);
+        return resourceRemedy;
     if (error == EFBIG)
-        return "Choose a disk that allows larger files, or raise the limit (ulimit -f).";
-    return "Free some space or choose another disk.";
+        return Message::say("Choose a disk that allows larger files, or raise the limit (ulimit -f).");
+    return Message::say("Free some space or choose another disk.");
 }
 
 std::optional<Error> lackOfResources(const std::exception& problem)

@@ -14,7 +14,7 @@ namespace tetra {
 TAN_INTERNAL bool namesLackOfResources(std::string_view text) noexcept;
 
 /// What to do about a file that cannot be made or grow on its disk, a sentence.
-std::string diskRemedy(int error);
+Message diskRemedy(int error);
 
 /// An ErrorKind::OutOfResource for an exception that says no more than that the machine has no more memory, threads or
 /// descriptors; nothing for others.

@@ -49,14 +49,14 @@ bool holdsSomethingElse(const std::filesystem::path& folder, std::error_code& pr
 
 Error cannotBeUsedForWork(const std::filesystem::path& path, int systemError)
 {
-    const auto remedy = [&]() -> std::string {
+    const auto remedy = [&]() -> Message {
         switch (systemError) {
-        case ENAMETOOLONG: return "Choose a shorter name.";
+        case ENAMETOOLONG: return Message::say("Choose a shorter name.");
         case ENOSPC:
         case EDQUOT: return diskRemedy(systemError);
         default:
-            return isLackOfResources(systemError) ? std::string(resourceRemedy)
-                                                  : "Choose another folder for the model.";
+            return isLackOfResources(systemError) ? resourceRemedy
+                                                  : Message::say("Choose another folder for the model.");
         }
     };
     Error error = cannotUse(path, systemErrorText(systemError), remedy());

@@ -43,20 +43,19 @@ std::uint64_t decimationNeed(const DecimationSize& size)
 Status checkDecimationNeed(const DecimationSize& size, std::uint64_t usableBytes)
 {
     constexpr std::uint64_t mostPoints = 0xfffffffe, mostTetrahedra = (1ull << 30) - 1;
-    const std::string mesh =
-        std::to_string(size.points) + " points and " + std::to_string(size.tetrahedra) + " tetrahedra";
     if (size.points > mostPoints || size.tetrahedra > mostTetrahedra)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("A mesh of %1 is too large to be decimated: %2 points and %3 tetrahedra are the "
-                                  "most. Take a region of it or fewer samples.",
-                                  mesh, mostPoints, mostTetrahedra)};
+                     Message::say("A mesh of %1 points and %2 tetrahedra is too large to be decimated: %3 points and "
+                                  "%4 tetrahedra are the most. Take a region of it or fewer samples.",
+                                  size.points, size.tetrahedra, mostPoints, mostTetrahedra)};
     const std::uint64_t need = decimationNeed(size);
     if (usableBytes == 0 || need <= usableBytes)
         return {};
     return Error{ErrorKind::OutOfResource,
-                 Message::say("Decimation of %1 takes about %2 of memory, and this machine has %3. Take a region of it "
-                              "or fewer samples, or, of a lattice or grid, refine it instead.",
-                              mesh, neededBytesText(need), neededBytesText(usableBytes))};
+                 Message::say("Decimation of %1 points and %2 tetrahedra takes about %3 of memory, and this machine "
+                              "has %4. Take a region of it or fewer samples, or, of a lattice or grid, refine it "
+                              "instead.",
+                              size.points, size.tetrahedra, neededBytesText(need), neededBytesText(usableBytes))};
 }
 
 namespace {
@@ -116,8 +115,8 @@ Result<DecimationInput> DecimationInput::make(const Dataset& dataset, const Weig
         }
         return input;
     };
-    return guarded("Not enough memory to decimate '%1'. Take a region of it or fewer samples.", makeInput,
-                   dataset.source.name);
+    return guarded(Message::marked("Not enough memory to decimate '%1'. Take a region of it or fewer samples."),
+                   makeInput, dataset.source.name);
 }
 
 DecimationMesh DecimationInput::mesh() const

@@ -17,9 +17,9 @@ DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept
     return {ModelFileWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
 }
 
-std::string textOf(const DiskNeed& need)
+Message textOf(const DiskNeed& need)
 {
-    return "model about " + neededBytesText(need.model) + ", work files " + neededBytesText(need.workFiles);
+    return Message::say("model about %1, work files %2", neededBytesText(need.model), neededBytesText(need.workFiles));
 }
 
 Status checkRoom(const DiskNeed& need, std::uint64_t written, std::uint64_t free, const std::filesystem::path& folder)

@@ -24,7 +24,7 @@ struct DiskNeed {
 DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept;
 
 /// "model about 1.5 GB, work files 2.3 GB".
-std::string textOf(const DiskNeed& need);
+Message textOf(const DiskNeed& need);
 
 /// An error (CannotWrite) with both numbers unless `free` bytes have room for what is not `written` yet. `folder`, that
 /// of the model, is for its text.

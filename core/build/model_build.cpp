@@ -207,12 +207,13 @@ template <class Method> Result<BuildReport> buildFile(const Dataset& dataset, co
     if (const Status usable = check(method); !usable)
         return usable.error();
     if (progress.cancelled())
-        return cancelledError("The build");
+        return cancelledError(Message::marked("The build"));
     return fillFile(dataset, output, descriptionOf(method, dataset),
                     [&](BuildTarget& target) { return buildInto(dataset, method, target, progress); });
 }
 
-constexpr const char* noMemory = "Not enough memory to build a model. Close other programs, or take fewer samples.";
+constexpr MarkedText noMemory =
+    Message::marked("Not enough memory to build a model. Close other programs, or take fewer samples.");
 
 } // namespace
 

@@ -79,7 +79,7 @@ public:
     Status check(const RunTotals& soFar, const RunTotals& expected)
     {
         const DiskNeed need = diskNeed(expected, type_);
-        told_ = " (" + textOf(need) + ")";
+        told_ = textOf(need);
         const std::uint64_t free = freeDiskBytes(workFolder_);
         if (free == 0) // not known
             return {};
@@ -89,15 +89,15 @@ public:
     /// `progress`, whose activities tell the need, too.
     Progress telling(const Progress& progress) const
     {
-        return progress.withCallback([this, progress](double fraction, std::string_view activity) {
-            progress.report(fraction, std::string(activity) + told_);
+        return progress.withCallback([this, progress](double fraction, const Message& activity) {
+            progress.report(fraction, told_.empty() ? activity : Message::say("%1 (%2)", activity, told_));
         });
     }
 
 private:
     std::filesystem::path workFolder_;
     SampleType type_;
-    std::string told_;
+    Message told_;
 };
 
 Result<FixedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions options, const LatticeBlocks& blocks,
@@ -264,7 +264,7 @@ Status checkRefinement(const Dataset& dataset)
     case DomainClass::Irregular: break;
     }
     return Error{ErrorKind::BadInput,
-                 Message::say("Refinement does not take %1 data.", domainClassName(dataset.domain))};
+                 Message::say("Refinement does not take %1 data.", domainClassText(dataset.domain))};
 }
 
 bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_t points, std::uint64_t usableBytes)

@@ -37,13 +37,13 @@ Dataset named(Dataset dataset, std::string name)
 Result<Dataset> latticeDataset(const Lattice& lattice, ScalarField values, std::string name)
 {
     if (const Status usable = checkLatticeSize({lattice.size[0], lattice.size[1], lattice.size[2]}); !usable)
-        return cannotUse(name, usable.error().text());
+        return cannotUse(name, usable.error().message);
     if (const Status usable = checkLatticePlacement(lattice); !usable)
-        return cannotUse(name, usable.error().text());
+        return cannotUse(name, usable.error().message);
     if (const Status usable = checkCount(name, values.count(), lattice.pointCount()); !usable)
         return usable.error();
     if (const Status usable = checkFinite(lattice, values); !usable)
-        return cannotUse(name, usable.error().text());
+        return cannotUse(name, usable.error().message);
     return named(Dataset{.lattice = lattice, .values = std::move(values), .source = {}}, std::move(name));
 }
 
@@ -51,7 +51,7 @@ Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size, std
                                    ScalarField values, std::string name)
 {
     if (const Status usable = checkLatticeSize({size[0], size[1], size[2]}); !usable)
-        return cannotUse(name, usable.error().text());
+        return cannotUse(name, usable.error().message);
     Dataset dataset{.domain = DomainClass::Curvilinear, .lattice = {.size = size}, .values = {}, .source = {}};
     for (const std::uint64_t count : {values.count(), std::uint64_t(positions.size())})
         if (const Status usable = checkCount(name, count, dataset.lattice.pointCount()); !usable)
@@ -59,7 +59,7 @@ Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size, std
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));
     dataset.values = std::move(values);
     if (const Status usable = checkGrid(dataset); !usable)
-        return cannotUse(name, usable.error().text());
+        return cannotUse(name, usable.error().message);
     return named(std::move(dataset), std::move(name));
 }
 
@@ -80,7 +80,7 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
         return Error{ErrorKind::OutOfResource,
                      Message::say("'%1' has more than 4294967295 points. Take a part of them.", name)};
     Dataset dataset{.domain = DomainClass::Scattered, .lattice = {}, .values = {}, .source = {}};
-    if (const std::string merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
+    if (const Message merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
         dataset.remarks.push_back(merged);
     dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(positions));

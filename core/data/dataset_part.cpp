@@ -41,7 +41,7 @@ struct GridPart {
     }
 };
 
-Error wrongPart(const std::string& text)
+Error wrongPart(const Message& text)
 {
     return {ErrorKind::WrongUsage, text};
 }
@@ -55,8 +55,8 @@ Result<std::uint32_t> wholeNumber(double number, std::uint32_t size, int axis)
 {
     if (number >= 0 && number < size && number == std::floor(number))
         return static_cast<std::uint32_t>(number);
-    return wrongPart("The region does not lie in the grid: along " + std::string(1, "xyz"[axis]) +
-                     " it takes whole numbers from 0 to " + std::to_string(size - 1) + ".");
+    return wrongPart(Message::say("The region does not lie in the grid: along %1 it takes whole numbers from 0 to %2.",
+                                  std::string(1, "xyz"[axis]), size - 1));
 }
 
 Result<GridPart> gridPart(const Lattice& lattice, const DatasetPart& part)
@@ -72,12 +72,12 @@ Result<GridPart> gridPart(const Lattice& lattice, const DatasetPart& part)
         if (!last)
             return last.error();
         if (part.stride[a] == 0)
-            return wrongPart("A stride is a whole number from 1.");
+            return wrongPart(Message::say("A stride is a whole number from 1."));
         const std::uint32_t points = *last >= *first ? (*last - *first) / part.stride[a] + 1 : 0;
         if (points < 2)
-            return wrongPart("The part has " + std::to_string(points) + " points along " + std::string(1, "xyz"[axis]) +
-                             ", and a volume needs at least two along each axis. Take a larger region or a smaller "
-                             "stride.");
+            return wrongPart(Message::say("The part has %1 points along %2, and a volume needs at least two along each "
+                                          "axis. Take a larger region or a smaller stride.",
+                                          points, std::string(1, "xyz"[axis])));
         grid.first[a] = *first;
         grid.count[a] = points;
     }
@@ -91,8 +91,8 @@ template <class Copy> Status forEachRow(const GridPart& part, const Progress& pr
     for (std::uint64_t row = 0; row < part.rows(); ++row) {
         if (row % rowsBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError("Reading");
-            progress.report(static_cast<double>(row) / static_cast<double>(part.rows()), "Reading");
+                return cancelledError(Message::marked("Reading"));
+            progress.report(static_cast<double>(row) / static_cast<double>(part.rows()), Message::marked("Reading"));
         }
         copy(part.rowBegin(row), row * part.count[0], part.count[0]);
     }
@@ -166,14 +166,15 @@ Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, cons
             return positions.error();
         result.positions = *std::move(positions);
         if (const CellCornerSigns signs = cellCornerSigns(result); signs.positive + signs.negative == 0)
-            return wrongPart("No cell of the part has a volume. Take another region or a smaller stride.");
+            return wrongPart(
+                Message::say("No cell of the part has a volume. Take another region or a smaller stride."));
     }
     if (!dataset.positions)
         result.lattice = *partOfLattice(dataset.lattice, part);
     if (!staysInFile(dataset, *grid))
         result.mappedFile = nullptr;
-    result.remarks.push_back("A part of " + partSizeText(grid->count) + " of the " +
-                             partSizeText(dataset.lattice.size) + " points.");
+    result.remarks.push_back(
+        Message::say("A part of %1 of the %2 points.", partSizeText(grid->count), partSizeText(dataset.lattice.size)));
     return result;
 }
 
@@ -231,8 +232,7 @@ Result<Dataset> ofPoints(const Dataset& dataset, const std::vector<std::uint32_t
     result.positions = std::move(positions);
     result.lattice.size = {static_cast<std::uint32_t>(points.size()), 1, 1};
     result.mappedFile = nullptr;
-    result.remarks.push_back("A part of " + std::to_string(points.size()) + " of the " +
-                             std::to_string(dataset.pointCount()) + " points.");
+    result.remarks.push_back(Message::say("A part of %1 of the %2 points.", points.size(), dataset.pointCount()));
     return result;
 }
 
@@ -244,7 +244,7 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
         taken[i] =
             std::ranges::all_of(all[i], [&](std::uint32_t point) { return box.contains((*dataset.positions)[point]); });
     if (progress.cancelled())
-        return cancelledError("Reading");
+        return cancelledError(Message::marked("Reading"));
     const std::uint64_t removed = restrictToManifold(all, static_cast<std::uint32_t>(dataset.positions->size()), taken);
     std::vector<std::uint8_t> isUsed(dataset.positions->size());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -263,11 +263,12 @@ Result<Dataset> partOfIrregular(const Dataset& dataset, const Eigen::AlignedBox3
                                    chosen.numbers[all[i][3]]});
     result->tetrahedra = std::move(tetrahedra);
     if (removed > 0)
-        result->remarks.push_back(std::to_string(removed) +
-                                  (removed == 1
-                                       ? " tetrahedron inside the region was left out: it touches the others"
-                                       : " tetrahedra inside the region were left out: they touch the others") +
-                                  " only at a vertex or an edge.");
+        result->remarks.push_back(
+            removed == 1 ? Message::say("1 tetrahedron inside the region was left out: it touches the others only at a "
+                                        "vertex or an edge.")
+                         : Message::say("%1 tetrahedra inside the region were left out: they touch the others only at "
+                                        "a vertex or an edge.",
+                                        removed));
     return result;
 }
 
@@ -289,7 +290,7 @@ Result<Dataset> takeAnyPart(const Dataset& dataset, const DatasetPart& part, con
     if (dataset.domain == DomainClass::RegularLattice || dataset.domain == DomainClass::Curvilinear)
         return partOfGrid(dataset, part, progress);
     if (part.stride != std::array<std::uint32_t, 3>{1, 1, 1})
-        return wrongPart("Only points of a grid can be taken by a stride. Take a region.");
+        return wrongPart(Message::say("Only points of a grid can be taken by a stride. Take a region."));
     return partOfPoints(dataset, *part.region, progress);
 }
 
@@ -310,7 +311,7 @@ Result<Lattice> partOfLattice(const Lattice& lattice, const DatasetPart& part)
 
 Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
 {
-    return guarded("Not enough memory for this part. Take a smaller one.", [&]() -> Result<Dataset> {
+    return guarded(Message::marked("Not enough memory for this part. Take a smaller one."), [&]() -> Result<Dataset> {
         if (part.isWhole())
             return dataset;
         auto result = takeAnyPart(dataset, part, progress);
@@ -320,7 +321,7 @@ Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const 
             return intact.error();
         result->source.name += nameOfPart(part);
         result->source.hash = contentHash(result->values, result->positions, result->tetrahedra);
-        progress.report(1, "Reading");
+        progress.report(1, Message::marked("Reading"));
         return result;
     });
 }

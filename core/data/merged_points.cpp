@@ -59,16 +59,20 @@ MergedPoints mergePoints(std::vector<Eigen::Vector3d>& positions, std::vector<do
     return merged;
 }
 
-std::string mergeRemark(const MergedPoints& merged)
+Message mergeRemark(const MergedPoints& merged)
 {
     if (merged.removed == 0)
         return {};
-    std::string text = std::to_string(merged.removed) + (merged.removed == 1 ? " point" : " points") +
-                       " on the place of another one " + (merged.removed == 1 ? "was" : "were") + " merged with it";
-    if (merged.conflicting > 0)
-        text += "; " + std::to_string(merged.conflicting) + (merged.conflicting == 1 ? " place" : " places") +
-                " had different values and got their mean";
-    return text + ".";
+    const Message removed =
+        merged.removed == 1
+            ? Message::say("1 point on the place of another one was merged with it.")
+            : Message::say("%1 points on the place of another one were merged with it.", merged.removed);
+    if (merged.conflicting == 0)
+        return removed;
+    return Message::say("%1 %2", removed,
+                        merged.conflicting == 1
+                            ? Message::say("1 place had different values and got their mean.")
+                            : Message::say("%1 places had different values and got their mean.", merged.conflicting));
 }
 
 } // namespace tetra

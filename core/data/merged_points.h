@@ -22,6 +22,6 @@ struct MergedPoints {
 TAN_INTERNAL MergedPoints mergePoints(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values);
 
 /// What was done, in a sentence for the user; empty if nothing was.
-TAN_INTERNAL std::string mergeRemark(const MergedPoints& merged);
+TAN_INTERNAL Message mergeRemark(const MergedPoints& merged);
 
 } // namespace tetra

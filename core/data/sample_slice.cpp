@@ -75,7 +75,7 @@ Result<SampleSlice> readSampleSlice(std::span<const std::byte> file, const Store
         return true;
     });
     if (!finished)
-        return cancelledError("The preview");
+        return cancelledError(Message::marked("The preview"));
     slice.window = windowOf(slice.values);
     return slice;
 }

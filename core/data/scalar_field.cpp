@@ -26,7 +26,7 @@ Result<std::shared_ptr<std::byte>> allocateSamples(SampleType type, std::uint64_
                      Message::say("Not enough memory: %1 samples of type %2 do not fit into the %3 MiB of this "
                                   "machine. Use a smaller part or a coarser version of the data.",
                                   count, sampleTypeName(type), limit >> 20)};
-    Result<std::shared_ptr<void>> memory = reserveMemory(count * sampleSize(type), "the samples");
+    Result<std::shared_ptr<void>> memory = reserveMemory(count * sampleSize(type), Message::marked("the samples"));
     if (!memory)
         return memory.error();
     return std::static_pointer_cast<std::byte>(*std::move(memory));
@@ -91,7 +91,7 @@ Result<ScalarField> ScalarField::scanned(SampleType type, std::uint64_t count, s
     field.count_ = count;
     field.samples_ = std::move(samples);
     if (!field.findRange(progress))
-        return cancelledError("Reading");
+        return cancelledError(Message::marked("Reading"));
     return field;
 }
 
@@ -105,7 +105,8 @@ bool ScalarField::findRange(const Progress& progress)
                 return false;
             const auto piece = samples.subspan(begin, std::min(samplesInPiece, samples.size() - begin));
             extremes = joinedExtremes(extremes, extremesOf(piece));
-            progress.report(static_cast<double>(begin + piece.size()) / static_cast<double>(count_), "Reading");
+            progress.report(static_cast<double>(begin + piece.size()) / static_cast<double>(count_),
+                            Message::marked("Reading"));
         }
         notFinite_ = extremes.notFinite;
         if (notFinite_ < count_)

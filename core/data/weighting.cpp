@@ -55,7 +55,7 @@ Result<std::vector<float>> weigh(const Weighting& weighting, const Dataset& data
         });
     });
     if (progress.cancelled())
-        return cancelledError("Weighting the points");
+        return cancelledError(Message::marked("Weighting the points"));
     return weights;
 }
 
@@ -66,7 +66,8 @@ Result<std::vector<float>> pointWeights(const Weighting& weighting, const Datase
     if (weighting.empty())
         return std::vector<float>();
     return guarded(
-        "Not enough memory for the weights of %1 points. Build without weights, or close other programs.",
+        Message::marked(
+            "Not enough memory for the weights of %1 points. Build without weights, or close other programs."),
         [&] { return weigh(weighting, dataset, progress); }, dataset.pointCount());
 }
 

@@ -169,8 +169,8 @@ Status CollapseLog::replay(std::span<const std::uint32_t> points, std::span<cons
         if (number % 4096 != 0)
             continue;
         if (progress.cancelled())
-            return cancelledError("The decimation");
-        progress.report(1 - static_cast<double>(number) / collapseCount(), "Writing the history");
+            return cancelledError(Message::marked("The decimation"));
+        progress.report(1 - static_cast<double>(number) / collapseCount(), Message::marked("Writing the history"));
     }
     return sink.finish(finalKey);
 }

@@ -195,8 +195,8 @@ Status ExactOrder::lookAtAll(const Progress& progress)
     for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
         if (vertex % workBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError("The decimation");
-            progress.report(.2 * vertex / vertices, "Evaluating vertices");
+                return cancelledError(Message::marked("The decimation"));
+            progress.report(.2 * vertex / vertices, Message::marked("Evaluating vertices"));
         }
         const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
         if (!states_[vertex].queued)
@@ -235,8 +235,8 @@ Status ExactOrder::run(const Progress& progress)
     while (!queue_.empty()) {
         if (++work % workBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError("The decimation");
-            progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, "Collapsing");
+                return cancelledError(Message::marked("The decimation"));
+            progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, Message::marked("Collapsing"));
         }
         takeFirst();
     }
@@ -393,8 +393,9 @@ Status PaperOrder::run(const Progress& progress)
     while (!queue_.empty()) {
         if (++work % workBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError("The decimation");
-            progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(), "Collapsing");
+                return cancelledError(Message::marked("The decimation"));
+            progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
+                            Message::marked("Collapsing"));
         }
         const Estimate next = queue_.top();
         queue_.pop();
@@ -448,8 +449,9 @@ Status Rounds::lookAtStale(const Progress& progress)
         if (++looks % verticesBetweenReports != 0)
             continue;
         if (progress.cancelled())
-            return cancelledError("The decimation");
-        progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(), "Collapsing in rounds");
+            return cancelledError(Message::marked("The decimation"));
+        progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
+                        Message::marked("Collapsing in rounds"));
     }
     return {};
 }

@@ -136,9 +136,11 @@ Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOp
             return status.error();
         return decimateSound(mesh, options, sink, progress);
     };
-    return guarded("Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or "
-                   "take a part of the data.",
-                   decimateChecked);
+    return guarded(
+        Message::marked(
+            "Not enough memory to decimate this mesh. Close other programs, use a machine with more memory, or "
+            "take a part of the data."),
+        decimateChecked);
 }
 
 std::uint64_t decimationBytes(std::uint64_t points, std::uint64_t tetrahedra)

@@ -74,7 +74,7 @@ std::array<std::uint32_t, 4> latestFirst(const std::array<std::uint32_t, 4>& sit
 
 namespace {
 
-Error inconsistent(const std::string& what)
+Error inconsistent(const Message& what)
 {
     return {ErrorKind::BadInput, what};
 }
@@ -114,9 +114,9 @@ Status BatchBuilder::check(const HistoryStep& step) const
 {
     const std::uint32_t creator = siteCount();
     if (step.point >= pointCount_ || creator == gone - 1)
-        return inconsistent("point " + std::to_string(step.point) + " is not in the dataset");
+        return inconsistent(Message::say("point %1 is not in the dataset", step.point));
     if (std::isnan(step.keyBefore) || step.keyBefore < 0)
-        return inconsistent("the error before it is not a number of at least 0");
+        return inconsistent(Message::say("the error before it is not a number of at least 0"));
     if (step.star.size() > gone - storedNumbers_.size())
         return Error{
             ErrorKind::OutOfResource,
@@ -124,17 +124,17 @@ Status BatchBuilder::check(const HistoryStep& step) const
                 "The history has more than 4294967295 tetrahedra. Ask for a larger error, or build in blocks.")};
     for (const HistoryTetrahedron& tetrahedron : step.star) {
         if (std::ranges::any_of(tetrahedron.sites, [creator](std::uint32_t site) { return site >= creator; }))
-            return inconsistent("a tetrahedron of its star has a site that comes after it");
+            return inconsistent(Message::say("a tetrahedron of its star has a site that comes after it"));
         const auto& [a, b, c] = tetrahedron.sites;
         if (a == b || a == c || b == c)
-            return inconsistent("a tetrahedron of its star has a site twice");
+            return inconsistent(Message::say("a tetrahedron of its star has a site twice"));
         if (!(tetrahedron.error >= 0) || !(tetrahedron.warping >= 0))
             return inconsistent(
-                "a tetrahedron of its star has an error or a warping that is not a number of at least 0");
+                Message::say("a tetrahedron of its star has an error or a warping that is not a number of at least 0"));
     }
     for (const std::uint32_t destroyed : step.destroyed)
         if (destroyed >= madeCount() || storedNumbers_[destroyed] == gone)
-            return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + ", which is not in the mesh");
+            return inconsistent(Message::say("it destroys tetrahedron %1, which is not in the mesh", destroyed));
     return {};
 }
 
@@ -143,7 +143,7 @@ Status BatchBuilder::record(const HistoryStep& step)
     const std::uint32_t site = siteCount();
     for (const std::uint32_t destroyed : step.destroyed) {
         if (storedNumbers_[destroyed] == gone)
-            return inconsistent("it destroys tetrahedron " + std::to_string(destroyed) + " twice");
+            return inconsistent(Message::say("it destroys tetrahedron %1 twice", destroyed));
         if (destroyed < batch_.firstTetrahedron())
             destructions_.push_back({storedNumbers_[destroyed], site});
         storedNumbers_[destroyed] = gone;

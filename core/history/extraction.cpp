@@ -20,7 +20,7 @@ namespace {
 
 /// Room behind the mesh for tetrahedra that are written before it is known that they are dead.
 constexpr std::uint64_t slack = 1 << 13;
-constexpr std::string_view extracting = "Extracting the mesh";
+constexpr MarkedText extracting = Message::marked("Extracting the mesh");
 
 /// Takes the mesh out of the file, some stars at a time.
 class PrefixScan {
@@ -172,7 +172,7 @@ Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, c
                 "The first %1 sites of '%2' have no mesh of their own: site %3 enters together with the one before it.",
                 sites, model.path().string(), sites)};
     const Status extracted = guarded(
-        "Not enough memory for a mesh of %1 sites. Choose a larger error.",
+        Message::marked("Not enough memory for a mesh of %1 sites. Choose a larger error."),
         [&] { return extractInto(model, sites, progress, reuse); }, sites);
     if (!extracted)
         return extracted.error();

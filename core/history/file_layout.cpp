@@ -40,8 +40,7 @@ bool isDomain(const Header& header, DomainClass domain)
 /// Reads the layout of one file; every member gives the first thing that is wrong.
 class LayoutReader {
 public:
-    LayoutReader(std::span<const std::byte> file, const std::filesystem::path& path)
-        : file_(file), name_("'" + path.string() + "'")
+    LayoutReader(std::span<const std::byte> file, const std::filesystem::path& path) : file_(file), name_(path.string())
     {
     }
 
@@ -63,16 +62,16 @@ private:
     std::uint32_t positionBytes() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
-    Error bad(const Message& text) const { return {ErrorKind::BadInput, Message::say("%1 %2", name_, text)}; }
+    static Error bad(Message text) { return {ErrorKind::BadInput, std::move(text)}; }
     Error damaged(const Message& what) const
     {
-        return bad(Message::say("is damaged: %1. Copy the file again, or build it again.", what));
+        return bad(Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", name_, what));
     }
     Error cutShort(std::uint64_t expectedBytes) const
     {
-        return bad(
-            Message::say("is cut short: it has %1 bytes and should have %2. Copy the file again, or build it again.",
-                         file_.size(), expectedBytes));
+        return bad(Message::say("'%1' is cut short: it has %2 bytes and should have %3. Copy the file again, or build "
+                                "it again.",
+                                name_, file_.size(), expectedBytes));
     }
 
     std::span<const std::byte> file_;
@@ -99,21 +98,22 @@ Status LayoutReader::readHeader()
     Header& header = layout_.header;
     const std::size_t available = std::min(file_.size(), sizeof(Header));
     if (available == 0)
-        return bad(Message::say("is empty. Models are made by 'tan build'."));
+        return bad(Message::say("'%1' is empty. Models are made by 'tan build'.", name_));
     std::memcpy(static_cast<void*>(&header), file_.data(), available);
     if (available < sizeof header.magic || header.magic != format::magic)
-        return bad(Message::say("is not a TAn model: it does not begin like one. Models are made by 'tan build'."));
+        return bad(Message::say("'%1' is not a TAn model: it does not begin like one. Models are made by 'tan build'.",
+                                name_));
     if (available < sizeof(Header))
         return cutShort(sizeof(Header));
     if (header.byteOrderMark == format::byteOrderMarkReversed)
-        return bad(Message::say("was written with the other byte order. Build it again on this machine."));
+        return bad(Message::say("'%1' was written with the other byte order. Build it again on this machine.", name_));
     if (header.majorVersion > format::majorVersion)
         return bad(Message::say(
-            "has format version %1.%2; this program reads up to version %3. Install a later version of TAn.",
-            header.majorVersion, header.minorVersion, format::majorVersion));
+            "'%1' has format version %2.%3; this program reads up to version %4. Install a later version of TAn.",
+            name_, header.majorVersion, header.minorVersion, format::majorVersion));
     if (header.majorVersion == 0 || header.byteOrderMark != format::byteOrderMark ||
         header.headerBytes != sizeof(Header) || header.sectionCount > format::mostSections)
-        return damaged("its header makes no sense");
+        return damaged(Message::say("its header makes no sense"));
     return {};
 }
 
@@ -125,12 +125,11 @@ Status LayoutReader::readTable()
         return cutShort(std::max(header.fileBytes, sizeof(Header) + tableBytes));
     const std::span<const std::byte> table = file_.subspan(sizeof(Header), tableBytes);
     if (headerChecksum(header, table) != header.checksum)
-        return damaged("the checksum of its header is wrong");
+        return damaged(Message::say("the checksum of its header is wrong"));
     if (file_.size() < header.fileBytes)
         return cutShort(header.fileBytes);
     if (file_.size() > header.fileBytes)
-        return damaged("it has " + std::to_string(file_.size()) + " bytes and should have " +
-                       std::to_string(header.fileBytes));
+        return damaged(Message::say("it has %1 bytes and should have %2", file_.size(), header.fileBytes));
     layout_.sections.resize(header.sectionCount);
     if (!table.empty())
         std::memcpy(static_cast<void*>(layout_.sections.data()), table.data(), table.size());
@@ -142,12 +141,12 @@ Status LayoutReader::checkWhatItHolds() const
     const Header& header = layout_.header;
     if (header.domainClass > static_cast<std::uint32_t>(DomainClass::Scattered))
         return bad(Message::say(
-            "is a model of domain class %1, which this version cannot read. Install a later version of TAn.",
-            header.domainClass));
+            "'%1' is a model of domain class %2, which this version cannot read. Install a later version of TAn.",
+            name_, header.domainClass));
     if (header.sampleType > static_cast<std::uint32_t>(SampleType::Float64))
         return bad(
-            Message::say("has samples of type %1, which this version cannot read. Install a later version of TAn.",
-                         header.sampleType));
+            Message::say("'%1' has samples of type %2, which this version cannot read. Install a later version of TAn.",
+                         name_, header.sampleType));
     return {};
 }
 
@@ -160,18 +159,16 @@ Status LayoutReader::checkLattice() const
         if (const std::uint32_t size = header.latticeSize[axis];
             size < (onLattice ? 2u : 1u) || (!onLattice && axis > 0 && size > 1) ||
             __builtin_mul_overflow(points, std::uint64_t(size), &points) || points > (1ull << 32))
-            return damaged("a lattice of " + std::to_string(header.latticeSize[0]) + " x " +
-                           std::to_string(header.latticeSize[1]) + " x " + std::to_string(header.latticeSize[2]) +
-                           " points cannot be");
+            return damaged(Message::say("a lattice of %1 x %2 x %3 points is impossible", header.latticeSize[0],
+                                        header.latticeSize[1], header.latticeSize[2]));
     for (int axis = 0; axis < 3; ++axis)
         if (!(header.spacing[axis] > 0) || !std::isfinite(header.spacing[axis]) || !std::isfinite(header.origin[axis]))
-            return damaged("the spacing or the origin of its lattice makes no sense");
+            return damaged(Message::say("the spacing or the origin of its lattice makes no sense"));
     const std::uint32_t fewest = onLattice ? 8 : 4;
     if (header.siteCount < fewest || header.siteCount > points || header.siteCount == Model::never ||
         header.tetrahedronCount == 0)
-        return damaged("a " + std::string(onLattice ? "lattice" : "set") + " of " + std::to_string(points) +
-                       " points cannot have " + std::to_string(header.siteCount) + " sites and " +
-                       std::to_string(header.tetrahedronCount) + " tetrahedra");
+        return damaged(Message::say("%1 points cannot have %2 sites and %3 tetrahedra", points, header.siteCount,
+                                    header.tetrahedronCount));
     return {};
 }
 
@@ -180,7 +177,7 @@ Status LayoutReader::checkValues() const
     const Header& header = layout_.header;
     if (!std::isfinite(header.valueRange[0]) || !std::isfinite(header.valueRange[1]) ||
         header.valueRange[0] > header.valueRange[1] || !(header.finalKey >= 0) || !std::isfinite(header.finalKey))
-        return damaged("its value range or its final error makes no sense");
+        return damaged(Message::say("its value range or its final error makes no sense"));
     return {};
 }
 
@@ -190,11 +187,11 @@ Status LayoutReader::checkPlace() const
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
             header.boundingBox[axis] > header.boundingBox[axis + 3])
-            return damaged("its bounding box makes no sense");
+            return damaged(Message::say("its bounding box makes no sense"));
     const bool warps = canWarp(DomainClass(header.domainClass));
     if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || warps != (header.warpingWeight > 0) ||
         header.leftHanded > (isDomain(header, DomainClass::Curvilinear) ? 1u : 0u))
-        return damaged("its warping weight or its handedness makes no sense");
+        return damaged(Message::say("its warping weight or its handedness makes no sense"));
     return {};
 }
 
@@ -205,14 +202,14 @@ Status LayoutReader::checkBounds() const
     for (const Section& section : layout_.sections) {
         const std::string name(format::sectionName(section.id));
         if (!ids.insert(section.id).second)
-            return damaged("section '" + name + "' is there twice");
+            return damaged(Message::say("section '%1' is there twice", name));
         if (section.offset % format::alignment != 0 || section.offset < end)
-            return damaged("section '" + name + "' begins where it cannot, at byte " + std::to_string(section.offset));
+            return damaged(Message::say("section '%1' cannot begin at byte %2", name, section.offset));
         if (__builtin_add_overflow(section.offset, section.bytes, &end) || end > file_.size())
-            return damaged("section '" + name + "' reaches beyond the end of the file");
+            return damaged(Message::say("section '%1' reaches beyond the end of the file", name));
     }
     if (end != file_.size())
-        return damaged("its last section ends at byte " + std::to_string(end) + " of " + std::to_string(file_.size()));
+        return damaged(Message::say("its last section ends at byte %1 of %2", end, file_.size()));
     return {};
 }
 
@@ -221,12 +218,14 @@ Status LayoutReader::checkCodecs() const
     for (const Section& section : layout_.sections) {
         const bool known = format::sectionName(section.id) != "unknown";
         if (!known && (section.flags & format::required))
-            return bad(Message::say(
-                "needs section %1, which this version does not know. Install a later version of TAn.", section.id));
+            return bad(
+                Message::say("'%1' needs section %2, which this version does not know. Install a later version of TAn.",
+                             name_, section.id));
         if (known && section.codec != static_cast<std::uint32_t>(format::Codec::None))
             return bad(Message::say(
-                "packs its %1 with codec %2, which this version does not know. Install a later version of TAn.",
-                format::sectionName(section.id), section.codec));
+                "'%1' packs its section '%2' with codec %3, which this version does not know. Install a later version "
+                "of TAn.",
+                name_, format::sectionName(section.id), section.codec));
     }
     return {};
 }
@@ -251,7 +250,7 @@ Status LayoutReader::checkCounts() const
             return status;
     const auto text = std::ranges::find(layout_.sections, std::uint32_t(SectionId::Text), &Section::id);
     if (text == layout_.sections.end() || text->bytes > format::longestText)
-        return damaged("its text section is missing or too long");
+        return damaged(Message::say("its text section is missing or too long"));
     return {};
 }
 
@@ -312,15 +311,14 @@ Status LayoutReader::checkCount(Expected expected, std::uint64_t count) const
     const std::string name(format::sectionName(static_cast<std::uint32_t>(expected.id)));
     const auto section = std::ranges::find(layout_.sections, static_cast<std::uint32_t>(expected.id), &Section::id);
     if (section == layout_.sections.end())
-        return damaged("section '" + name + "' is missing");
+        return damaged(Message::say("section '%1' is missing", name));
     const std::uint64_t elementBytes =
         expected.elementBytes != 0 ? expected.elementBytes : sampleSize(SampleType(layout_.header.sampleType));
     std::uint64_t bytes = 0;
     if (section->elementBytes != elementBytes || __builtin_mul_overflow(elementBytes, count, &bytes) ||
         section->bytes != bytes)
-        return damaged("section '" + name + "' has " + std::to_string(section->bytes) + " bytes in elements of " +
-                       std::to_string(section->elementBytes) + " instead of " + std::to_string(count) +
-                       " elements of " + std::to_string(elementBytes));
+        return damaged(Message::say("section '%1' has %2 bytes in elements of %3 instead of %4 elements of %5", name,
+                                    section->bytes, section->elementBytes, count, elementBytes));
     return {};
 }
 

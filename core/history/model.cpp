@@ -163,7 +163,7 @@ Status Model::checkBytes(std::span<const std::byte> bytes, const Progress& progr
     constexpr std::size_t atOnce = 64 << 20; // between two looks at whether the work was cancelled
     for (; !bytes.empty(); bytes = bytes.subspan(std::min(atOnce, bytes.size()))) {
         if (progress.cancelled())
-            return cancelledError("Checking the model's file");
+            return cancelledError(Message::marked("Checking the model's file"));
         if (!checkBytes(bytes.first(std::min(atOnce, bytes.size()))))
             return checkIntact();
     }

@@ -103,7 +103,8 @@ Result<std::unique_ptr<ModelFileWriter>> ModelFileWriter::create(const std::file
             return announced.error();
         return writer;
     };
-    return guarded("Not enough memory to write '%1'. Close other programs.", createAnnounced, path.native());
+    return guarded(Message::marked("Not enough memory to write '%1'. Close other programs."), createAnnounced,
+                   path.native());
 }
 
 Status ModelFileWriter::begin()
@@ -306,9 +307,10 @@ private:
     Error inconsistent(const Message& what) const;
     template <class Work> Status guardedWriting(const Work& work) const
     {
-        return guarded("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other "
-                       "programs.",
-                       work, file_->target().native(), siteCount());
+        return guarded(
+            Message::marked("Not enough memory to write '%1' after %2 sites. Ask for a larger error, or close other "
+                            "programs."),
+            work, file_->target().native(), siteCount());
     }
 
     std::unique_ptr<ModelFileWriter> file_;
@@ -356,10 +358,10 @@ Status HistoryFileWriter::begin(const HistoryTraits& traits)
 Status HistoryFileWriter::add(const HistoryStep& step)
 {
     if (canWarp(description().domain) && !(description().warpingWeight > 0))
-        return inconsistent(Message::say("%1 data need a warping weight", domainClassName(description().domain)));
+        return inconsistent(Message::say("%1 data need a warping weight", domainClassText(description().domain)));
     return guardedWriting([&] {
         const Status added = builder_.add(step);
-        return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().text());
+        return added || added.error().kind != ErrorKind::BadInput ? added : inconsistent(added.error().message);
     });
 }
 

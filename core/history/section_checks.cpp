@@ -74,9 +74,9 @@ Error damaged(const MappedFile& file, const Message& what)
             Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", file.path().string(), what)};
 }
 
-std::string wrongChecksum(std::uint32_t section)
+Message wrongChecksum(std::uint32_t section)
 {
-    return "the checksum of section '" + std::string(format::sectionName(section)) + "' is wrong";
+    return Message::say("the checksum of section '%1' is wrong", format::sectionName(section));
 }
 
 } // namespace
@@ -173,9 +173,9 @@ Status SectionChecks::finish(const Progress& progress) const
 {
     while (chunkBits_ == 0 && goOn()) {
         if (progress.cancelled())
-            return cancelledError("Checking the model's file");
+            return cancelledError(Message::marked("Checking the model's file"));
         progress.report(static_cast<double>(readInAll_) / static_cast<double>(file_->bytes().size()),
-                        "Checking the model's file");
+                        Message::marked("Checking the model's file"));
     }
     return damage();
 }

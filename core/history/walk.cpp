@@ -15,7 +15,7 @@
 namespace tetra {
 
 Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, const Progress& progress,
-                   std::string_view activity, const std::function<Status(const Stars&)>& visit)
+                   const Message& activity, const std::function<Status(const Stars&)>& visit)
 {
     // Visited at once, as far as whole stars go: their offsets fit the cache.
     constexpr std::uint64_t tetrahedraAtOnce = 1 << 12;

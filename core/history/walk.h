@@ -37,7 +37,7 @@ struct Stars {
 /// so that a visitor reads every number once, and believes none. Errors: a damaged or inconsistent file, cancelled (as
 /// `activity`), the visitor's.
 Status walkHistory(const Model& model, std::uint32_t first, std::uint32_t end, const Progress& progress,
-                   std::string_view activity, const std::function<Status(const Stars&)>& visit);
+                   const Message& activity, const std::function<Status(const Stars&)>& visit);
 
 /// Calls `visit(creator, tetrahedron, destroyer)` for all that none of the first `sites` sites destroys.
 template <class Visit> void forEachAlive(const Stars& stars, std::uint32_t sites, const Visit& visit)

@@ -21,7 +21,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view orderingMesh = "Ordering the mesh";
+constexpr MarkedText orderingMesh = Message::marked("Ordering the mesh");
 constexpr std::size_t cellsOrderedAtOnce = std::size_t(1) << 14;
 
 std::uint32_t smallestOf(const Tetrahedron& cell) noexcept
@@ -191,9 +191,11 @@ Result<TetrahedralMesh> inSpatialOrder(const TetrahedralMesh& mesh, const Progre
 {
     if (mesh.values.size() != mesh.positions.size())
         return Error{ErrorKind::WrongUsage, Message::say("The mesh and its values do not belong together.")};
-    return guarded("Not enough memory to put the mesh in spatial order. Close other programs or lower the accuracy of "
-                   "the mesh.",
-                   [&] { return order(mesh, progress); });
+    return guarded(
+        Message::marked(
+            "Not enough memory to put the mesh in spatial order. Close other programs or lower the accuracy of "
+            "the mesh."),
+        [&] { return order(mesh, progress); });
 }
 
 Buffer<ChunkRange> chunkRanges(const TetrahedralMesh& mesh)

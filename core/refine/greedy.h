@@ -65,10 +65,10 @@ Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink, 
             continue;
         work = 0;
         if (progress.cancelled())
-            return cancelledError("The refinement");
+            return cancelledError(Message::marked("The refinement"));
         // Errors may rise in between, and with them what is left to do.
         fraction = std::max(fraction, 1 - static_cast<double>(space.pointsAboveStop()) / pointsAtStart);
-        progress.report(fraction, "Refining");
+        progress.report(fraction, Message::marked("Refining"));
         space.sweep();
     }
 }
@@ -88,7 +88,7 @@ concept RoundwiseSpace = requires(Space space) {
 
 /// Inserts what was found, what isWorse() says first, unless an insertion before it has changed its tetrahedron; then
 /// looks at what changed; until nothing is found. `activity` is what was cancelled.
-template <RoundwiseSpace Space> Status refineInRounds(Space& space, const Progress& progress, std::string_view activity)
+template <RoundwiseSpace Space> Status refineInRounds(Space& space, const Progress& progress, const Message& activity)
 {
     constexpr std::size_t insertionsBetweenReports = 256;
     while (!space.found().empty()) {

@@ -24,7 +24,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view findingBoundary = "Finding the boundary";
+constexpr MarkedText findingBoundary = Message::marked("Finding the boundary");
 constexpr std::size_t largestTriangleCount = 0xffffffff / 3; // corners have numbers
 
 Error tooManyFaces()
@@ -158,8 +158,8 @@ Result<TriangleMesh> boundaryOfMesh(const TetrahedralMesh& mesh, double featureA
     return surface;
 }
 
-constexpr const char* noMemoryForBoundary =
-    "Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.";
+constexpr MarkedText noMemoryForBoundary =
+    Message::marked("Not enough memory for the boundary of the mesh. Lower the accuracy of the mesh.");
 
 } // namespace
 

@@ -251,7 +251,8 @@ public:
         if (parsed && *parsed >= least && *parsed <= largest)
             target = *parsed;
         else
-            fail(*value, key, "is no number from " + formatNumber(least) + " to " + formatNumber(largest));
+            fail(Message::say("The key \"%1\" of the camera is not a number from %2 to %3 (%4).", key,
+                              formatNumber(least), formatNumber(largest), describePlace(value->place)));
     }
 
     void truth(std::string_view key, bool& target)
@@ -262,7 +263,8 @@ public:
         if (const bool* truth = std::get_if<bool>(&value->content))
             target = *truth;
         else
-            fail(*value, key, "is neither true nor false");
+            fail(Message::say("The key \"%1\" of the camera is neither true nor false (%2).", key,
+                              describePlace(value->place)));
     }
 
     void upAxis(std::string_view key, UpAxis& target)
@@ -275,7 +277,8 @@ public:
         if (found != upNames.end())
             target = static_cast<UpAxis>(found - upNames.begin());
         else
-            fail(*value, key, "is none of x, -x, y, -y, z and -z");
+            fail(Message::say("The key \"%1\" of the camera is none of x, -x, y, -y, z and -z (%2).", key,
+                              describePlace(value->place)));
     }
 
     void point(std::string_view key, Eigen::Vector3d& target)
@@ -285,11 +288,11 @@ public:
             return;
         const JsonArray* list = value->array();
         if (list == nullptr || list->size() != 3)
-            return fail(*value, key, "is not a list of three numbers");
+            return failPoint(*value, key);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto parsed = numberOf((*list)[axis]);
             if (!parsed || !std::isfinite(*parsed))
-                return fail((*list)[axis], key, "is not a list of three numbers");
+                return failPoint((*list)[axis], key);
             target[static_cast<Eigen::Index>(axis)] = *parsed;
         }
     }
@@ -298,17 +301,23 @@ public:
     {
         for (const auto& [name, value] : *root_.object())
             if (std::ranges::find(keys, name) == keys.end())
-                fail(value, name, "is not known");
+                fail(Message::say("The key \"%1\" of the camera is not known (%2).", printable(name),
+                                  describePlace(value.place)));
     }
 
     const std::optional<Error>& error() const noexcept { return error_; }
 
 private:
-    void fail(const JsonValue& value, std::string_view key, const std::string& what)
+    void failPoint(const JsonValue& value, std::string_view key)
+    {
+        fail(Message::say("The key \"%1\" of the camera is not a list of three numbers (%2).", key,
+                          describePlace(value.place)));
+    }
+
+    void fail(const Message& what)
     {
         if (!error_)
-            error_ = Error{ErrorKind::BadInput, Message::say("The key \"%1\" of the camera %2 (%3).", printable(key),
-                                                             what, describePlace(value.place))};
+            error_ = Error{ErrorKind::BadInput, what};
     }
 
     const JsonValue& root_;
@@ -339,7 +348,7 @@ Result<Camera> cameraFromText(std::string_view text, const Eigen::AlignedBox3d& 
 {
     const Result<JsonValue> root = parseJson(text);
     if (!root)
-        return Error{ErrorKind::BadInput, Message::say("This is no camera. %1", root.error().text())};
+        return Error{ErrorKind::BadInput, Message::say("This is no camera. %1", root.error().message)};
     if (root->object() == nullptr)
         return Error{ErrorKind::BadInput, Message::say("This is no camera: it holds no JSON object, in braces.")};
     CameraReader reader(*root);

@@ -17,8 +17,9 @@
 
 namespace tetra {
 
-inline constexpr const char* noMemoryForPicture = "Not enough memory for a picture of this size and scene. Make the "
-                                                  "picture smaller or lower the accuracy of the mesh.";
+inline constexpr MarkedText noMemoryForPicture =
+    Message::marked("Not enough memory for a picture of this size and scene. Make the "
+                    "picture smaller or lower the accuracy of the mesh.");
 
 /// Runs `work`, which returns a Result, on as many threads as are wanted; 0 or too many means all of the machine.
 /// std::bad_alloc becomes an error.

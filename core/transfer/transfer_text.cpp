@@ -15,6 +15,7 @@ namespace {
 constexpr std::string_view formatName = "tan-transfer-function";
 constexpr int formatVersion = 2;
 constexpr int versionOfPoints = 1; ///< a colour and an opacity at each value
+constexpr MarkedText wholeText = Message::marked("the text");
 
 Error wrongFunction(const JsonValue& value, const Message& what)
 {
@@ -22,7 +23,7 @@ Error wrongFunction(const JsonValue& value, const Message& what)
             Message::say("The transfer function cannot be read: %1 (%2).", what, describePlace(value.place))};
 }
 
-template <class Number> Status readNumber(const JsonValue& value, std::string_view name, Number& number)
+template <class Number> Status readNumber(const JsonValue& value, const Message& name, Number& number)
 {
     const JsonValue::Number* text = value.number();
     const auto parsed = text != nullptr ? parseNumber<Number>(text->text) : std::nullopt;
@@ -33,7 +34,7 @@ template <class Number> Status readNumber(const JsonValue& value, std::string_vi
 }
 
 Status checkMembers(const JsonValue& object, std::initializer_list<std::string_view> needed,
-                    std::initializer_list<std::string_view> optional, std::string_view what)
+                    std::initializer_list<std::string_view> optional, const Message& what)
 {
     if (object.object() == nullptr)
         return wrongFunction(object, Message::say("%1 must be an object, in braces", what));
@@ -52,7 +53,7 @@ Status readColour(const JsonValue& value, std::array<float, 3>& colour)
     if (channels == nullptr || channels->size() != colour.size())
         return wrongFunction(value, Message::say("a colour must be three numbers in brackets"));
     for (std::size_t channel = 0; channel < colour.size(); ++channel)
-        if (Status status = readNumber((*channels)[channel], "a channel", colour[channel]); !status)
+        if (Status status = readNumber((*channels)[channel], Message::marked("a channel"), colour[channel]); !status)
             return status;
     return {};
 }
@@ -69,7 +70,7 @@ template <class Point> Status readPlace(const JsonValue& value, Point& point)
 
 Status readPoint(const JsonValue& value, ColourPoint& point)
 {
-    if (Status status = checkMembers(value, {"value", "colour"}, {"group"}, "a colour"); !status)
+    if (Status status = checkMembers(value, {"value", "colour"}, {"group"}, Message::marked("a colour")); !status)
         return status;
     if (Status status = readPlace(value, point); !status)
         return status;
@@ -78,7 +79,7 @@ Status readPoint(const JsonValue& value, ColourPoint& point)
 
 Status readPoint(const JsonValue& value, OpacityPoint& point)
 {
-    if (Status status = checkMembers(value, {"value", "opacity"}, {"group"}, "an opacity"); !status)
+    if (Status status = checkMembers(value, {"value", "opacity"}, {"group"}, Message::marked("an opacity")); !status)
         return status;
     if (Status status = readPlace(value, point); !status)
         return status;
@@ -87,7 +88,8 @@ Status readPoint(const JsonValue& value, OpacityPoint& point)
 
 Status readPoint(const JsonValue& value, TransferPoint& point)
 {
-    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {"group"}, "a point"); !status)
+    if (Status status = checkMembers(value, {"value", "colour", "opacity"}, {"group"}, Message::marked("a point"));
+        !status)
         return status;
     if (Status status = readPlace(value, point); !status)
         return status;
@@ -109,24 +111,24 @@ template <class Point> Status readPoints(const JsonValue& root, std::string_view
 
 Status readMask(const JsonValue& value, TransferMask& mask)
 {
-    if (Status status = checkMembers(value, {"least", "largest"}, {}, "a mask"); !status)
+    if (Status status = checkMembers(value, {"least", "largest"}, {}, Message::marked("a mask")); !status)
         return status;
     if (Status status = readNumber(*value.find("least"), "\"least\"", mask.least); !status)
         return status;
     if (Status status = readNumber(*value.find("largest"), "\"largest\"", mask.largest); !status)
         return status;
     if (Status status = checkMask(mask); !status)
-        return wrongFunction(value, status.error().text());
+        return wrongFunction(value, status.error().message);
     return {};
 }
 
 Status readFormat(const JsonValue& root, int& version)
 {
     if (root.object() == nullptr)
-        return wrongFunction(root, Message::say("%1 must be an object, in braces", "the text"));
+        return wrongFunction(root, Message::say("%1 must be an object, in braces", wholeText));
     for (const std::string_view name : {"format", "version"})
         if (root.find(name) == nullptr)
-            return wrongFunction(root, Message::say("%1 has no \"%2\"", "the text", name));
+            return wrongFunction(root, Message::say("%1 has no \"%2\"", wholeText, name));
     const std::string* format = root.find("format")->string();
     if (format == nullptr || *format != formatName)
         return wrongFunction(*root.find("format"), Message::say("\"format\" is not \"%1\"", formatName));
@@ -182,7 +184,7 @@ Result<TransferFunction> transferFunctionFromText(std::string_view text)
     const Result<JsonValue> parsed = parseJson(text);
     if (!parsed)
         return Error{ErrorKind::BadInput,
-                     Message::say("The transfer function cannot be read. %1", parsed.error().text())};
+                     Message::say("The transfer function cannot be read. %1", parsed.error().message)};
     return transferFunctionFromJson(*parsed);
 }
 
@@ -193,7 +195,7 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
         return status.error();
     TransferFunction function;
     if (version == versionOfPoints) {
-        if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, "the text");
+        if (Status status = checkMembers(root, {"format", "version", "points"}, {"unitDistance", "mask"}, wholeText);
             !status)
             return status.error();
         std::vector<TransferPoint> points;
@@ -201,20 +203,20 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
             return status.error();
         function = transferFunctionFromPoints(points);
         if (Status status = checkTransferFunction(function); !status)
-            return wrongFunction(*root.find("points"), status.error().text());
+            return wrongFunction(*root.find("points"), status.error().message);
     } else {
         if (Status status =
-                checkMembers(root, {"format", "version", "colours", "opacities"}, {"unitDistance", "mask"}, "the text");
+                checkMembers(root, {"format", "version", "colours", "opacities"}, {"unitDistance", "mask"}, wholeText);
             !status)
             return status.error();
         if (Status status = readPoints(root, "colours", function.colours); !status)
             return status.error();
         if (Status status = checkTransferFunction(function); !status)
-            return wrongFunction(*root.find("colours"), status.error().text());
+            return wrongFunction(*root.find("colours"), status.error().message);
         if (Status status = readPoints(root, "opacities", function.opacities); !status)
             return status.error();
         if (Status status = checkTransferFunction(function); !status)
-            return wrongFunction(*root.find("opacities"), status.error().text());
+            return wrongFunction(*root.find("opacities"), status.error().message);
     }
     if (const JsonValue* distance = root.find("unitDistance"))
         if (Status status = readNumber(*distance, "\"unitDistance\"", function.unitDistance); !status)
@@ -223,7 +225,7 @@ Result<TransferFunction> transferFunctionFromJson(const JsonValue& root)
         if (Status status = readMask(*mask, function.mask.emplace()); !status)
             return status.error();
     if (Status status = checkTransferFunction(function); !status)
-        return wrongFunction(root, status.error().text());
+        return wrongFunction(root, status.error().message);
     return function;
 }
 

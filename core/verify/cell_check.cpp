@@ -284,7 +284,7 @@ template <class Sample> struct RoundedNumbers {
 template <class Sample, class Numbers> struct LatticeErrors {
     using Number = typename Numbers::Number;
     static constexpr std::size_t cellsAtOnce = 1024;
-    static constexpr const char* activity = "Verifying the error at every sample";
+    static constexpr MarkedText activity = Message::marked("Verifying the error at every sample");
     static constexpr bool tellsOfEachSample = false;
 
     struct Cell {
@@ -322,7 +322,7 @@ template <class Sample, class Numbers> struct LatticeErrors {
 struct GridWarpings {
     using Number = double;
     static constexpr std::size_t cellsAtOnce = 256;
-    static constexpr const char* activity = "Verifying the warping at every sample";
+    static constexpr MarkedText activity = Message::marked("Verifying the warping at every sample");
     static constexpr bool tellsOfEachSample = false;
 
     struct Cell {
@@ -504,7 +504,7 @@ namespace {
 struct PointErrors {
     using Number = double;
     static constexpr std::size_t cellsAtOnce = 256;
-    static constexpr const char* activity = "Verifying the error at every point";
+    static constexpr MarkedText activity = Message::marked("Verifying the error at every point");
     static constexpr bool tellsOfEachSample = true;
 
     struct Cell {

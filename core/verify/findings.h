@@ -85,7 +85,7 @@ private:
 
 /// Calls check(number) for every number below `count`, on all threads of the current arena, `atOnce` of them in a row.
 /// The progress reads `activity`. An Error only if it was cancelled; then nothing further is begun.
-template <class Check> Status verifyEach(std::size_t count, std::size_t atOnce, std::string_view activity,
+template <class Check> Status verifyEach(std::size_t count, std::size_t atOnce, const Message& activity,
                                          const Progress& progress, const Check& check)
 {
     SharedProgress shared(progress, count, activity);
@@ -98,7 +98,7 @@ template <class Check> Status verifyEach(std::size_t count, std::size_t atOnce, 
         shared.done(range.size());
     });
     if (progress.cancelled())
-        return cancelledError("Verifying the model");
+        return cancelledError(Message::marked("Verifying the model"));
     return {};
 }
 

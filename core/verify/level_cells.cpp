@@ -135,7 +135,7 @@ Status FaceCheck::run(const Progress& progress)
     SharedProgress shared(progress, bounds.size() - 1, "Verifying that the cells fit together");
     for (std::size_t batch = 0; batch + 1 < bounds.size(); ++batch) {
         if (shared.cancelled())
-            return cancelledError("Verifying the model");
+            return cancelledError(Message::marked("Verifying the model"));
         gather(bounds[batch], bounds[batch + 1]);
         tbb::parallel_sort(faces_);
         checkBatch();

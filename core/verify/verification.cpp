@@ -178,7 +178,7 @@ Result<VerificationReport> verify(const Model& model, const Dataset& original, c
                                   const Progress& progress)
 {
     return guarded(
-        "Not enough memory to verify '%1'. Close other programs, or verify coarser levels only.",
+        Message::marked("Not enough memory to verify '%1'. Close other programs, or verify coarser levels only."),
         [&] { return verifyAll(model, original, levels, progress); }, model.path().native());
 }
 

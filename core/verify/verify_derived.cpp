@@ -131,7 +131,7 @@ Status DerivedCheck::run(const Progress& progress)
     checkBatchEnds();
     checkBatchBounds();
     if (progress.cancelled())
-        return cancelledError("Verifying the model");
+        return cancelledError(Message::marked("Verifying the model"));
     checkLevels();
     if (const Status checked = checkBlocks(progress.part(0, 0.5)); !checked)
         return checked;

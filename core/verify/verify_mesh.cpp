@@ -154,8 +154,9 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
     if (!query.values.empty() || query.window)
         return Error{ErrorKind::WrongUsage, Message::say("Only a mesh of the whole domain can be verified: ask for it "
                                                          "without a range of values and without a window.")};
-    return guarded("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one.",
-                   [&] { return verifyWhole(model, original, query, mesh, progress); });
+    return guarded(
+        Message::marked("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."),
+        [&] { return verifyWhole(model, original, query, mesh, progress); });
 }
 
 } // namespace tetra

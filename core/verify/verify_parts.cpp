@@ -54,7 +54,7 @@ Status verifySection(const Section& section, std::span<const std::byte> bytes, S
     std::uint64_t wrongChunks = 0;
     for (std::size_t at = 0; at < bytes.size(); at += atOnce) {
         if (progress.cancelled())
-            return cancelledError("Verifying the model");
+            return cancelledError(Message::marked("Verifying the model"));
         const auto piece = bytes.subspan(at, std::min<std::size_t>(atOnce, bytes.size() - at));
         sum.add(piece);
         if (hasChunks) {

@@ -28,8 +28,8 @@ int main(int count, char** arguments)
         std::cerr << dataset.error().text() << '\n';
         return 1;
     }
-    const tetra::Progress progress({}, [](double fraction, std::string_view activity) {
-        std::cerr << '\r' << activity << ' ' << int(100 * fraction) << " %  ";
+    const tetra::Progress progress({}, [](double fraction, const tetra::Message& activity) {
+        std::cerr << '\r' << activity.text() << ' ' << int(100 * fraction) << " %  ";
     });
     const auto report = tetra::buildModel(*dataset, arguments[1], tetra::suitableMethod(*dataset), progress);
     std::cerr << '\n';

@@ -10,7 +10,7 @@ namespace {
 using namespace tetra;
 
 /// What is wrong in the file, and what to do. The program says which file it is.
-Error refused(const std::string& reason)
+Error refused(const Message& reason)
 {
     return {ErrorKind::BadInput, reason};
 }
@@ -23,7 +23,7 @@ class GridTextReader : public QObject, public tetra::Reader {
     Q_INTERFACES(tetra::Reader)
 
 public:
-    std::vector<std::string> nameFilters() const override { return {"Grid text (*.grid)"}; }
+    std::vector<std::string> nameFilters() const override { return {Message::marked("Grid text (*.grid)")}; }
     double score(const std::filesystem::path& path, std::span<const std::byte>) const override
     {
         return path.extension() == ".grid" ? 1 : 0;
@@ -34,23 +34,23 @@ public:
     {
         QFile file(QString::fromStdString(path.string()));
         if (!file.open(QIODevice::ReadOnly))
-            return refused(file.errorString().toStdString() + ".");
+            return refused(Message::say("%1.", file.errorString().toStdString()));
         const QByteArrayList words = file.readAll().simplified().split(' ');
         Lattice lattice;
         for (int axis = 0; axis < 3; ++axis) {
             lattice.size[axis] = words.value(axis).toUInt();
             if (lattice.size[axis] < 2 || lattice.size[axis] > 1024)
-                return refused("it begins with three numbers of points, each from 2 to 1024.");
+                return refused(Message::say("it begins with three numbers of points, each from 2 to 1024."));
         }
         const std::uint64_t count = lattice.pointCount();
         if (std::uint64_t(words.size()) != count + 3)
-            return refused("it should have " + std::to_string(count) + " values.");
+            return refused(Message::say("it should have %1 values.", count));
         std::vector<float> samples(count);
         bool allNumbers = true;
         for (std::uint64_t i = 0; i < count && allNumbers; ++i)
             samples[i] = words[qsizetype(i) + 3].toFloat(&allNumbers);
         if (!allNumbers)
-            return refused("a value is no number.");
+            return refused(Message::say("a value is no number."));
         return latticeDataset(lattice, ScalarField::of(std::move(samples)), path.filename().string());
     }
 };

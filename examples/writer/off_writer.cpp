@@ -13,7 +13,7 @@ class OffWriter : public QObject, public tetra::Writer {
 public:
     std::vector<tetra::FileFormat> formats() const override
     {
-        return {{tetra::WrittenContent::Surface, "OFF files", {".off"}}};
+        return {{tetra::WrittenContent::Surface, tetra::Message::marked("OFF files"), {".off"}}};
     }
 
     tetra::Status writeSurface(const tetra::SurfaceContent& surface, tetra::OutputFile& file,

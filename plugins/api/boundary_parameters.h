@@ -11,20 +11,20 @@ namespace tetra {
 inline constexpr const char* boundaryId = "boundary";
 inline constexpr const char* boundaryOpacityId = "boundary-opacity";
 inline constexpr const char* boundaryFarSideId = "boundary-far-side";
-inline constexpr const char* boundaryOff = "off";
-inline constexpr const char* boundaryTranslucent = "translucent";
-inline constexpr const char* boundaryValues = "values";
+inline constexpr const char* boundaryOff = Message::marked("off").text;
+inline constexpr const char* boundaryTranslucent = Message::marked("translucent").text;
+inline constexpr const char* boundaryValues = Message::marked("values").text;
 
 /// std::string, one of the three above, the first by default.
 inline Parameter boundaryParameter()
 {
     Parameter parameter;
     parameter.id = boundaryId;
-    parameter.label = "Boundary";
+    parameter.label = Message::marked("Boundary");
     parameter.explanation =
-        "Shows where the mesh ends, holes and cavities included: 'translucent' in one light colour, "
-        "so that one sees what is inside within its walls, or in the colours that the transfer "
-        "function gives the 'values' there.";
+        Message::marked("Shows where the mesh ends, holes and cavities included: 'translucent' in one light colour, "
+                        "so that one sees what is inside within its walls, or in the colours that the transfer "
+                        "function gives the 'values' there.");
     parameter.defaultValue = std::string(boundaryOff);
     parameter.choices = {boundaryOff, boundaryTranslucent, boundaryValues};
     return parameter;
@@ -35,8 +35,8 @@ inline Parameter boundaryOpacityParameter()
 {
     Parameter parameter;
     parameter.id = boundaryOpacityId;
-    parameter.label = "Opacity";
-    parameter.explanation = "The opacity of a translucent boundary; 1 hides what lies behind.";
+    parameter.label = Message::marked("Opacity");
+    parameter.explanation = Message::marked("The opacity of a translucent boundary; 1 hides what lies behind.");
     parameter.defaultValue = 0.25;
     parameter.minimum = 0.01;
     parameter.maximum = 1;
@@ -49,9 +49,9 @@ inline Parameter boundaryFarSideParameter()
 {
     Parameter parameter;
     parameter.id = boundaryFarSideId;
-    parameter.label = "Back faces only";
-    parameter.explanation =
-        "Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.";
+    parameter.label = Message::marked("Back faces only");
+    parameter.explanation = Message::marked(
+        "Shows only the far walls of the boundary, seen from within, and leaves out those that face the camera.");
     parameter.defaultValue = false;
     parameter.onlyWith = {boundaryId, {std::string(boundaryTranslucent), std::string(boundaryValues)}};
     return parameter;

@@ -19,7 +19,7 @@ namespace tetra {
 /// How well a plugin suits an input: 0 not at all, 1 made for it. `reason` says why, in a sentence for the user.
 struct Acceptance {
     double score = 0;
-    std::string reason;
+    Message reason;
 };
 
 /// What the needs of a build follow from.

@@ -92,7 +92,7 @@ public:
     virtual void saveText(QWidget* parent, const EditorFile& file,
                           const std::function<std::string(const std::string& name)>& make) = 0;
     /// A message in the window: what went wrong, and what to do.
-    virtual void tell(const QString& message) = 0;
+    virtual void tell(const Message& message) = 0;
 
     /// None before the user picks one, and after the mark was taken away. It stays what it is when isovalues or the
     /// mesh change.

@@ -23,6 +23,7 @@ namespace tetra {
 /// | name        | string, required | for people                                                                    |
 /// | title       | string           | a word or two for an editor's dock; else the name                             |
 /// | description | string           | one or two sentences for people                                               |
+/// | name[de] .. | string           | the name in another language, by its code; title[de], description[de] likewise |
 /// | edits       | string           | of editors, required: parameterTypeName() of what they edit, or a type of the |
 /// |             |                  | plugin's own (OwnValue::type)                                                 |
 /// | requires    | array of strings | ids of plugins that must be there, and are loaded before                      |
@@ -30,6 +31,9 @@ namespace tetra {
 ///
 /// Other keys are ignored. A plugin is built with tan_plugin_module(), which adds the tag of its build: the system, the
 /// compiler, the C++ library, and TAn's version. A plugin of another build is not loaded, and the user is told why.
+///
+/// All other texts of a plugin are Messages, or marked by Message::marked(). Their translations are in a file beside
+/// the library that is called like it: libmine_de.qm beside libmine.so (docs/developers.md).
 ///
 /// Until 1.0 the interfaces have the program's version, and what is not the same minor version does not fit. From then
 /// on a published interface never changes: what it lacks comes as a new, optional one, which the minor number counts.

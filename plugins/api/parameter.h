@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
 #include <tan/mesh.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
@@ -61,7 +62,8 @@ struct ParameterCondition {
 inline constexpr const char* domainId = "domain";
 
 /// A parameter as data: the shell makes forms, command-line options and session entries from it. The type is that of
-/// `defaultValue`. Texts are for the user, in English, and are translated by the shell.
+/// `defaultValue`. Texts are for the user, in English, each marked by Message::marked() where it stands: the window
+/// translates them.
 struct Parameter {
     std::string id; ///< stable: the command line's --id and the session's key
     std::string label;
@@ -76,7 +78,7 @@ struct Parameter {
     /// one at a time; the list's option is then called by its id without the plural s.
     char separator = 0;
     /// Of strings: why a text cannot be used, for the user; empty if it can. May be missing. Quick, any thread.
-    std::function<std::string(const std::string& text)> mistake{};
+    std::function<Message(const std::string& text)> mistake{};
     /// Elsewhere it is not looked at, and forms hide it.
     ParameterCondition onlyWith{};
 };

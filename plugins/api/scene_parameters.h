@@ -26,8 +26,8 @@ inline Parameter isovaluesParameter(const FieldExtent& field)
     const auto [red, green, blue] = distinctColour(0);
     Parameter parameter;
     parameter.id = isovaluesId;
-    parameter.label = "Isovalues";
-    parameter.explanation = "The values whose surfaces are shown, each with its colour and opacity.";
+    parameter.label = Message::marked("Isovalues");
+    parameter.explanation = Message::marked("The values whose surfaces are shown, each with its colour and opacity.");
     const double value = field.surface.value_or(range.minimum + range.extent() / 2);
     parameter.defaultValue = std::vector{Isovalue{value, red, green, blue, 1, true}};
     parameter.minimum = range.minimum;
@@ -43,8 +43,8 @@ inline Parameter transferParameter(const FieldExtent& field)
     const double unitDistance = diagonal > 0 ? diagonal / unitsInDiagonal : 1;
     Parameter parameter;
     parameter.id = transferId;
-    parameter.label = "Transfer function";
-    parameter.explanation = "The colour and the opacity of each value.";
+    parameter.label = Message::marked("Transfer function");
+    parameter.explanation = Message::marked("The colour and the opacity of each value.");
     parameter.defaultValue = field.volumes.counts.empty()
                                  ? sequentialTransferFunction(field.range.minimum, field.range.maximum, unitDistance)
                                  : fittedTransferFunction(field.volumes, unitDistance);
@@ -56,9 +56,9 @@ inline Parameter shadedParameter()
 {
     Parameter parameter;
     parameter.id = shadedId;
-    parameter.label = "Shaded";
+    parameter.label = Message::marked("Shaded");
     parameter.explanation =
-        "Lights the volume, as if a surface lay across the direction in which its values change most.";
+        Message::marked("Lights the volume, as if a surface lay across the direction in which its values change most.");
     parameter.defaultValue = false;
     return parameter;
 }
@@ -68,8 +68,8 @@ inline Parameter outlineParameter()
 {
     Parameter parameter;
     parameter.id = outlineId;
-    parameter.label = "Bounding box";
-    parameter.explanation = "Shows the edges of the box that the data fill.";
+    parameter.label = Message::marked("Bounding box");
+    parameter.explanation = Message::marked("Shows the edges of the box that the data fill.");
     parameter.defaultValue = true;
     return parameter;
 }
@@ -79,14 +79,14 @@ inline Parameter clipParameter()
 {
     Parameter parameter;
     parameter.id = clipId;
-    parameter.label = "Clip planes";
-    parameter.explanation =
-        "Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z >= offset.";
+    parameter.label = Message::marked("Clip planes");
+    parameter.explanation = Message::marked(
+        "Cuts away what lies before a plane: nx,ny,nz,offset shows the points with nx x + ny y + nz z >= offset.");
     parameter.defaultValue = std::string();
     parameter.separator = ';';
     parameter.mistake = [](const std::string& text) {
         const auto planes = parseClipPlanes(text);
-        return planes ? std::string() : planes.error().text();
+        return planes ? Message() : planes.error().message;
     };
     return parameter;
 }

@@ -14,16 +14,16 @@ inline Parameter weightsParameter()
 {
     Parameter weights;
     weights.id = "weights";
-    weights.label = "Weights";
-    weights.explanation =
+    weights.label = Message::marked("Weights");
+    weights.explanation = Message::marked(
         "Where accuracy matters: point:x,y,z,reach, box:x0,y0,z0,x1,y1,z1,reach or value:q,reach, several separated by "
         "';'. Errors there count in full, falling linearly to a tenth (or to ',floor' at the end) at the distance "
-        "'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.";
+        "'reach'; the largest weight holds. Examples: 'point:16,16,8,10', 'value:120,15,0.05'.");
     weights.defaultValue = std::string();
     weights.separator = ';';
     weights.mistake = [](const std::string& text) {
         const auto weighting = parseWeighting(text);
-        return weighting ? std::string() : weighting.error().text();
+        return weighting ? Message() : weighting.error().message;
     };
     return weights;
 }

@@ -12,7 +12,7 @@ static_assert(pluginInterfaceVersion.major > 0 || pluginInterfaceVersion == Vers
 
 namespace {
 
-Error refused(std::string text)
+Error refused(Message text)
 {
     return {ErrorKind::BadInput, std::move(text)};
 }
@@ -21,20 +21,22 @@ Status checkApi(const Version& plugin, const Version& host)
 {
     if (fits(plugin, host))
         return {};
-    const std::string facts =
-        "It is written for plugin interface " + toText(plugin) + ", and this program has " + toText(host) + ". ";
     if (plugin > host)
-        return refused(facts + "Install a newer version of TAn, or an older one of the plugin.");
-    return refused(facts + "Install a newer version of the plugin.");
+        return refused(Message::say("It is written for plugin interface %1, and this program has %2. Install a newer "
+                                    "version of TAn, or an older one of the plugin.",
+                                    toText(plugin), toText(host)));
+    return refused(Message::say(
+        "It is written for plugin interface %1, and this program has %2. Install a newer version of the plugin.",
+        toText(plugin), toText(host)));
 }
 
 Status checkInterface(const PluginMetadata& plugin)
 {
     const std::string_view expected = pluginInterface(plugin.kind);
-    const std::string kind(pluginKindName(plugin.kind));
     if (plugin.interface != expected)
-        return refused("Its metadata call it a " + kind + ", but it implements " + plugin.interface + " instead of " +
-                       std::string(expected) + ". Ask the plugin's author for a fixed version.");
+        return refused(Message::say("Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin's "
+                                    "author for a fixed version.",
+                                    pluginKindText(plugin.kind), plugin.interface, expected));
     return {};
 }
 
@@ -42,8 +44,9 @@ Status checkQt(const Version& plugin, const Version& host)
 {
     if (fits(plugin, host))
         return {};
-    return refused("It was built with Qt " + toText(plugin) + ", and this program runs with Qt " + toText(host) +
-                   ". Install a build of the plugin for this Qt.");
+    return refused(Message::say("It was built with Qt %1, and this program runs with Qt %2. Install a build of the "
+                                "plugin for this Qt.",
+                                toText(plugin), toText(host)));
 }
 
 Status checkBuildTag(const std::string& plugin, const std::string& host)
@@ -51,13 +54,12 @@ Status checkBuildTag(const std::string& plugin, const std::string& host)
     if (plugin == host)
         return {};
     if (plugin.empty())
-        return refused("It does not say what it was built with, and this program was built with " + host +
-                       ". Rebuild the plugin with tan_plugin_module().");
-    return Error{
-        ErrorKind::BadInput,
-        Message::say("It was built with %1, and this program with %2. Rebuild the plugin with that compiler and "
-                     "the headers of this TAn, or install a build of it for this TAn.",
-                     plugin, host)};
+        return refused(Message::say("It does not say what it was built with, and this program was built with %1. "
+                                    "Rebuild the plugin with tan_plugin_module().",
+                                    host));
+    return refused(Message::say("It was built with %1, and this program with %2. Rebuild the plugin with that "
+                                "compiler and the headers of this TAn, or install a build of it for this TAn.",
+                                plugin, host));
 }
 
 } // namespace

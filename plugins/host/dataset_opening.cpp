@@ -89,7 +89,7 @@ Result<Provided<Reader>> readerFor(PluginHost& host, const std::filesystem::path
     if (!reader)
         return reader;
     const Status known =
-        checkParameterValues("reader '" + reader->id + "'", reader->plugin->parameters(), options.values);
+        checkParameterValues(Message::say("reader '%1'", reader->id), reader->plugin->parameters(), options.values);
     return known ? reader : known.error();
 }
 

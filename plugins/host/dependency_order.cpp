@@ -41,26 +41,28 @@ private:
     {
         const auto found = indices_.find(id);
         if (found == indices_.end())
-            return fail(index, "It needs the plugin \"" + id + "\", which is not here or cannot be used. Install it.");
+            return fail(index, Message::say(
+                                   "It needs the plugin \"%1\", which is not here or cannot be used. Install it.", id));
         const std::size_t required = found->second;
         if (const auto start = std::ranges::find(path_, required); start != path_.end())
             return failCircle(start);
         visit(required);
         if (!result_.errors[required].empty())
-            fail(index, "It needs the plugin \"" + id + "\", which cannot be used: " + result_.errors[required]);
+            fail(index,
+                 Message::say("It needs the plugin \"%1\", which cannot be used: %2", id, result_.errors[required]));
     }
 
     void failCircle(std::vector<std::size_t>::const_iterator start)
     {
         std::string circle;
         for (auto at = start; at != path_.end(); ++at)
-            circle += "\"" + dependents_[*at].id + "\" needs ";
+            circle += "\"" + dependents_[*at].id + "\" > ";
         circle += "\"" + dependents_[*start].id + "\"";
         for (auto at = start; at != path_.end(); ++at)
-            fail(*at, "Plugins need each other in a circle: " + circle + ". Remove one of them.");
+            fail(*at, Message::say("Plugins need each other in a circle: %1. Remove one of them.", circle));
     }
 
-    void fail(std::size_t index, const std::string& text)
+    void fail(std::size_t index, const Message& text)
     {
         if (result_.errors[index].empty())
             result_.errors[index] = text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/base.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -14,8 +16,8 @@ struct Dependent {
 };
 
 struct DependencyOrder {
-    std::vector<std::size_t> order;  ///< indices of those that can be had, each after all that it needs
-    std::vector<std::string> errors; ///< for each index: empty, or why it cannot be had
+    std::vector<std::size_t> order; ///< indices of those that can be had, each after all that it needs
+    std::vector<Message> errors;    ///< for each index: empty, or why it cannot be had
 };
 
 /// Orders by need. What needs something missing, or itself in a circle, or something that cannot be had for one of

@@ -12,9 +12,9 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view writingDataset = "Writing the dataset";
-constexpr std::string_view writingMesh = "Writing the mesh";
-constexpr std::string_view writingSurfaces = "Writing the surfaces";
+constexpr MarkedText writingDataset = Message::marked("Writing the dataset");
+constexpr MarkedText writingMesh = Message::marked("Writing the mesh");
+constexpr MarkedText writingSurfaces = Message::marked("Writing the surfaces");
 
 bool isOfFormat(const FileFormat& format, WrittenContent content, const std::string& ending)
 {
@@ -75,7 +75,7 @@ Message whatIsWritable(PluginHost& host, WrittenContent content)
 Error noneWrites(PluginHost& host, WrittenContent content, const std::filesystem::path& path)
 {
     Message reason = whatIsWritable(host, content);
-    if (const std::string missing = host.explainMissing(PluginKind::Writer); !missing.empty())
+    if (const Message missing = host.explainMissing(PluginKind::Writer); !missing.empty())
         reason = Message::say("%1%2", reason, missing);
     const std::string name = path.string();
     switch (content) {
@@ -94,7 +94,8 @@ Result<Provided<Writer>> chooseWriter(PluginHost& host, WrittenContent content, 
     auto writer = findWriterOrBoundary(host, content, path);
     if (writer.plugin == nullptr)
         return noneWrites(host, content, path);
-    const Status known = checkParameterValues("writer '" + writer.id + "'", writer.plugin->parameters(), values);
+    const Status known =
+        checkParameterValues(Message::say("writer '%1'", writer.id), writer.plugin->parameters(), values);
     if (!known)
         return known.error();
     return writer;
@@ -102,10 +103,10 @@ Result<Provided<Writer>> chooseWriter(PluginHost& host, WrittenContent content, 
 
 /// Opens the file, has it written and puts it into its place.
 template <class Write>
-Status saveWith(const std::filesystem::path& path, std::string_view activity, const Progress& progress, Write&& write)
+Status saveWith(const std::filesystem::path& path, MarkedText activity, const Progress& progress, Write&& write)
 {
     progress.report(0, activity);
-    const auto file = SafeOutput::create(path, std::string(activity), progress);
+    const auto file = SafeOutput::create(path, activity, progress);
     if (!file)
         return file.error();
     if (const Status written = write(**file); !written)
@@ -115,7 +116,7 @@ Status saveWith(const std::filesystem::path& path, std::string_view activity, co
     return (*file)->commit();
 }
 
-Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, std::string_view of)
+Status checkArrays(const std::vector<NamedArray>& arrays, std::size_t count, const Message& of)
 {
     for (const NamedArray& array : arrays)
         if (array.name.empty() || array.size() != count)
@@ -203,9 +204,9 @@ Status saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem
 try {
     if (const Status writable = checkWritable(host, WrittenContent::Mesh, path, values); !writable)
         return writable;
-    if (const Status fit = checkArrays(mesh.pointArrays, mesh.positions.size(), "vertices"); !fit)
+    if (const Status fit = checkArrays(mesh.pointArrays, mesh.positions.size(), Message::marked("vertices")); !fit)
         return fit;
-    if (const Status fit = checkArrays(mesh.cellArrays, mesh.tetrahedra.size(), "tetrahedra"); !fit)
+    if (const Status fit = checkArrays(mesh.cellArrays, mesh.tetrahedra.size(), Message::marked("tetrahedra")); !fit)
         return fit;
     if (isSurfaceFileOnly(host, path))
         return saveBoundary(host, mesh, path, values, progress);

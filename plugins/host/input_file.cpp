@@ -12,17 +12,16 @@ namespace tetra {
 
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 {
-    const auto bad = [&](const Message& what) {
-        return Error{ErrorKind::BadInput, Message::say("'%1' %2", path.string(), what)};
-    };
+    const auto bad = [](Message what) { return Error{ErrorKind::BadInput, std::move(what)}; };
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (!std::filesystem::exists(status))
-        return bad(Message::say("does not exist, or its folder may not be entered. Check the name."));
+        return bad(
+            Message::say("'%1' does not exist, or its folder may not be entered. Check the name.", path.string()));
     if (std::filesystem::is_directory(status))
-        return bad(Message::say("is a folder. Choose a file inside it."));
+        return bad(Message::say("'%1' is a folder. Choose a file inside it.", path.string()));
     if (!std::filesystem::is_regular_file(status))
-        return bad(Message::say("is a device or a pipe. Give a file."));
+        return bad(Message::say("'%1' is a device or a pipe. Give a file.", path.string()));
 
     std::ifstream file(path, std::ios::binary);
     if (!file.is_open() && isLackOfResources(errno))
@@ -31,8 +30,9 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     Buffer<std::byte> bytes(shownToReaders);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
     if (file.gcount() == 0)
-        return bad(file.eof() ? std::string("is empty. The copy may be incomplete: copy the file again.")
-                              : std::string("cannot be read: ") + systemErrorText(errno) + ".");
+        return bad(file.eof()
+                       ? Message::say("'%1' is empty. The copy may be incomplete: copy the file again.", path.string())
+                       : Message::say("'%1' cannot be read: %2.", path.string(), systemErrorText(errno)));
     bytes.resize(static_cast<std::size_t>(file.gcount()));
     return bytes;
 }

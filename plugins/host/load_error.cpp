@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/load_error.h"
 
+#include <string>
+
 namespace tetra {
 namespace {
 
@@ -23,25 +25,27 @@ std::string_view wordAfter(std::string_view text, std::string_view marker)
     return rest.substr(0, rest.find_first_of(" ,)"));
 }
 
-std::string advice(std::string_view own, const std::string& general)
+Message advice(std::string_view own, const Message& general)
 {
-    return own.empty() ? general : std::string(own);
+    return own.empty() ? general : Message::of(std::string(own), {});
 }
 
 } // namespace
 
-std::string explainLoadError(std::string_view systemText, std::string_view remedy)
+Message explainLoadError(std::string_view systemText, std::string_view remedy)
 {
     if (const std::string library(wordBefore(systemText, ": cannot open shared object file")); !library.empty())
-        return "The library " + library + " is missing. " +
-               advice(remedy, "Install the package that contains it (on Debian, 'apt-file search " + library +
-                                  "' names it), or remove the plugin.");
+        return Message::say("The library %1 is missing. %2", library,
+                            advice(remedy, Message::say("Install the package that contains it (on Debian, '%1' names "
+                                                        "it), or remove the plugin.",
+                                                        "apt-file search " + library)));
     if (const std::string symbol(wordAfter(systemText, "undefined symbol: ")); !symbol.empty())
-        return "It needs the function " + symbol +
-               ", which no library here has: it was built for another version of TAn or of a library. " +
-               advice(remedy, "Rebuild it, or install the version for this program.");
-    return "It could not be loaded: " + std::string(systemText) + " " +
-           advice(remedy, "Install it again, or remove it.");
+        return Message::say("It needs the function %1, which no library here has: it was built for another version of "
+                            "TAn or of a library. %2",
+                            symbol,
+                            advice(remedy, Message::say("Rebuild it, or install the version for this program.")));
+    return Message::say("It could not be loaded: %1 %2", systemText,
+                        advice(remedy, Message::say("Install it again, or remove it.")));
 }
 
 } // namespace tetra

@@ -99,10 +99,10 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
         return named(host, dataset, *id);
     Provided<Builder> best;
     double bestScore = 0;
-    std::string reasons;
+    Message reasons;
     for (auto& builder : host.builders()) {
         const Acceptance acceptance = builder.plugin->accepts(dataset);
-        reasons += "\n" + builder.id + ": " + acceptance.reason;
+        reasons = Message::say("%1\n%2: %3", reasons, builder.id, acceptance.reason);
         if (acceptance.score > bestScore) {
             bestScore = acceptance.score;
             best = std::move(builder);
@@ -122,7 +122,7 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
     if (!builder)
         return builder.error();
     if (const Status known =
-            checkParameterValues("builder '" + builder->id + "'", builder->plugin->parameters(), values);
+            checkParameterValues(Message::say("builder '%1'", builder->id), builder->plugin->parameters(), values);
         !known)
         return known.error();
     if (const Status used = checkOfUse(builder->plugin->parameters(), values, dataset); !used)
@@ -133,7 +133,7 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
         return safe.error();
 
     if (progress.cancelled())
-        return cancelledError("The build");
+        return cancelledError(Message::marked("The build"));
     if (const Status intact = dataset.checkIntact(); !intact)
         return intact.error();
     const auto start = std::chrono::steady_clock::now();

@@ -50,10 +50,10 @@ public:
             }
         if (descriptor >= 0)
             ::close(descriptor);
-        const std::string reason = systemErrorText(problem) + ".";
+        const Message reason = systemErrorText(problem);
         if (isLackOfResources(problem))
-            return cannotUnpack(path, ErrorKind::OutOfResource, Message::say("%1 %2", reason, resourceRemedy));
-        return cannotUnpack(path, ErrorKind::BadInput, reason);
+            return cannotUnpack(path, ErrorKind::OutOfResource, Message::say("%1. %2", reason, resourceRemedy));
+        return cannotUnpack(path, ErrorKind::BadInput, Message::say("%1.", reason));
     }
 
     /// How many bytes came, less than the room there is only at the end.
@@ -168,7 +168,7 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
     auto folder = WorkFolder::open(name, WorkFolder::Leftovers::Remove);
     if (!folder) {
         ::rmdir(name.c_str());
-        return cannotUnpack(path, folder.error().kind, folder.error().text());
+        return cannotUnpack(path, folder.error().kind, folder.error().message);
     }
     UnpackedFile unpacked;
     unpacked.path_ = folder->path() / unpackedName(path).filename();
@@ -184,7 +184,7 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
     Buffer<std::byte> bytes(step);
     for (std::uint64_t written = 0;;) {
         if (progress.cancelled())
-            return cancelledError("Unpacking");
+            return cancelledError(Message::marked("Unpacking"));
         const auto count = file->read(bytes);
         if (!count)
             return count.error();
@@ -199,7 +199,7 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
                              neededBytesText(room), temporary.string()));
         if (*count < bytes.size())
             return unpacked;
-        progress.report(std::min(1., double(file->packedPlace()) / double(packedBytes)), "Unpacking");
+        progress.report(std::min(1., double(file->packedPlace()) / double(packedBytes)), Message::marked("Unpacking"));
     }
 }
 

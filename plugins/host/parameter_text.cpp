@@ -86,15 +86,18 @@ std::string isovalueText(const Isovalue& isovalue)
 
 /// How a value is called, by its type.
 struct TypeName {
-    std::string operator()(bool) const { return "true or false"; }
-    std::string operator()(std::int64_t) const { return "a whole number"; }
-    std::string operator()(double) const { return "a number"; }
-    std::string operator()(const std::string&) const { return "a text"; }
-    std::string operator()(const std::vector<Isovalue>&) const { return "isovalues V[:COLOUR[:OPACITY]], V"; }
-    std::string operator()(const TransferFunction&) const { return "a transfer function as JSON"; }
-    std::string operator()(const Colour&) const { return "a colour, #rrggbb or a name"; }
-    std::string operator()(const Eigen::Vector3d&) const { return "three numbers x,y,z"; }
-    std::string operator()(const OwnValue& value) const { return "a text that makes a " + value.type; }
+    Message operator()(bool) const { return Message::say("true or false"); }
+    Message operator()(std::int64_t) const { return Message::say("a whole number"); }
+    Message operator()(double) const { return Message::say("a number"); }
+    Message operator()(const std::string&) const { return Message::say("a text"); }
+    Message operator()(const std::vector<Isovalue>&) const
+    {
+        return Message::say("isovalues %1", "V[:COLOUR[:OPACITY]], V");
+    }
+    Message operator()(const TransferFunction&) const { return Message::say("a transfer function as JSON"); }
+    Message operator()(const Colour&) const { return Message::say("a colour, #rrggbb or a name"); }
+    Message operator()(const Eigen::Vector3d&) const { return Message::say("three numbers x,y,z"); }
+    Message operator()(const OwnValue& value) const { return Message::say("a text that makes a %1", value.type); }
 };
 
 struct ToText {
@@ -176,7 +179,7 @@ Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_vi
     if (!parameter.choices.empty() && std::ranges::find(parameter.choices, text) == parameter.choices.end())
         return notIn(parameter, text);
     if (parameter.mistake)
-        if (const std::string mistake = parameter.mistake(std::string(text)); !mistake.empty())
+        if (const Message mistake = parameter.mistake(std::string(text)); !mistake.empty())
             return Error{ErrorKind::WrongUsage, mistake};
     if (const auto* own = std::get_if<OwnValue>(&parameter.defaultValue))
         return ParameterValue(OwnValue{own->type, std::string(text)});
@@ -188,17 +191,18 @@ std::string parameterText(const ParameterValue& value)
     return std::visit(ToText(), value);
 }
 
-std::string parameterDomain(const Parameter& parameter)
+Message parameterDomain(const Parameter& parameter)
 {
-    std::string domain;
+    std::string choices;
     for (const std::string& choice : parameter.choices)
-        domain += (domain.empty() ? "one of " : ", ") + choice;
-    if (domain.empty())
-        domain = std::visit(TypeName(), parameter.defaultValue);
+        choices += (choices.empty() ? "" : ", ") + choice;
+    Message domain =
+        choices.empty() ? std::visit(TypeName(), parameter.defaultValue) : Message::say("one of %1", choices);
     if (isBounded(parameter))
-        domain += " from " + formatNumber(parameter.minimum) + " to " + formatNumber(parameter.maximum);
+        domain =
+            Message::say("%1 from %2 to %3", domain, formatNumber(parameter.minimum), formatNumber(parameter.maximum));
     if (!parameter.unit.empty())
-        domain += ", in " + parameter.unit;
+        domain = Message::say("%1, in %2", domain, Message::of(parameter.unit, {}));
     return domain;
 }
 

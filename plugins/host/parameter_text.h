@@ -19,7 +19,7 @@ Result<ParameterValue> parseParameter(const Parameter& parameter, std::string_vi
 std::string parameterText(const ParameterValue& value);
 
 /// What a parameter takes, in words: "a number from 0 to 100, in %".
-std::string parameterDomain(const Parameter& parameter);
+Message parameterDomain(const Parameter& parameter);
 
 /// Reads one isovalue, "V[:COLOUR[:OPACITY]]". What is left out keeps the default.
 Result<Isovalue> parseIsovalue(std::string_view text);

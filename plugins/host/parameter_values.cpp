@@ -8,20 +8,20 @@
 namespace tetra {
 namespace {
 
-std::string kindOf(DomainClass domain)
+Message kindOf(const std::string& name, DomainClass domain)
 {
     switch (domain) {
-    case DomainClass::RegularLattice: return "is a regular lattice";
-    case DomainClass::Curvilinear: return "is a curvilinear grid";
-    case DomainClass::Irregular: return "is an irregular mesh";
+    case DomainClass::RegularLattice: return Message::say("'%1' is a regular lattice", name);
+    case DomainClass::Curvilinear: return Message::say("'%1' is a curvilinear grid", name);
+    case DomainClass::Irregular: return Message::say("'%1' is an irregular mesh", name);
     case DomainClass::Scattered: break;
     }
-    return "has scattered points";
+    return Message::say("'%1' has scattered points", name);
 }
 
 } // namespace
 
-Status checkParameterValues(const std::string& owner, const std::vector<Parameter>& parameters,
+Status checkParameterValues(const Message& owner, const std::vector<Parameter>& parameters,
                             const ParameterValues& values)
 {
     std::string ids;
@@ -53,16 +53,18 @@ Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValue
     for (const Parameter& parameter : parameters) {
         if (!values.contains(parameter.id) || matters(parameter, parameters, known))
             continue;
-        std::string wanted;
-        for (const ParameterValue& value : parameter.onlyWith.values)
-            wanted += (wanted.empty() ? "" : " or ") + parameterText(value);
-        const std::string name = "'" + prefix + parameter.id + "'";
+        Message wanted;
+        for (const ParameterValue& value : parameter.onlyWith.values) {
+            const Message one = Message::of(parameterText(value), {});
+            wanted = wanted.empty() ? one : Message::say("%1 or %2", wanted, one);
+        }
+        const std::string name = prefix + parameter.id;
         if (parameter.onlyWith.id == domainId)
-            return Error{ErrorKind::WrongUsage, Message::say("%1 is of %2 data only, and '%3' %4. Leave it out.", name,
-                                                             wanted, dataset.source.name, kindOf(dataset.domain))};
+            return Error{ErrorKind::WrongUsage, Message::say("'%1' is for %2 data only, and %3. Leave it out.", name,
+                                                             wanted, kindOf(dataset.source.name, dataset.domain))};
         return Error{ErrorKind::WrongUsage,
-                     Message::say("%1 is of use only if '%2%3' is %4. Leave it out, or choose that.", name, prefix,
-                                  parameter.onlyWith.id, wanted)};
+                     Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.", name,
+                                  prefix + parameter.onlyWith.id, wanted)};
     }
     return {};
 }

@@ -13,7 +13,7 @@ namespace tetra {
 
 /// An error (WrongUsage) if `values` holds something that `parameters` does not describe, or of another type.
 /// `owner` is whose parameters they are: "reader 'lattice'".
-Status checkParameterValues(const std::string& owner, const std::vector<Parameter>& parameters,
+Status checkParameterValues(const Message& owner, const std::vector<Parameter>& parameters,
                             const ParameterValues& values);
 
 /// The values, with what conditions of parameters may ask of a dataset (domainId).

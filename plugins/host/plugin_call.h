@@ -22,15 +22,19 @@ inline Error outOfMemoryInPlugin(const std::string& id)
             id)};
 }
 
+inline Error brokenPlugin(const std::string& id, const Message& problem)
+{
+    return {ErrorKind::BadInput,
+            Message::say("The plugin '%1' failed: %2. This is a mistake in the plugin; tell its author.", id, problem)};
+}
+
 /// What a plugin threw that the C++ library's texts explain. A machine that can start no more threads is not the
 /// plugin's fault.
 inline Error thrownByPlugin(const std::string& id, const std::exception& problem)
 {
     if (auto lack = lackOfResources(problem))
         return *std::move(lack);
-    return {ErrorKind::BadInput,
-            Message::say("The plugin '%1' failed: %2. This is a mistake in the plugin; tell its author.", id,
-                         problem.what())};
+    return brokenPlugin(id, problem.what());
 }
 
 /// Calls `work`, which gives a Result and belongs to the plugin `id`. Plugins should not throw; what one throws all the

@@ -32,7 +32,7 @@ public:
         for (Parameter& parameter : all)
             if (parameter.mistake)
                 parameter.mistake = [target = target_, mistake = parameter.mistake](const std::string& text) {
-                    return callPluginOr(std::string(), target.id, target.tell, [&] { return mistake(text); });
+                    return callPluginOr(Message(), target.id, target.tell, [&] { return mistake(text); });
                 };
         return all;
     }
@@ -48,7 +48,7 @@ public:
     Acceptance accepts(const Dataset& dataset) const override
     {
         auto acceptance = guard_.call([&]() -> Result<Acceptance> { return plugin_.accepts(dataset); });
-        return acceptance ? *acceptance : Acceptance{0, acceptance.error().text()};
+        return acceptance ? *acceptance : Acceptance{0, acceptance.error().message};
     }
     std::vector<Parameter> parameters() const override
     {
@@ -105,9 +105,9 @@ Result<std::uint64_t> hashOf(const Dataset& dataset, const Progress& progress)
     Checksum sum;
     for (std::size_t done = 0; done < bytes.size(); done += pieceBytes) {
         if (progress.cancelled())
-            return cancelledError("Reading");
+            return cancelledError(Message::marked("Reading"));
         sum.add(bytes.subspan(done, std::min(pieceBytes, bytes.size() - done)));
-        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), "Reading");
+        progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()), Message::marked("Reading"));
     }
     return sum.value();
 }
@@ -149,7 +149,7 @@ public:
             }
             if (const Status intact = dataset->checkIntact(); !intact)
                 return intact.error();
-            progress.report(1, "Reading");
+            progress.report(1, Message::marked("Reading"));
             return dataset;
         });
     }

@@ -29,7 +29,7 @@ struct PluginHost::Entry {
     PluginGuard guard; ///< of the kinds that have one
 
     bool usable() const { return status.state == PluginState::Found || status.state == PluginState::Loaded; }
-    void refuse(std::string error)
+    void refuse(Message error)
     {
         status.state = PluginState::Refused;
         status.error = std::move(error);
@@ -60,7 +60,7 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
     PluginStatus status;
     status.path = path;
     status.metadata.id = path.stem().string();
-    const auto refuse = [&](std::string error) {
+    const auto refuse = [&](Message error) {
         status.state = PluginState::Refused;
         status.error = std::move(error);
         return status;
@@ -69,15 +69,15 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
     const QPluginLoader loader(toQString(path));
     const QJsonObject json = loader.metaData();
     if (json.isEmpty())
-        return refuse("It is not a plugin, or is damaged: " + loader.errorString().toStdString() +
-                      " Install it again, or remove the file.");
+        return refuse(Message::say("It is not a plugin, or is damaged: %1 Install it again, or remove the file.",
+                                   loader.errorString().toStdString()));
     auto metadata = parsePluginMetadata(json);
     if (!metadata)
-        return refuse(metadata.error().text());
+        return refuse(metadata.error().message);
     status.metadata = *std::move(metadata);
     status.hasMetadata = true;
     if (const Status compatible = checkCompatible(status.metadata, build); !compatible)
-        return refuse(compatible.error().text());
+        return refuse(compatible.error().message);
     return status;
 }
 
@@ -93,7 +93,8 @@ std::string joined(const std::vector<std::string>& ids)
 
 std::string_view pluginStateName(PluginState state) noexcept
 {
-    constexpr std::string_view names[] = {"found", "loaded", "disabled", "refused"};
+    constexpr MarkedText names[] = {Message::marked("found"), Message::marked("loaded"), Message::marked("disabled"),
+                                    Message::marked("refused")};
     return names[static_cast<std::size_t>(state)];
 }
 
@@ -130,13 +131,13 @@ std::vector<PluginStatus> PluginHost::plugins() const
     return all;
 }
 
-std::string PluginHost::explainMissing(PluginKind kind) const
+Message PluginHost::explainMissing(PluginKind kind) const
 {
-    std::string text;
+    Message text;
     for (const PluginStatus& plugin : plugins())
         if (!plugin.error.empty() && (plugin.metadata.kind == kind || !plugin.hasMetadata))
-            text +=
-                "\nThe plugin " + plugin.metadata.id + " (" + plugin.path.string() + ") is not used. " + plugin.error;
+            text = Message::say("%1\nThe plugin %2 (%3) is not used. %4", text, plugin.metadata.id,
+                                plugin.path.string(), plugin.error);
     return text;
 }
 
@@ -198,7 +199,7 @@ void PluginHost::disable()
     for (const auto& entry : entries_)
         if (entry->usable() && std::ranges::count(options_.disabled, entry->status.metadata.id) > 0) {
             entry->status.state = PluginState::Disabled;
-            entry->status.error = "It is disabled by the settings or by TAN_PLUGIN_DISABLE.";
+            entry->status.error = Message::say("It is disabled by the settings or by %1.", "TAN_PLUGIN_DISABLE");
         }
 }
 
@@ -210,8 +211,8 @@ void PluginHost::refuseDuplicates()
             continue;
         const auto [found, isNew] = first.emplace(entry->status.metadata.id, entry.get());
         if (!isNew)
-            entry->refuse("Another plugin has the same id and was found first: " + found->second->status.path.string() +
-                          ". Remove one of the two.");
+            entry->refuse(Message::say("Another plugin has the same id and was found first: %1. Remove one of the two.",
+                                       found->second->status.path.string()));
     }
 }
 
@@ -237,7 +238,7 @@ PluginHost::Entry* PluginHost::usable(const std::string& id) const
     return found == entries_.end() ? nullptr : found->get();
 }
 
-std::string PluginHost::whyNotUsed(const std::string& id) const
+Message PluginHost::whyNotUsed(const std::string& id) const
 {
     for (const auto& entry : entries_)
         if (entry->status.metadata.id == id && !entry->status.error.empty())
@@ -257,16 +258,16 @@ std::vector<std::string> PluginHost::usableIds(PluginKind kind) const
 
 Result<PluginHost::Loaded> PluginHost::instance(PluginKind kind, const std::string& id)
 {
-    const std::string kindName(pluginKindName(kind));
+    const Message kindName = pluginKindText(kind);
     {
         const std::lock_guard lock(mutex_);
         Entry* entry = usable(id);
         if (entry != nullptr && entry->status.metadata.kind == kind) {
             if (const Status loaded = load(*entry); !loaded)
                 return loaded.error();
-            return Loaded{entry->status.metadata.name, entry->object, &entry->guard};
+            return Loaded{&entry->status.metadata, entry->object, &entry->guard};
         }
-        if (const std::string reason = whyNotUsed(id); !reason.empty())
+        if (const Message reason = whyNotUsed(id); !reason.empty())
             return Error{ErrorKind::WrongUsage, Message::say("The %1 \"%2\" cannot be used. %3", kindName, id, reason)};
     }
     const auto ids = usableIds(kind);
@@ -284,7 +285,7 @@ Status PluginHost::loadRequired(const Entry& entry)
             return loaded;
         if (!loaded)
             return Error{ErrorKind::BadInput, Message::say("It needs the plugin \"%1\", which cannot be used: %2", id,
-                                                           loaded.error().text())};
+                                                           loaded.error().message)};
     }
     return {};
 }
@@ -300,14 +301,14 @@ Status PluginHost::load(Entry& entry)
         loaded = open(entry);
     if (loaded || loaded.error().kind == ErrorKind::OutOfResource)
         return loaded;
-    entry.refuse(loaded.error().text());
+    entry.refuse(loaded.error().message);
     return Error{ErrorKind::BadInput,
                  Message::say("The plugin \"%1\" cannot be used. %2", entry.status.metadata.id, entry.status.error)};
 }
 
 Status PluginHost::open(Entry& entry)
 {
-    const auto bad = [](std::string text) { return Error{ErrorKind::BadInput, std::move(text)}; };
+    const auto bad = [](Message text) { return Error{ErrorKind::BadInput, std::move(text)}; };
     entry.loader = std::make_unique<QPluginLoader>(toQString(fs::absolute(entry.status.path)));
     // Every symbol is looked up now, so that a missing one is an error here and not a crash later.
     entry.loader->setLoadHints(QLibrary::PreventUnloadHint | QLibrary::ResolveAllSymbolsHint);
@@ -317,18 +318,20 @@ Status PluginHost::open(Entry& entry)
     } catch (const std::exception& problem) {
         if (const auto lack = lackOfResources(problem))
             return *lack;
-        return bad(std::string("It failed when it was started: ") + problem.what() + ". Install it again.");
+        return bad(Message::say("It failed when it was started: %1. Install it again.", problem.what()));
     }
     if (object == nullptr) {
         const std::string reason = entry.loader->errorString().toStdString();
         if (namesLackOfResources(reason))
-            return lacking(reason.ends_with('.') ? reason : reason + ".");
+            return lacking(Message(reason.ends_with('.') ? reason : reason + "."));
         return bad(explainLoadError(reason, entry.status.metadata.remedy));
     }
     const std::string interface(pluginInterface(entry.status.metadata.kind));
     if (object->qt_metacast(interface.c_str()) == nullptr)
-        return bad("Its metadata call it a " + std::string(pluginKindName(entry.status.metadata.kind)) +
-                   ", but it does not implement " + interface + ". Ask the plugin's author for a fixed version.");
+        return bad(
+            Message::say("Its metadata call it a %1, but it does not implement %2. Ask the plugin's author for a "
+                         "fixed version.",
+                         pluginKindText(entry.status.metadata.kind), interface));
     entry.object = object;
     GuardTarget target{entry.status.metadata.id, [this](const Error& error) { tell(error); }};
     switch (entry.status.metadata.kind) {

@@ -37,7 +37,7 @@ struct PluginStatus {
     PluginMetadata metadata; ///< the id is the file's name if the file's metadata cannot be read
     bool hasMetadata = false;
     PluginState state = PluginState::Found;
-    std::string error; ///< why it is disabled or refused, and the remedy
+    Message error; ///< why it is disabled or refused, and the remedy
 };
 
 /// A loaded plugin, which lives until the program ends. Of all but editors it is a guard, which lets no exception
@@ -46,6 +46,7 @@ template <class Interface> struct Provided {
     std::string id;
     std::string name;
     const Interface* plugin = nullptr;
+    std::map<std::string, std::string> names{}; ///< the name in other languages, by their codes
 };
 
 struct PluginHostOptions {
@@ -93,7 +94,7 @@ public:
     void whenFailing(std::function<void(const Error&)> tell);
 
     /// Why plugins of this kind are missing, a line each; empty if none is.
-    std::string explainMissing(PluginKind kind) const;
+    Message explainMissing(PluginKind kind) const;
 
     /// An error (OutOfResource) if there were not enough memory or open files to find or load all plugins: then what
     /// seems to be missing, a renderer or an option, may only be missing now.
@@ -102,7 +103,7 @@ public:
 private:
     struct Entry;
     struct Loaded {
-        std::string name;
+        const PluginMetadata* metadata;
         QObject* object;
         const PluginGuard* guard;
     };
@@ -112,7 +113,7 @@ private:
     void refuseDuplicates();
     void resolveDependencies();
     Entry* usable(const std::string& id) const;
-    std::string whyNotUsed(const std::string& id) const;
+    Message whyNotUsed(const std::string& id) const;
     std::vector<std::string> usableIds(PluginKind kind) const;
     Result<Loaded> instance(PluginKind kind, const std::string& id);
     Status load(Entry& entry);
@@ -126,7 +127,7 @@ private:
         const auto loaded = instance(kind, id);
         if (!loaded)
             return loaded.error();
-        return Provided<Interface>{id, loaded->name, face<Interface>(*loaded)};
+        return Provided<Interface>{id, loaded->metadata->name, face<Interface>(*loaded), loaded->metadata->names};
     }
     template <class Interface> static const Interface* face(const Loaded& loaded)
     {

@@ -18,15 +18,18 @@ namespace {
 
 struct KindEntry {
     PluginKind kind;
-    std::string_view name;
+    MarkedText text;
     std::string_view interface;
+
+    std::string_view name() const noexcept { return text; }
 };
 
-constexpr std::array<KindEntry, 5> kinds = {{{PluginKind::Builder, "builder", TAN_BUILDER_INTERFACE},
-                                             {PluginKind::Renderer, "renderer", TAN_RENDERER_INTERFACE},
-                                             {PluginKind::Reader, "reader", TAN_READER_INTERFACE},
-                                             {PluginKind::Writer, "writer", TAN_WRITER_INTERFACE},
-                                             {PluginKind::Editor, "editor", TAN_EDITOR_INTERFACE}}};
+constexpr std::array<KindEntry, 5> kinds = {
+    {{PluginKind::Builder, Message::marked("builder"), TAN_BUILDER_INTERFACE},
+     {PluginKind::Renderer, Message::marked("renderer"), TAN_RENDERER_INTERFACE},
+     {PluginKind::Reader, Message::marked("reader"), TAN_READER_INTERFACE},
+     {PluginKind::Writer, Message::marked("writer"), TAN_WRITER_INTERFACE},
+     {PluginKind::Editor, Message::marked("editor"), TAN_EDITOR_INTERFACE}}};
 
 Error malformed(const Message& what)
 {
@@ -57,7 +60,7 @@ Result<Version> requiredVersion(const QJsonObject& json, const char* key)
 
 Result<PluginKind> parseKind(const std::string& text)
 {
-    const auto entry = std::ranges::find(kinds, text, &KindEntry::name);
+    const auto entry = std::ranges::find(kinds, std::string_view(text), &KindEntry::name);
     if (entry == kinds.end())
         return malformed(
             Message::say("\"kind\" is \"%1\", which is none of builder, renderer, reader, writer, editor", text));
@@ -87,6 +90,16 @@ Result<std::vector<std::string>> parseRequiredIds(const QJsonValue& value)
     return ids;
 }
 
+/// The values of the keys "name[de]", "name[it]" ..., by what stands in the brackets.
+std::map<std::string, std::string> translationsOf(const QJsonObject& json, const QString& key)
+{
+    std::map<std::string, std::string> texts;
+    for (auto member = json.begin(); member != json.end(); ++member)
+        if (const QString name = member.key(); name.startsWith(key + '[') && name.endsWith(']'))
+            texts[name.mid(key.size() + 1).chopped(1).toStdString()] = member.value().toString().toStdString();
+    return texts;
+}
+
 /// Qt writes its version as 0x00MMmmpp.
 Version qtVersion(int packed)
 {
@@ -97,7 +110,12 @@ Version qtVersion(int packed)
 
 std::string_view pluginKindName(PluginKind kind) noexcept
 {
-    return std::ranges::find(kinds, kind, &KindEntry::kind)->name;
+    return std::ranges::find(kinds, kind, &KindEntry::kind)->name();
+}
+
+Message pluginKindText(PluginKind kind)
+{
+    return std::ranges::find(kinds, kind, &KindEntry::kind)->text;
 }
 
 std::string_view pluginInterface(PluginKind kind) noexcept
@@ -150,6 +168,9 @@ Result<PluginMetadata> parsePluginMetadata(const QJsonObject& json)
     if (metadata.kind == PluginKind::Editor && metadata.edits.empty())
         return malformed(Message::say("\"edits\" does not say which type of parameters the editor is for"));
     metadata.description = own.value(QLatin1String("description")).toString().toStdString();
+    metadata.names = translationsOf(own, "name");
+    metadata.titles = translationsOf(own, own.contains(QLatin1String("title")) ? "title" : "name");
+    metadata.descriptions = translationsOf(own, "description");
     metadata.remedy = own.value(QLatin1String("remedy")).toString().toStdString();
     metadata.interface = json.value(QLatin1String("IID")).toString().toStdString();
     metadata.qt = qtVersion(json.value(QLatin1String("version")).toInt());

@@ -7,6 +7,7 @@
 
 #include <QJsonObject>
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ enum class PluginKind { Builder, Renderer, Reader, Writer, Editor };
 
 /// "builder", "renderer", "reader", "writer", "editor".
 std::string_view pluginKindName(PluginKind kind) noexcept;
+
+/// The same, for the user.
+Message pluginKindText(PluginKind kind);
 
 /// The interface (IID) that a plugin of this kind implements.
 std::string_view pluginInterface(PluginKind kind) noexcept;
@@ -30,6 +34,8 @@ struct PluginMetadata {
     std::string name;
     std::string title; ///< a word or two, for a dock; else the name
     std::string description;
+    /// The three in other languages, by their codes: "de", "pt_BR".
+    std::map<std::string, std::string> names, titles, descriptions;
     std::string edits; ///< of editors: the type of the parameters that they edit
     std::vector<std::string> requiredIds;
     std::string remedy;

@@ -3,13 +3,13 @@
 
 namespace tetra {
 
-Result<std::unique_ptr<SafeOutput>> SafeOutput::create(const std::filesystem::path& target, std::string activity,
+Result<std::unique_ptr<SafeOutput>> SafeOutput::create(const std::filesystem::path& target, MarkedText activity,
                                                        const Progress& progress)
 {
     auto file = FileWriter::create(target);
     if (!file)
         return file.error();
-    return std::unique_ptr<SafeOutput>(new SafeOutput(*std::move(file), target, std::move(activity), progress));
+    return std::unique_ptr<SafeOutput>(new SafeOutput(*std::move(file), target, activity, progress));
 }
 
 Status SafeOutput::bytes(std::span<const std::byte> bytes)

@@ -14,7 +14,7 @@ namespace tetra {
 /// time, after each of which it is told how far the writing is and looked whether it should stop.
 class SafeOutput : public OutputFile {
 public:
-    static Result<std::unique_ptr<SafeOutput>> create(const std::filesystem::path& target, std::string activity,
+    static Result<std::unique_ptr<SafeOutput>> create(const std::filesystem::path& target, MarkedText activity,
                                                       const Progress& progress);
 
     const std::filesystem::path& target() const override { return target_; }
@@ -26,15 +26,15 @@ public:
     Status commit();
 
 private:
-    SafeOutput(FileWriter file, std::filesystem::path target, std::string activity, const Progress& progress)
-        : file_(std::move(file)), target_(std::move(target)), activity_(std::move(activity)), progress_(progress)
+    SafeOutput(FileWriter file, std::filesystem::path target, MarkedText activity, const Progress& progress)
+        : file_(std::move(file)), target_(std::move(target)), activity_(activity), progress_(progress)
     {
     }
     std::uint64_t written() const;
 
     FileWriter file_;
     std::filesystem::path target_;
-    std::string activity_;
+    MarkedText activity_;
     Progress progress_;
     std::uint64_t expected_ = 0;
     std::vector<std::unique_ptr<SafeOutput>> others_;

@@ -511,22 +511,24 @@ AnalyticMesh analyticPart(std::uint32_t size)
 namespace {
 
 constexpr std::array<SampleKind, 10> kinds = {{
-    {"c60", "electron density of the C60 molecule, a hollow ball of smooth bumps", SampleType::UInt8},
-    {"hydrogen", "probability density of the hydrogen atom's 3d electron: two lobes and a ring", SampleType::Float32},
-    {"marschner-lobb", "the test signal of Marschner and Lobb: ripples that are hard to reproduce",
+    {"c60", Message::marked("electron density of the C60 molecule, a hollow ball of smooth bumps"), SampleType::UInt8},
+    {"hydrogen", Message::marked("probability density of the hydrogen atom's 3d electron: two lobes and a ring"),
      SampleType::Float32},
-    {"noise", "white noise, the worst case: no sample tells of its neighbour", SampleType::UInt8},
-    {"blunt-body", "flow in front of a hemisphere: a curvilinear grid whose axis is collapsed", SampleType::Float32,
+    {"marschner-lobb", Message::marked("the test signal of Marschner and Lobb: ripples that are hard to reproduce"),
+     SampleType::Float32},
+    {"noise", Message::marked("white noise, the worst case: no sample tells of its neighbour"), SampleType::UInt8},
+    {"blunt-body", Message::marked("flow in front of a hemisphere: a curvilinear grid whose axis is collapsed"),
+     SampleType::Float32, DomainClass::Curvilinear},
+    {"o-grid", Message::marked("flow around a cylinder: a curvilinear grid that closes on itself"), SampleType::Float32,
      DomainClass::Curvilinear},
-    {"o-grid", "flow around a cylinder: a curvilinear grid that closes on itself", SampleType::Float32,
+    {"bent-duct", Message::marked("flow through a bent duct: a curvilinear grid"), SampleType::Float32,
      DomainClass::Curvilinear},
-    {"bent-duct", "flow through a bent duct: a curvilinear grid", SampleType::Float32, DomainClass::Curvilinear},
-    {"stretched", "a layer at a wall: a rectilinear grid with spacings that grow", SampleType::Float32,
+    {"stretched", Message::marked("a layer at a wall: a rectilinear grid with spacings that grow"), SampleType::Float32,
      DomainClass::Curvilinear},
-    {"scattered", "random points in a ball, with waves that grow finer outwards", SampleType::Float32,
+    {"scattered", Message::marked("random points in a ball, with waves that grow finer outwards"), SampleType::Float32,
      DomainClass::Scattered},
-    {"part", "stress in a plate with five holes and a closed cavity: an irregular mesh", SampleType::Float32,
-     DomainClass::Irregular},
+    {"part", Message::marked("stress in a plate with five holes and a closed cavity: an irregular mesh"),
+     SampleType::Float32, DomainClass::Irregular},
 }};
 
 RowFunction rowFunction(const SampleRequest& request)
@@ -542,10 +544,10 @@ RowFunction rowFunction(const SampleRequest& request)
 
 Error unknownKind(std::string_view name)
 {
-    std::string text = "There is no sample called '" + std::string(name) + "'. There are:";
+    std::string names;
     for (const SampleKind& kind : kinds)
-        text += " " + std::string(kind.name);
-    return {ErrorKind::WrongUsage, Message::say("%1.", text)};
+        names += " " + std::string(kind.name);
+    return {ErrorKind::WrongUsage, Message::say("There is no sample called '%1'. There are:%2.", name, names)};
 }
 
 template <class T> void quantise(std::span<const double> values, T* samples)
@@ -563,7 +565,7 @@ using PlaneFunction = std::function<void(std::uint32_t k)>;
 /// Makes all planes of the sample, on all threads.
 Status forEachPlane(std::uint32_t size, const Progress& progress, const PlaneFunction& plane)
 {
-    constexpr std::string_view activity = "Making the sample";
+    constexpr MarkedText activity = Message::marked("Making the sample");
     std::mutex reporting;
     std::uint32_t planesDone = 0;
     tbb::parallel_for(std::uint32_t(0), size, [&](std::uint32_t k) {
@@ -618,7 +620,7 @@ Status fillBall(std::uint64_t seed, SampleType type, std::byte* samples, std::ve
                 const Progress& progress)
 {
     constexpr std::size_t pointsBetweenReports = 1 << 14;
-    constexpr std::string_view activity = "Making the sample";
+    constexpr MarkedText activity = Message::marked("Making the sample");
     ScatteredBall ball(seed);
     std::vector<double> row;
     for (std::size_t first = 0; first < positions.size(); first += row.size()) {
@@ -652,7 +654,7 @@ Result<Dataset> partDataset(SampleType type, std::uint32_t size, const Progress&
 {
     AnalyticMesh mesh = analyticPart(size);
     if (progress.cancelled())
-        return cancelledError("Making the sample");
+        return cancelledError(Message::marked("Making the sample"));
     Result<std::shared_ptr<std::byte>> samples = allocateSamples(type, mesh.values.size());
     if (!samples)
         return samples.error();

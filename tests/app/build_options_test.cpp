@@ -36,10 +36,10 @@ private slots:
         const auto row = [](const char* name, const char* input, const QStringList& options, const char* part) {
             QTest::newRow(name) << QString(input) << options << QString(part);
         };
-        const char* const warping = "'--warping' is of curvilinear data only";
+        const char* const warping = "'--warping' is for curvilinear data only";
         row("lattice, warping", "lattice.nrrd", {"--warping", "2"}, warping);
         row("lattice, a warping that is the default", "lattice.nrrd", {"--warping", "0"}, warping);
-        row("lattice, selection", "lattice.nrrd", {"--selection", "paper"}, "'--selection' is of curvilinear data");
+        row("lattice, selection", "lattice.nrrd", {"--selection", "paper"}, "'--selection' is for curvilinear data");
         row("lattice as a whole, resume", "lattice.nrrd", {"--resume"}, "build in blocks with '--block 32'");
         row("lattice as a whole by choice, resume", "lattice.nrrd", {"--resume", "--block", "none"}, "'--block 32'");
         row("lattice decimated, resume", "lattice.nrrd", decimate + QStringList{"--resume"}, "Leave '--resume' out");
@@ -48,14 +48,14 @@ private slots:
         row("lattice decimated, block", "lattice.nrrd", decimate + QStringList{"--block", "6"},
             "'--builder refinement'");
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
-            "'--warping' is of curvilinear or irregular data only");
+            "'--warping' is for curvilinear or irregular data only");
         row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
         row("grid, resume", "grid.xyz", {"--resume"}, "Leave '--resume' out");
         row("grid in blocks, resume", "grid.xyz", {"--resume", "--block", "4"}, "Leave '--resume' out");
-        row("points, block", "points.csv", {"--block", "4"}, "'--block' is of regular or curvilinear data");
-        row("points, no block", "points.csv", {"--block", "none"}, "'--block' is of regular or curvilinear");
+        row("points, block", "points.csv", {"--block", "4"}, "'--block' is for regular or curvilinear data");
+        row("points, no block", "points.csv", {"--block", "none"}, "'--block' is for regular or curvilinear");
         row("points, warping", "points.csv", {"--warping", "2"}, warping);
-        row("points, selection", "points.csv", {"--selection", "paper"}, "'--selection' is of curvilinear data");
+        row("points, selection", "points.csv", {"--selection", "paper"}, "'--selection' is for curvilinear data");
         row("points, resume", "points.csv", {"--resume"}, "Leave '--resume' out");
         row("mesh, resume", "mesh.vtu", {"--resume"}, "Leave '--resume' out");
         row("mesh, block", "mesh.vtu", {"--block", "4"}, "Leave it out");

@@ -32,9 +32,9 @@ class MemoryHistory : public HistorySink {
 public:
     Status reserve(std::uint64_t points)
     {
-        for (Status status :
-             {sites_.reserve(25 * points, "the history"), destroyers_.reserve(25 * points, "the history"),
-              errors_.reserve(25 * points, "the history")})
+        for (Status status : {sites_.reserve(25 * points, MarkedText{"the history"}),
+                              destroyers_.reserve(25 * points, MarkedText{"the history"}),
+                              errors_.reserve(25 * points, MarkedText{"the history"})})
             if (!status)
                 return status;
         return {};

@@ -345,7 +345,7 @@ private slots:
         std::stop_source stop;
         double last = 0;
         bool falls = false;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             falls |= fraction < last;
             last = fraction;
         });
@@ -354,7 +354,7 @@ private slots:
         QVERIFY(!falls);
 
         std::atomic<int> reports = 0;
-        const Progress stopping(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress stopping(stop.get_token(), [&](double fraction, const Message&) {
             ++reports;
             if (fraction > 0.3)
                 stop.request_stop();

@@ -183,14 +183,14 @@ private slots:
         std::stop_source stop;
         double last = 0;
         bool falls = false;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             falls |= fraction < last;
             last = fraction;
         });
         QVERIFY(gl_->render(view.scene, view.camera, view.options, progress).ok());
         QCOMPARE(last, 1.0);
         QVERIFY(!falls);
-        const Progress stopping(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress stopping(stop.get_token(), [&](double fraction, const Message&) {
             if (fraction > 0.2)
                 stop.request_stop();
         });

@@ -345,7 +345,7 @@ private slots:
         const SceneParts scene = sceneNamed("refined lattice", "ramp");
         const PictureOptions small{.width = 60, .height = 50};
         std::stop_source stop;
-        const Progress stopping(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress stopping(stop.get_token(), [&](double fraction, const Message&) {
             if (fraction > 0.1)
                 stop.request_stop();
         });

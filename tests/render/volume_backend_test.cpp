@@ -213,7 +213,7 @@ private slots:
         const PictureOptions options{.width = 700, .height = 700};
         double last = 0;
         bool falls = false;
-        const Progress progress({}, [&](double fraction, std::string_view) {
+        const Progress progress({}, [&](double fraction, const Message&) {
             falls |= fraction < last;
             last = fraction;
         });
@@ -221,7 +221,7 @@ private slots:
         QVERIFY(last == 1.0 && !falls);
         for (const double when : {0.0, 0.05, 0.5}) {
             std::stop_source stop;
-            const Progress stopping(stop.get_token(), [&](double fraction, std::string_view) {
+            const Progress stopping(stop.get_token(), [&](double fraction, const Message&) {
                 last = fraction;
                 if (fraction >= when)
                     stop.request_stop();

@@ -23,19 +23,26 @@ public:
     }
     std::vector<Parameter> parameters() const override
     {
-        return {
-            {.id = "array",
-             .label = "Values",
-             .explanation = "Which.",
-             .unit = "",
-             .defaultValue = std::string("automatic")},
-            {.id = "component",
-             .label = "Component",
-             .explanation = "Which.",
-             .unit = "",
-             .defaultValue = std::string("magnitude")},
-            {.id = "time", .label = "Time step", .explanation = "Which.", .unit = "", .defaultValue = std::int64_t(1)},
-            {.id = "part", .label = "Part", .explanation = "Which.", .unit = "", .defaultValue = std::string()}};
+        return {{.id = "array",
+                 .label = Message::marked("Values"),
+                 .explanation = Message::marked("Which."),
+                 .unit = "",
+                 .defaultValue = std::string("automatic")},
+                {.id = "component",
+                 .label = Message::marked("Component"),
+                 .explanation = Message::marked("Which."),
+                 .unit = "",
+                 .defaultValue = std::string("magnitude")},
+                {.id = "time",
+                 .label = Message::marked("Time step"),
+                 .explanation = Message::marked("Which."),
+                 .unit = "",
+                 .defaultValue = std::int64_t(1)},
+                {.id = "part",
+                 .label = Message::marked("Part"),
+                 .explanation = Message::marked("Which."),
+                 .unit = "",
+                 .defaultValue = std::string()}};
     }
     Result<FileContents> probe(const std::filesystem::path&, const ParameterValues&, const Progress&) const override
     {

@@ -95,7 +95,8 @@ void DamagedModelWindowTest::nothingIsSavedOfAnOldFile()
     QVERIFY(!writeMesh(*window_->host, order, {}).ok());
     const auto renderer = window_->workbench.host().renderer("isosurface");
     QVERIFY(renderer.ok());
-    QVERIFY(!writeSurfaces(*window_->host, {{model, renderer->plugin, {}, {}, {}}, std::nullopt, path("mesh.ply")}, {}).ok());
+    QVERIFY(!writeSurfaces(*window_->host, {{model, renderer->plugin, {}, {}, {}}, std::nullopt, path("mesh.ply")}, {})
+                 .ok());
     QVERIFY(!std::filesystem::exists(path("mesh.ply")));
 }
 

@@ -168,7 +168,7 @@ void WorkTest::aTaskTellsProgressAndItsEnd()
     });
     QVERIFY(task.running());
     QTRY_VERIFY(!progressed.empty() && progressed.last()[0].value<TaskProgress>().fraction == 0.5);
-    QCOMPARE(progressed.last()[0].value<TaskProgress>().activity, QString("Counting"));
+    QCOMPARE(progressed.last()[0].value<TaskProgress>().activity.text(), std::string("Counting"));
     goOn.count_down();
     QTRY_VERIFY(done);
     QCOMPARE(finished.count(), 1);

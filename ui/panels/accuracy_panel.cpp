@@ -110,7 +110,8 @@ QLayout* AccuracyPanel::makeModes()
     byError_->setObjectName("accuracy.byError");
     byError_->setToolTip(tr("The smallest mesh with this error"));
     byBudget_->setObjectName("accuracy.byBudget");
-    byBudget_->setToolTip(tr("The best mesh with so many tetrahedra. A focus keeps its proportion to the rest."));
+    byBudget_->setToolTip(
+        tr("The best mesh within this number of tetrahedra. A focus keeps its proportion to the rest."));
     auto* grid = new QGridLayout;
     grid->setColumnStretch(2, 1);
     grid->addWidget(byError_, 0, 0);
@@ -173,9 +174,9 @@ void AccuracyPanel::showModel()
     setEnabled(model != nullptr);
     curve_->setCurve(model ? sizeAgainstError(*model) : std::vector<CurvePoint>{});
     const double end = model ? 100 * model->finalKey() / session_.range().extent() : 0;
-    limit_->setText(end > 0
-                        ? tr("This model was built down to an error of %1; it has nothing finer.").arg(percentText(end))
-                        : QString());
+    limit_->setText(
+        end > 0 ? tr("This model was built down to an error of %1; it contains nothing finer.").arg(percentText(end))
+                : QString());
     limit_->setVisible(end > 0);
     showQuery();
 }

@@ -51,13 +51,13 @@ QWidget* AnimationPanel::makeContent()
     kind_->setObjectName("animation.kind");
     kind_->setAccessibleName(tr("Kind of film"));
     kind_->addItems({tr("Turntable"), tr("Key frames")});
-    kind_->setToolTip(tr("The camera goes round what is shown, or from view to view"));
+    kind_->setToolTip(tr("Turntable, or a camera path through key frames"));
     rate_->setObjectName("animation.rate");
     rate_->setAccessibleName(tr("Frames a second"));
     rate_->setRange(1, mostRate);
     rate_->setAlignment(Qt::AlignRight);
     rate_->setSuffix(tr(" frames/s"));
-    rate_->setToolTip(tr("Pictures a second of the film"));
+    rate_->setToolTip(tr("Frames per second of the film"));
     pages_->addWidget(makeTurntable());
     pages_->addWidget(new KeyFrameList(workbench_.session()));
     summary_->setObjectName("animation.summary");
@@ -97,7 +97,7 @@ QWidget* AnimationPanel::makeTurntable()
     frames_->setAccessibleName(tr("Number of frames"));
     frames_->setRange(1, mostFrames);
     frames_->setAlignment(Qt::AlignRight);
-    frames_->setToolTip(tr("Pictures of the whole film"));
+    frames_->setToolTip(tr("Number of frames of the film"));
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins({});
@@ -113,7 +113,7 @@ QLayout* AnimationPanel::makePlayer()
     play_->setObjectName("animation.play");
     position_->setObjectName("animation.position");
     position_->setAccessibleName(tr("Frame"));
-    position_->setToolTip(tr("The frame that is shown"));
+    position_->setToolTip(tr("Frame shown"));
     auto* row = new QHBoxLayout;
     row->addWidget(play_);
     row->addWidget(position_, 1);

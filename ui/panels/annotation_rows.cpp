@@ -61,7 +61,7 @@ AnnotationRows::AnnotationRows(Session& session, QWidget* parent) : QWidget(pare
         corners_[i] = new QComboBox;
         corners_[i]->setObjectName(name + ".corner");
         corners_[i]->addItems({tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")});
-        corners_[i]->setToolTip(tr("Corner of the picture where it stands"));
+        corners_[i]->setToolTip(tr("Corner of the picture"));
         corners_[i]->setAccessibleName(tr("%1: corner").arg(annotationText(kind)));
         const int row = static_cast<int>(i);
         grid->addWidget(shown_[i], row, 0);

@@ -6,8 +6,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/session/import_texts.h"
-#include "ui/session/plugin_texts.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 
 #include <QButtonGroup>
@@ -220,7 +219,7 @@ QLayout* BuildPanel::makeTargetRow()
     target_ = new QLineEdit;
     target_->setObjectName("build.target");
     target_->setAccessibleName(tr("Model file"));
-    target_->setToolTip(tr("The file that the model is written to"));
+    target_->setToolTip(tr("Model file to write"));
     browse_ = new QPushButton(tr("Browse…"));
     browse_->setObjectName("build.browse");
     targetHint_ = wrappedLabel("build.targetHint");
@@ -247,7 +246,7 @@ QWidget* BuildPanel::makeProgress()
     activity_ = wrappedLabel("build.activity");
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
-    cancel_->setToolTip(tr("Stop the build and discard what it has made"));
+    cancel_->setToolTip(tr("Stop the build and discard the result"));
     connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(false); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
@@ -281,8 +280,8 @@ void BuildPanel::showDataset()
     const Dataset& dataset = *workbench_.opening().dataset();
     name_->setText(QString::fromStdString(dataset.source.name));
     QStringList facts = {factsOf(dataset)};
-    for (const std::string& remark : dataset.remarks)
-        facts << translatedSentence(remark);
+    for (const Message& remark : dataset.remarks)
+        facts << translatedMessage(remark);
     facts_->setText(facts.join('\n'));
     differently_->setVisible(!dataset.source.path.empty());
     const QSignalBlocker blocker(builder_);
@@ -290,9 +289,9 @@ void BuildPanel::showDataset()
     double best = 0;
     for (const Provided<Builder>& provided : workbench_.host().builders()) {
         const Acceptance acceptance = provided.plugin->accepts(dataset);
-        builder_->addItem(pluginText(provided.name), QString::fromStdString(provided.id));
+        builder_->addItem(inUsersLanguage(provided.name, provided.names), QString::fromStdString(provided.id));
         const int index = builder_->count() - 1;
-        builder_->setItemData(index, pluginText(acceptance.reason), Qt::ToolTipRole);
+        builder_->setItemData(index, translatedMessage(acceptance.reason), Qt::ToolTipRole);
         if (acceptance.score > best) {
             best = acceptance.score;
             builder_->setCurrentIndex(index);
@@ -385,11 +384,11 @@ void BuildPanel::showRunning(bool running)
 void BuildPanel::showProgress(const TaskProgress& progress)
 {
     bar_->setValue(static_cast<int>(std::lround(progress.fraction * barSteps)));
-    if (!cancel_->isEnabled() || progress.activity.isEmpty())
+    if (!cancel_->isEnabled() || progress.activity.empty())
         return;
-    const QString activity = progress.remainingSeconds
-                                 ? tr("%1, %2 left").arg(progress.activity, durationText(*progress.remainingSeconds))
-                                 : progress.activity;
+    const QString present = translatedMessage(progress.activity);
+    const QString activity =
+        progress.remainingSeconds ? tr("%1, %2 left").arg(present, durationText(*progress.remainingSeconds)) : present;
     const bool isOfOther = workbench_.building().buildName() != name_->text(); // another dataset was opened since
     activity_->setText(isOfOther ? tr("%1: %2").arg(workbench_.building().buildName(), activity) : activity);
 }

@@ -4,7 +4,7 @@
 #include "plugins/host/plugin_call.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/session_editor_host.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 
 #include <QCoreApplication>
 #include <QLabel>
@@ -17,9 +17,9 @@ class EditorPage {
     Q_DECLARE_TR_FUNCTIONS(EditorPage)
 };
 
-QWidget* makeReasonPage(const std::string& id, const std::string& reason)
+QWidget* makeReasonPage(const std::string& id, const Message& reason)
 {
-    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedSentence(reason)) + "\n\n" +
+    auto* text = new QLabel(EditorPage::tr("The editor cannot be used. %1").arg(translatedMessage(reason)) + "\n\n" +
                             EditorPage::tr("Help › Plugins lists all plugins and where they are looked for."));
     text->setObjectName(QString::fromStdString(id) + ".missing");
     text->setWordWrap(true);
@@ -35,12 +35,12 @@ QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string
 {
     const auto editor = workbench.host().editor(id);
     if (!editor)
-        return makeReasonPage(id, editor.error().text());
+        return makeReasonPage(id, editor.error().message);
     auto* host = new SessionEditorHost(workbench, pick, type, &workbench);
     const auto widget = callPlugin(id, [&]() -> Result<QWidget*> { return editor->plugin->makeWidget(*host); });
     if (!widget)
-        return makeReasonPage(id, widget.error().text());
-    return *widget != nullptr ? *widget : makeReasonPage(id, "It makes no widget. Tell its author.");
+        return makeReasonPage(id, widget.error().message);
+    return *widget != nullptr ? *widget : makeReasonPage(id, Message::say("It makes no widget. Tell its author."));
 }
 
 } // namespace tetra

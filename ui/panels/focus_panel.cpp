@@ -53,8 +53,8 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
       outside_(dimLabel("focus.outside")), expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
 {
     setObjectName("focus");
-    hint_->setText(tr("A part of the domain with an error of its own. Choose a shape, then drag its handles in the "
-                      "picture; a double click on a surface brings the focus there."));
+    hint_->setText(tr("A part of the domain with its own error. Choose a shape, then drag its handles in the picture; "
+                      "a double click on a surface moves the focus there."));
     auto* settings = new QVBoxLayout(settings_);
     settings->setContentsMargins({});
     settings->addLayout(makeInputs());
@@ -99,8 +99,8 @@ QLayout* FocusPanel::makeShapes()
     };
     const std::array<Entry, 3> entries{{
         {"focus.none", tr("None"), tr("The same error everywhere"), std::nullopt},
-        {"focus.box", tr("Box"), tr("A box with an error of its own (B)"), Glyph::Box},
-        {"focus.sphere", tr("Sphere"), tr("A sphere with an error of its own (F)"), Glyph::Sphere},
+        {"focus.box", tr("Box"), tr("A box with its own error (B)"), Glyph::Box},
+        {"focus.sphere", tr("Sphere"), tr("A sphere with its own error (F)"), Glyph::Sphere},
     }};
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
@@ -171,11 +171,11 @@ QLayout* FocusPanel::makeButtons()
 {
     auto* centre = new QPushButton(tr("&Move to Centre of View"));
     centre->setObjectName("focus.toView");
-    centre->setToolTip(tr("Move the focus to what the camera looks at (C)"));
+    centre->setToolTip(tr("Move the focus to the camera's target (C)"));
     connect(centre, &QPushButton::clicked, this, &FocusPanel::centreWanted);
     auto* reset = new QPushButton(tr("Reset"));
     reset->setObjectName("focus.reset");
-    reset->setToolTip(tr("Place, size, error and fall-off as they were at first"));
+    reset->setToolTip(tr("Reset place, size, error and fall-off"));
     connect(reset, &QPushButton::clicked, this, [this] {
         const FocusState first = startingQuery(*session_.model(), session_.view().query.error).focus;
         edit([&first](FocusState& changed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/import_form.h"
 
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -29,9 +29,11 @@ bool isText(const Parameter& parameter)
     return std::holds_alternative<std::string>(parameter.defaultValue);
 }
 
-QString arrayText(const FileArray& array)
+/// Names of arrays stay, unless the reader knows them beforehand.
+QString arrayText(const Parameter& parameter, const FileArray& array)
 {
-    QString text = pluginText(array.name);
+    const bool isKnown = std::ranges::find(parameter.choices, array.name) != parameter.choices.end();
+    QString text = isKnown ? translatedText(array.name) : QString::fromStdString(array.name);
     if (array.components > 1)
         text = ImportForms::tr("%1, %2 components").arg(text).arg(array.components);
     if (array.perCell)
@@ -44,9 +46,9 @@ std::vector<ParameterChoice> arrayChoices(const Parameter& parameter, const File
     std::vector<ParameterChoice> choices;
     const auto byDefault = std::get<std::string>(parameter.defaultValue);
     if (std::ranges::find(contents.arrays, byDefault, &FileArray::name) == contents.arrays.end())
-        choices.push_back({byDefault, pluginText(byDefault.empty() ? "automatic" : byDefault)}); // its own choice
+        choices.push_back({byDefault, translatedText(byDefault.empty() ? "automatic" : byDefault)}); // its own choice
     for (const FileArray& array : contents.arrays)
-        choices.push_back({array.name, arrayText(array)});
+        choices.push_back({array.name, arrayText(parameter, array)});
     return choices;
 }
 
@@ -93,7 +95,7 @@ std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const File
         const std::string& name = contents.blocks[block];
         const ParameterValue value =
             isText(parameter) ? ParameterValue(name) : ParameterValue(static_cast<std::int64_t>(block) + 1);
-        choices.push_back({value, pluginText(name)});
+        choices.push_back({value, QString::fromStdString(name)});
     }
     return choices;
 }

@@ -73,10 +73,10 @@ QWidget* ImportRegion::makeGrid()
         const QString name = axisNames[static_cast<std::size_t>(axis)];
         grid->addWidget(new QLabel(name), axis + 1, 0);
         Axis& boxes = axes_[static_cast<std::size_t>(axis)];
-        boxes.first = makeBox("first." + name, tr("First point along %1").arg(name),
-                              tr("The first point that is taken, counted from 0"));
-        boxes.last = makeBox("last." + name, tr("Last point along %1").arg(name),
-                             tr("The last point that is taken, counted from 0"));
+        boxes.first =
+            makeBox("first." + name, tr("First point along %1").arg(name), tr("First point taken, counted from 0"));
+        boxes.last =
+            makeBox("last." + name, tr("Last point along %1").arg(name), tr("Last point taken, counted from 0"));
         boxes.stride = makeBox("stride." + name, tr("Stride along %1").arg(name), tr("Keep every n-th point"));
         grid->addWidget(boxes.first, axis + 1, 1);
         grid->addWidget(boxes.last, axis + 1, 2);

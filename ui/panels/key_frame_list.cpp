@@ -54,15 +54,14 @@ KeyFrameList::KeyFrameList(Session& session, QWidget* parent)
     grid->addWidget(table_, 0, 0, 1, 3);
     const auto place = [grid](QToolButton* button, int row, int column) { grid->addWidget(button, row, column); };
     place(
-        addButton("add", tr("&Add View"), tr("Add what is seen now as the next key frame"), &KeyFrameList::addPresent),
+        addButton("add", tr("&Add View"), tr("Add the current view as the next key frame"), &KeyFrameList::addPresent),
         1, 0);
-    ofKeys_ = {
-        addButton("update", tr("&Replace"), tr("Put what is seen now in the place of this key frame"),
-                  &KeyFrameList::replaceByPresent),
-        addButton("show", tr("S&how"), tr("Show this key frame (Enter)"), &KeyFrameList::showKey),
-        addButton("remove", tr("Re&move"), tr("Remove this key frame (Delete)"), &KeyFrameList::remove),
-        addButton("up", tr("&Earlier"), tr("Exchange it with the key frame before it (Alt+Up)"), &KeyFrameList::up),
-        addButton("down", tr("La&ter"), tr("Exchange it with the key frame after it (Alt+Down)"), &KeyFrameList::down)};
+    ofKeys_ = {addButton("update", tr("&Replace"), tr("Replace this key frame with the current view"),
+                         &KeyFrameList::replaceByPresent),
+               addButton("show", tr("S&how"), tr("Show this key frame (Enter)"), &KeyFrameList::showKey),
+               addButton("remove", tr("Re&move"), tr("Remove this key frame (Delete)"), &KeyFrameList::remove),
+               addButton("up", tr("&Earlier"), tr("Swap with the previous key frame (Alt+Up)"), &KeyFrameList::up),
+               addButton("down", tr("La&ter"), tr("Swap with the next key frame (Alt+Down)"), &KeyFrameList::down)};
     for (std::size_t i = 0; i < ofKeys_.size(); ++i)
         place(ofKeys_[i], 1 + static_cast<int>(i + 1) / 3, static_cast<int>(i + 1) % 3);
     connect(table_, &QTableWidget::cellChanged, this, [this](int row, int) { setTime(row); });

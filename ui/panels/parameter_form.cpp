@@ -2,8 +2,7 @@
 #include "ui/panels/parameter_form.h"
 
 #include "plugins/widgets/colour_button.h"
-#include "ui/session/plugin_texts.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -35,7 +34,7 @@ bool isBounded(const Parameter& parameter)
 
 Control controlFor(const Parameter& parameter, bool value)
 {
-    auto* box = new QCheckBox(pluginText(parameter.label));
+    auto* box = new QCheckBox(translatedText(parameter.label));
     box->setChecked(value);
     return {box, [box] { return box->isChecked(); },
             [box](const ParameterValue& shown) { box->setChecked(std::get<bool>(shown)); }};
@@ -100,14 +99,14 @@ Control controlFor(const Parameter& parameter, double value)
 /// A word of the parameter as the user reads it; any other text as it is.
 QString wordShown(const std::string& text, const std::vector<std::string>& words)
 {
-    return std::ranges::find(words, text) != words.end() ? pluginText(text) : QString::fromStdString(text);
+    return std::ranges::find(words, text) != words.end() ? translatedText(text) : QString::fromStdString(text);
 }
 
 /// What the user wrote: the parameter's word that it is, in either language, else the text.
 std::string wordMeant(const QString& text, const std::vector<std::string>& words)
 {
     const auto isMeant = [&](const std::string& word) {
-        return text.compare(pluginText(word), Qt::CaseInsensitive) == 0;
+        return text.compare(translatedText(word), Qt::CaseInsensitive) == 0;
     };
     const auto found = std::ranges::find_if(words, isMeant);
     return found != words.end() ? *found : text.toStdString();
@@ -130,7 +129,7 @@ Control controlFor(const Parameter& parameter, const std::string& value)
         return lineFor(parameter, value);
     auto* box = new QComboBox;
     for (const std::string& choice : parameter.choices)
-        box->addItem(pluginText(choice), QString::fromStdString(choice));
+        box->addItem(translatedText(choice), QString::fromStdString(choice));
     box->setCurrentIndex(box->findData(QString::fromStdString(value)));
     return {box, [box] { return box->currentData().toString().toStdString(); },
             [box](const ParameterValue& shown) {
@@ -257,10 +256,10 @@ void ParameterForm::add(const Parameter& parameter, const std::vector<ParameterC
     QWidget* widget = control.widget;
     if (widget == nullptr)
         return;
-    const QString label = pluginText(parameter.label);
-    const QString unit = pluginText(parameter.unit);
+    const QString label = translatedText(parameter.label);
+    const QString unit = translatedText(parameter.unit);
     widget->setObjectName(prefix_ + "." + QString::fromStdString(parameter.id));
-    widget->setToolTip(pluginText(parameter.explanation));
+    widget->setToolTip(translatedText(parameter.explanation));
     widget->setAccessibleName(label);
     nameAxes(*widget, label);
     if (std::holds_alternative<bool>(parameter.defaultValue))
@@ -332,7 +331,7 @@ void ParameterForm::tellMistakes(QLineEdit& line, const Parameter& parameter)
     message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout_->addRow(message);
     const auto show = [this, message, mistake = parameter.mistake](const QString& text) {
-        message->setText(translatedSentence(mistake(text.toStdString())));
+        message->setText(translatedMessage(mistake(text.toStdString())));
         layout_->setRowVisible(message, !message->text().isEmpty());
     };
     show(line.text());

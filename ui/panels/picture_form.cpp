@@ -104,7 +104,7 @@ void PictureForm::addSize(QFormLayout& form)
     print->addWidget(printSize_, 1);
     addRow(form, tr("Pri&nt resolution"), *dpi_, *print);
     transparent_->setObjectName(name + ".transparent");
-    transparent_->setToolTip(tr("Only what is shown, to be laid over something else"));
+    transparent_->setToolTip(tr("Leave out the background, to place the picture over something else"));
     form.addRow(tr("Background"), transparent_);
 }
 

@@ -30,7 +30,7 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
 {
     setObjectName("region");
     window_->setObjectName("region.window");
-    window_->setToolTip(tr("Show the part of the domain in a box only (W)"));
+    window_->setToolTip(tr("Show only the part of the domain in a box (W)"));
     values_->setObjectName("region.values");
     values_->setToolTip(tr("Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are "
                            "not seen, or only in part."));
@@ -83,7 +83,7 @@ QLayout* RegionPanel::makeWindow()
     auto* grid = new QGridLayout;
     grid->setContentsMargins({});
     addAxisNames(*grid, 0);
-    const QString toolTip = tr("Where the window ends, in the coordinates of the data");
+    const QString toolTip = tr("Bounds of the window, in data coordinates");
     from_ = new VectorInput("region.from", tr("Fro&m"), toolTip, session_, *grid, 1, this);
     to_ = new VectorInput("region.to", tr("&To"), toolTip, session_, *grid, 2, this);
     border_->setObjectName("region.border");

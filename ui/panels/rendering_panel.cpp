@@ -4,7 +4,7 @@
 #include "plugins/api/scene_parameters.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <QComboBox>
@@ -25,7 +25,7 @@ QString explanationOf(const PluginHost& host, const std::string& id)
 {
     for (const PluginStatus& plugin : host.plugins())
         if (plugin.metadata.id == id)
-            return pluginText(plugin.metadata.description);
+            return inUsersLanguage(plugin.metadata.description, plugin.metadata.descriptions);
     return {};
 }
 
@@ -79,7 +79,7 @@ QWidget* RenderingPanel::makeContent()
     column->addSpacing(6);
     auto* motion = new QFormLayout;
     motion->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    motion->addRow(tr("While movin&g"), frameRate_);
+    motion->addRow(tr("Frame r&ate"), frameRate_);
     column->addLayout(motion);
     column->addStretch();
     return content;
@@ -111,7 +111,7 @@ void RenderingPanel::showModel()
     setEnabled(workbench_.session().model() != nullptr);
     mode_->clear();
     for (const Provided<Renderer>& mode : workbench_.scenes().modes())
-        mode_->addItem(pluginText(mode.name), QString::fromStdString(mode.id));
+        mode_->addItem(inUsersLanguage(mode.name, mode.names), QString::fromStdString(mode.id));
     shownMode_.clear();
     showLook();
 }

@@ -2,7 +2,7 @@
 #include "ui/panels/session_editor_host.h"
 
 #include "plugins/api/scene_parameters.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/widgets/file_dialogs.h"
@@ -147,9 +147,9 @@ void SessionEditorHost::saveText(QWidget* parent, const EditorFile& file,
                      });
 }
 
-void SessionEditorHost::tell(const QString& message)
+void SessionEditorHost::tell(const Message& message)
 {
-    emit workbench_.failed(translatedSentence(message.toStdString()));
+    emit workbench_.failed(translatedMessage(message));
 }
 
 std::optional<PickedValue> SessionEditorHost::picked() const

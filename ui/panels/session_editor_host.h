@@ -37,7 +37,7 @@ public:
                   const std::function<Status(const std::string& text)>& use) override;
     void saveText(QWidget* parent, const EditorFile& file,
                   const std::function<std::string(const std::string& name)>& make) override;
-    void tell(const QString& message) override;
+    void tell(const Message& message) override;
     std::optional<PickedValue> picked() const override;
     void forgetPicked() override;
 

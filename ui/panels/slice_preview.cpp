@@ -75,7 +75,7 @@ QLayout* SlicePreview::makeControls()
 {
     axis_->setObjectName("import.preview.axis");
     axis_->setAccessibleName(tr("Axis of the layers"));
-    axis_->setToolTip(tr("The axis across which the layer lies"));
+    axis_->setToolTip(tr("Axis perpendicular to the layer"));
     for (const char* name : {"x", "y", "z"})
         axis_->addItem(tr("Across %1").arg(name));
     axis_->setCurrentIndex(2);
@@ -84,7 +84,7 @@ QLayout* SlicePreview::makeControls()
     layer_->setObjectName("import.preview.layer");
     layer_->setAccessibleName(tr("Layer"));
     for (QWidget* control : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(layer_)})
-        control->setToolTip(tr("The layer that is shown, counted from 0"));
+        control->setToolTip(tr("Layer shown, counted from 0"));
     connect(axis_, &QComboBox::currentIndexChanged, this, &SlicePreview::showAxis);
     connect(slider_, &QSlider::valueChanged, layer_, &QSpinBox::setValue);
     connect(layer_, &QSpinBox::valueChanged, slider_, &QSlider::setValue);

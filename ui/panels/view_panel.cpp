@@ -103,7 +103,7 @@ void ViewPanel::addNumbers(QGridLayout& grid)
     setUp(*elevation_, "elevation", tr("Elevation"), degrees,
           tr("Height above the plane across the up axis, in degrees"));
     elevation_->setValueRange(-90, 90);
-    setUp(*roll_, "roll", tr("Roll"), degrees, tr("By how much the picture is turned clockwise, in degrees"));
+    setUp(*roll_, "roll", tr("Roll"), degrees, tr("Clockwise roll of the picture, in degrees"));
     roll_->setValueRange(-180, 180);
     roll_->setWrapping(true);
     up_->setObjectName("view.up");
@@ -120,7 +120,7 @@ void ViewPanel::addNumbers(QGridLayout& grid)
     projection_->setObjectName("view.projection");
     projection_->addItems({tr("Perspective"), tr("Parallel")});
     projection_->setAccessibleName(tr("Projection"));
-    projection_->setToolTip(tr("Whether what is farther away looks smaller (Ctrl+P)"));
+    projection_->setToolTip(tr("Perspective: distant parts look smaller (Ctrl+P)"));
 
     turning_->setObjectName("view.turning");
     turning_->addItems({tr("Turntable"), tr("Trackball")});
@@ -130,7 +130,7 @@ void ViewPanel::addNumbers(QGridLayout& grid)
 
     // Four columns, so that the target's three numbers stand below two pairs.
     addAxisNames(grid, 0);
-    target_ = new VectorInput("view.target", tr("Target"), tr("The point that is looked at, in the units of the data"),
+    target_ = new VectorInput("view.target", tr("Target"), tr("The camera's target, in data units"),
                               workbench_.session(), grid, 1, this);
     auto* pairs = new QGridLayout;
     const auto addPair = [pairs](int row, int column, const QString& text, QWidget* widget) {
@@ -186,13 +186,13 @@ QLayout* ViewPanel::makeNamedViews()
 QLayout* ViewPanel::makeFiles()
 {
     background_->setObjectName("view.background");
-    background_->setToolTip(tr("Colour behind what is shown, also in saved pictures"));
+    background_->setToolTip(tr("Background colour, also in saved pictures"));
     background_->setAccessibleName(tr("Background colour"));
     usualBackground_->setObjectName("view.usualBackground");
     usualBackground_->setText(tr("Default"));
     usualBackground_->setToolTip(tr("The colour that fits the window, light or dark"));
     load_->setObjectName("view.load");
-    load_->setToolTip(tr("Take the camera from a JSON file"));
+    load_->setToolTip(tr("Load the camera from a JSON file"));
     save_->setObjectName("view.save");
     save_->setToolTip(tr("Save the camera as a JSON file, which “tan render --camera” takes, too"));
     auto* row = new QHBoxLayout;

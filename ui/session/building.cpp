@@ -3,8 +3,8 @@
 
 #include "plugins/host/model_building.h"
 #include "ui/session/field_extent.h"
+#include "ui/session/message_text.h"
 #include "ui/session/recent_files.h"
-#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 
 namespace tetra {
@@ -123,10 +123,10 @@ void Building::showBuilt(const BuildOrder& order, const Result<OpenedModel>& bui
     if (!built) {
         closeLook();
         const bool nothingKept = built.error().kind == ErrorKind::Cancelled && *keep_;
-        const Error error =
-            nothingKept ? Error{ErrorKind::CannotWrite, "The build was stopped before there was a mesh of known "
-                                                        "error, so there is nothing to keep."}
-                        : built.error();
+        const Error error = nothingKept ? Error{ErrorKind::CannotWrite,
+                                                Message::say("The build was stopped before there was a mesh of known "
+                                                             "error, so there is nothing to keep.")}
+                                        : built.error();
         if (error.kind != ErrorKind::Cancelled)
             emit saveFailed(translatedMessage(error.message));
         return emit buildEnded(false);

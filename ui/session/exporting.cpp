@@ -2,7 +2,7 @@
 #include "ui/session/exporting.h"
 
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 
@@ -135,7 +135,7 @@ void Exporting::loadText(const std::filesystem::path& path, std::function<Status
             if (!text)
                 return tell(text.error());
             if (const Status used = use(*text); !used)
-                tell({used.error().kind, "In '" + path.string() + "': " + used.error().text()});
+                tell({used.error().kind, Message::say("In '%1': %2", path.string(), used.error().message)});
         };
     });
 }

@@ -22,7 +22,7 @@ constexpr const char* framePattern = "%06d.png";
 
 Error cancelledError()
 {
-    return {ErrorKind::Cancelled, "Cancelled."};
+    return tetra::cancelledError(Message::marked("The film"));
 }
 
 Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& pipeline, const Progress& progress)
@@ -73,10 +73,8 @@ Status moveTo(const std::filesystem::path& from, const std::filesystem::path& ta
     std::filesystem::rename(from, target, error);
     if (!error)
         return {};
-    const QString reason = QString::fromStdString(systemErrorText(error.value()));
-    return Error{
-        ErrorKind::CannotWrite,
-        QString("'%1' cannot be written: %2. Choose another place.").arg(pathText(target), reason).toStdString()};
+    return Error{ErrorKind::CannotWrite, Message::say("'%1' cannot be written: %2. Choose another place.",
+                                                      target.string(), systemErrorText(error.value()))};
 }
 
 Status nameFrames(const FilmOrder& order, const std::filesystem::path& folder)
@@ -131,7 +129,7 @@ std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& ta
 Status writeFilm(const FilmOrder& order, const Progress& progress)
 {
     if (frameCount(order.view.animation) == 0)
-        return Error{ErrorKind::WrongUsage, "A film needs two key frames at least. Add another view."};
+        return Error{ErrorKind::WrongUsage, Message::say("A film needs two key frames at least. Add another view.")};
     std::filesystem::path beside = behindLinks(order.target);
     beside += ".frames";
     const auto folder = WorkFolder::open(beside, WorkFolder::Leftovers::Remove);

@@ -3,7 +3,7 @@
 
 #include "core/base/memory.h"
 #include "plugins/widgets/number_text.h"
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -57,7 +57,7 @@ QString sizeText(const std::array<std::uint32_t, 3>& size)
 
 QString typeText(SampleType type)
 {
-    return pluginText(std::string(sampleTypeName(type)));
+    return translatedText(std::string(sampleTypeName(type)));
 }
 
 /// No more digits than an estimate has.

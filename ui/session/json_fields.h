@@ -30,14 +30,14 @@ public:
         if (const QJsonValue found = object_.value(key); found.isBool())
             value = found.toBool();
         else
-            refuse(key, found, "true or false");
+            refuse(key, found, Message::marked("true or false"));
     }
     void read(const QString& key, double& value) const
     {
         if (const QJsonValue found = object_.value(key); found.isDouble())
             value = found.toDouble();
         else
-            refuse(key, found, "a number");
+            refuse(key, found, Message::marked("a number"));
     }
     void read(const QString& key, float& value) const
     {
@@ -50,7 +50,7 @@ public:
         if (const QJsonValue found = object_.value(key); found.isString())
             value = found.toString().toStdString();
         else
-            refuse(key, found, "a text");
+            refuse(key, found, Message::marked("a text"));
     }
     /// Three numbers.
     template <class Vector> void readThree(const QString& key, Vector& value) const
@@ -61,14 +61,14 @@ public:
         for (int axis = 0; good && axis < 3; ++axis)
             value[axis] = numbers[axis].toDouble();
         if (!good)
-            refuse(key, object_.value(key), "three numbers in brackets");
+            refuse(key, object_.value(key), Message::marked("three numbers in brackets"));
     }
     /// The members of a member; none if it is missing.
     JsonFields fields(const QString& key) const
     {
         const QJsonValue found = object_.value(key);
         if (!found.isObject())
-            refuse(key, found, "an object, in braces");
+            refuse(key, found, Message::marked("an object, in braces"));
         return {found.toObject(), full(key), error_};
     }
     /// The members of each object of a list; none if it is missing.
@@ -80,10 +80,10 @@ public:
             elements.emplace_back(list[i].toObject(), QString("%1[%2]").arg(full(key)).arg(i), error_);
         return elements;
     }
-    void refuse(const QString& key, const QJsonValue& found, const char* wanted) const
+    void refuse(const QString& key, const QJsonValue& found, MarkedText wanted) const
     {
         if (!found.isUndefined())
-            refuse({ErrorKind::BadInput, QString("\"%1\" must be %2.").arg(full(key), wanted).toStdString()});
+            refuse({ErrorKind::BadInput, Message::say("\"%1\" must be %2.", full(key).toStdString(), wanted)});
     }
     void refuse(const Error& error) const
     {
@@ -110,7 +110,7 @@ readName(const JsonFields& fields, const QString& key, const std::array<const ch
             value = static_cast<Enumeration>(i);
             return;
         }
-    fields.refuse(key, fields.object().value(key), "a name that is known here");
+    fields.refuse(key, fields.object().value(key), Message::marked("a name that is known here"));
 }
 
 } // namespace tetra

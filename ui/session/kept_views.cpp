@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/kept_views.h"
 
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 
@@ -91,9 +91,10 @@ Status KeptViews::writeNow(const std::filesystem::path& what, const std::optiona
         return {};
     }
     if (!folder.mkpath("."))
-        return Error{ErrorKind::CannotWrite, "The folder '" + folder_.string() +
-                                                 "' cannot be written to, so that the view cannot be kept. Make room "
-                                                 "there, or save the session."};
+        return Error{ErrorKind::CannotWrite,
+                     Message::say("The folder '%1' cannot be written to, so that the view cannot be kept. Make room "
+                                  "there, or save the session.",
+                                  folder_.string())};
     lock(file);
     const bool isNew = !QFile::exists(file);
     Status status = writeTextFile(filePath(file), *text);

@@ -97,7 +97,7 @@ Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress
     }
     SurfaceContent content = contentOf(*order.built->scene);
     if (content.parts.empty())
-        return Error{ErrorKind::WrongUsage, "There is no surface to save: add an isovalue, or show one."};
+        return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
     const Model& model = *order.scene.model;
     content.facts = factsOf(model, order.scene.query, order.built->mesh.scale);
     if (Status right = model.confirm(progress.withCallback({})); !right)

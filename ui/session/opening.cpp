@@ -5,11 +5,10 @@
 #include "plugins/host/input_file.h"
 #include "ui/session/field_extent.h"
 #include "ui/session/import_memory.h"
+#include "ui/session/message_text.h"
 #include "ui/session/picture_texts.h"
-#include "ui/session/plugin_texts.h"
 #include "ui/session/recent_files.h"
 #include "ui/session/sample_models.h"
-#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
 #include "ui/session/view_picture.h"
@@ -52,7 +51,7 @@ QStringList Opening::nameFilters()
     QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)"),
                         tr("Pictures with their sessions (*.png)")};
     for (const std::string& filter : readableFiles(host_))
-        filters.append(pluginText(filter));
+        filters.append(translatedText(filter));
     static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
     QStringList all;
     for (const QString& filter : std::as_const(filters))
@@ -216,10 +215,11 @@ Result<OpenedModel> Opening::openedBySession(const std::filesystem::path& path, 
         return text.error();
     const auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
     if (!document)
-        return Error{document.error().kind, path.string() + ": " + document.error().text()};
+        return Error{document.error().kind, Message::say("%1: %2", path.string(), document.error().message)};
     const auto model = Model::open(document->model);
     if (!model)
-        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text()};
+        return Error{model.error().kind,
+                     Message::say("The model of the session cannot be opened. %1", model.error().message)};
     return OpenedModel{.model = *model, .field = extentOf(**model), .view = *document, .from = path, .source = source};
 }
 

@@ -35,7 +35,7 @@ Status writePicture(const QImage& picture, const std::filesystem::path& target)
 {
     QBuffer buffer;
     if (!picture.save(&buffer, "PNG"))
-        return Error{ErrorKind::OutOfResource, "There is not enough memory for a picture of this size."};
+        return Error{ErrorKind::OutOfResource, Message::say("There is not enough memory for a picture of this size.")};
     const QByteArray& bytes = buffer.data();
     return writeWholeFile(target, std::as_bytes(std::span(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
 }

@@ -3,7 +3,7 @@
 
 #include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_folders.h"
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 
 #include <QCoreApplication>
@@ -31,7 +31,7 @@ QString filterOf(const FileFormat& format)
     QStringList patterns;
     for (const std::string& ending : format.endings)
         patterns.append("*" + asQString(ending));
-    return pluginText(format.name) + " (" + patterns.join(' ') + ")";
+    return translatedText(format.name) + " (" + patterns.join(' ') + ")";
 }
 
 } // namespace
@@ -72,7 +72,7 @@ QString pluginReport(const PluginHost& host)
         if (plugin.hasMetadata)
             line << asQString(pluginKindName(data.kind)) << asQString(toText(data.version))
                  << asQString(data.interface);
-        line << asQString(pluginStateName(plugin.state)) << pathText(plugin.path) << asQString(plugin.error);
+        line << asQString(pluginStateName(plugin.state)) << pathText(plugin.path) << asQString(plugin.error.text());
         report += line.join('\t') + '\n';
     }
     for (const auto& folder : host.folders())

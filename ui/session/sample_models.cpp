@@ -125,9 +125,10 @@ Status makeFolder(const std::filesystem::path& folder)
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        return Error{ErrorKind::CannotWrite, "The folder '" + folder.string() +
-                                                 "' for samples cannot be made: " + systemErrorText(error.value()) +
-                                                 ". Make it writable, or free some space."};
+        return Error{ErrorKind::CannotWrite,
+                     Message::say("The folder '%1' for samples cannot be made: %2. Make it writable, or free some "
+                                  "space.",
+                                  folder.string(), systemErrorText(error.value()))};
     return {};
 }
 
@@ -220,7 +221,7 @@ Result<QImage> sampleThumbnail(PluginHost& host, const std::string& name, const 
 {
     const SampleKind* kind = kindOf(name);
     if (kind == nullptr)
-        return Error{ErrorKind::WrongUsage, "There is no sample called '" + name + "'."};
+        return Error{ErrorKind::WrongUsage, Message::say("There is no sample called '%1'.", name)};
     const std::filesystem::path file = folder / "thumbnails" / TAN_VERSION / (name + ".png");
     if (QImage kept(pathText(file)); kept.width() == thumbnailWidth && kept.height() == thumbnailHeight)
         return kept;

@@ -18,8 +18,8 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 Error outOfMemory()
 {
     return {ErrorKind::OutOfResource,
-            "There is not enough memory for the mesh at this accuracy. Choose a coarser one, or "
-            "close other programs."};
+            Message::say("There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close "
+                         "other programs.")};
 }
 
 } // namespace

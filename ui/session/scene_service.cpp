@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/scene_service.h"
 
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/view_picture.h"
 
 namespace tetra {
@@ -23,7 +23,7 @@ bool SceneService::prepare(const FieldExtent& field)
     auto modes = renderingModes(host_);
     if (modes.empty()) {
         emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
-                        .arg(translatedSentence(host_.explainMissing(PluginKind::Renderer))));
+                        .arg(translatedMessage(host_.explainMissing(PluginKind::Renderer))));
         return false;
     }
     modes_ = std::move(modes);

@@ -17,9 +17,9 @@ constexpr int formatVersion = 1;
 /// Of the checksum in a model's header (FORMAT.md).
 constexpr std::size_t headerChecksumOffset = 248;
 
-Error wrong(const std::string& what)
+Error wrong(const Message& what)
 {
-    return {ErrorKind::BadInput, "The session cannot be read: " + what};
+    return {ErrorKind::BadInput, Message::say("The session cannot be read: %1", what)};
 }
 
 /// `ours` over `found`: objects member by member, all else whole.
@@ -45,12 +45,12 @@ Result<QJsonObject> objectOf(std::string_view text)
     const auto document =
         QJsonDocument::fromJson(QByteArray(text.data(), static_cast<qsizetype>(text.size())), &parsed);
     if (parsed.error != QJsonParseError::NoError)
-        return wrong(parsed.errorString().toStdString() + " at byte " + std::to_string(parsed.offset) + ".");
+        return wrong(Message::say("it is not valid JSON, at byte %1.", parsed.offset));
     const QJsonObject object = document.object();
     if (object.value("format").toString() != formatName)
-        return wrong("its \"format\" is not \"" + std::string(formatName) + "\".");
+        return wrong(Message::say("its \"format\" is not \"%1\".", formatName));
     if (object.value("version").toInt() != formatVersion)
-        return wrong("this program knows version " + std::to_string(formatVersion) + " of sessions only.");
+        return wrong(Message::say("this program knows version %1 of sessions only.", formatVersion));
     return object;
 }
 
@@ -137,9 +137,9 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     readView(fields, document.view);
     document.hasCamera = fields.has("camera");
     if (path.empty() && !error)
-        error = Error{ErrorKind::BadInput, "it names no model in \"model.path\"."};
+        error = Error{ErrorKind::BadInput, Message::say("it names no model in \"model.path\".")};
     if (error)
-        return wrong(error->text());
+        return wrong(error->message);
     return document;
 }
 

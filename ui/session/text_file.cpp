@@ -18,12 +18,13 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                     "The file '" + path.string() + "' cannot be read: " + file.errorString().toStdString() + "."};
+        return Error{
+            file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
+            Message::say("The file '%1' cannot be read: %2.", path.string(), file.errorString().toStdString())};
     const QByteArray bytes = file.read(largestFile + 1);
     if (bytes.size() > largestFile)
         return Error{ErrorKind::BadInput,
-                     "The file '" + path.string() + "' is too large to be what is looked for here."};
+                     Message::say("The file '%1' is too large to be what is looked for here.", path.string())};
     return bytes.toStdString();
 }
 

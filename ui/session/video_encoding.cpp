@@ -22,9 +22,8 @@ QString suffixOf(const QString& name)
 Error encoderError(const QString& encoder, const QString& text)
 {
     return {ErrorKind::CannotWrite,
-            QString("The video could not be made: %1 says \"%2\". Choose another format, or PNG pictures.")
-                .arg(encoder, text.trimmed().right(mostErrorText))
-                .toStdString()};
+            Message::say("The video could not be made: %1 says \"%2\". Choose another format, or PNG pictures.",
+                         encoder.toStdString(), text.trimmed().right(mostErrorText).toStdString())};
 }
 
 } // namespace
@@ -78,7 +77,7 @@ Status encodeVideo(const QString& encoder, const QStringList& arguments, const s
         if (progress.cancelled()) {
             process.kill();
             process.waitForFinished(endWithin);
-            return Error{ErrorKind::Cancelled, "Cancelled."};
+            return cancelledError(Message::marked("The video"));
         }
     if (process.exitStatus() != QProcess::NormalExit || process.exitCode() != 0)
         return encoderError(encoder, QString::fromLocal8Bit(process.readAllStandardError()));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/canvas.h"
 
+#include "ui/session/message_text.h"
 #include "ui/session/picture_image.h"
-#include "ui/session/sentences.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>

@@ -27,8 +27,8 @@ std::optional<qsizetype> placeOfKey(const QString& text, const QSet<QChar>& take
 
 QChar keyOf(const QString& text)
 {
-    static const QRegularExpression marked("&([^&])");
-    const QRegularExpressionMatch match = marked.match(QString(text).remove("&&"));
+    static const QRegularExpression mnemonic("&([^&])");
+    const QRegularExpressionMatch match = mnemonic.match(QString(text).remove("&&"));
     return match.hasMatch() ? match.captured(1).front().toUpper() : QChar();
 }
 

@@ -199,8 +199,7 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
     actions.whatsThis = add(menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
                             ActionTexts::tr("Click on a control to read what it does"));
     menu->addSeparator();
-    actions.plugins =
-        add(menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("The plugins that were found"));
+    actions.plugins = add(menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("Installed plugins"));
     actions.about = add(menu, "about", ActionTexts::tr("&About TAn"), {}, ActionTexts::tr("Version and licence"));
 }
 

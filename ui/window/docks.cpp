@@ -11,7 +11,7 @@
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/panels/view_panel.h"
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 #include "ui/widgets/mnemonics.h"
 
 #include <QCoreApplication>
@@ -47,10 +47,11 @@ std::vector<EditorDock> editorDocks(const PluginHost& host)
         if (const PluginMetadata& data = plugin.metadata;
             plugin.hasMetadata && data.kind == PluginKind::Editor &&
             std::ranges::find(docks, data.id, &EditorDock::id) == docks.end())
-            docks.push_back({data.id, data.edits, pluginText(data.title), pluginText(data.description)});
+            docks.push_back({data.id, data.edits, inUsersLanguage(data.title, data.titles),
+                             inUsersLanguage(data.description, data.descriptions)});
     std::ranges::stable_partition(docks, [](const EditorDock& dock) { return dock.type == transferType; });
     if (docks.empty() || docks.front().type != transferType)
-        docks.insert(docks.begin(), {"transfer", transferType, pluginText("Transfer"), {}});
+        docks.insert(docks.begin(), {"transfer", transferType, DockTexts::tr("Transfer"), {}});
     return docks;
 }
 

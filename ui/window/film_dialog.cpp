@@ -206,7 +206,7 @@ void FilmDialog::showSummary()
     const Animation& animation = workbench_.session().view().animation;
     const int count = frameCount(animation);
     if (count == 0)
-        return summary_->setText(tr("It has no frames yet: add two views or more in the panel Animation."));
+        return summary_->setText(tr("It has no frames yet: add at least two views in the Animation panel."));
     const QString film =
         tr("%1 frames, %2").arg(countText(static_cast<std::uint64_t>(count)), durationText(durationOf(animation)));
     const QSize size = form_->settings().size;

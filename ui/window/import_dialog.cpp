@@ -6,8 +6,7 @@
 #include "ui/panels/import_region.h"
 #include "ui/panels/slice_preview.h"
 #include "ui/session/import_texts.h"
-#include "ui/session/plugin_texts.h"
-#include "ui/session/sentences.h"
+#include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/widgets/check_label.h"
 
@@ -194,7 +193,7 @@ void ImportDialog::showReaders()
     readers_ = workbench_.host().readers();
     reader_->clear();
     for (const Provided<Reader>& reader : readers_) {
-        reader_->addItem(pluginText(reader.name));
+        reader_->addItem(inUsersLanguage(reader.name, reader.names));
         if (reader.id == question_.reader.id)
             reader_->setCurrentIndex(reader_->count() - 1);
     }

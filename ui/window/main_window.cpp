@@ -6,9 +6,9 @@
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
+#include "ui/session/message_text.h"
 #include "ui/session/plugin_choice.h"
 #include "ui/session/recent_files.h"
-#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
@@ -177,7 +177,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
     open(files.first());
     if (files.size() > 1)
-        messages_->add(tr("One file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
+        messages_->add(tr("Only one file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
 }
 
 void MainWindow::connectActions()
@@ -339,11 +339,11 @@ void MainWindow::connectMessages()
     for (const QString& error : pluginErrors(workbench_.host()))
         messages_->add(error, MessageSubject::Program);
     if (const Status complete = workbench_.host().complete(); !complete)
-        messages_->add(translatedSentence(complete.error().text()), MessageSubject::Program);
+        messages_->add(translatedMessage(complete.error().message), MessageSubject::Program);
     workbench_.host().whenFailing([messages = messages_](const Error& error) {
         QMetaObject::invokeMethod(
             messages,
-            [messages, text = error.text()] { messages->add(translatedSentence(text), MessageSubject::Program); },
+            [messages, text = error.message] { messages->add(translatedMessage(text), MessageSubject::Program); },
             Qt::QueuedConnection);
     });
 }

@@ -27,7 +27,8 @@ QString openManual(const QString& programFolder)
     const QString page = manualPage(programFolder);
     if (page.isEmpty())
         return ManualTexts::tr(
-            "The manual is not installed. Install the package tan again with its documentation, or build TAn where Sphinx "
+            "The manual is not installed. Install the package tan again with its documentation, or build TAn where "
+            "Sphinx "
             "is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its "
             "sources.");
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/mode_actions.h"
 
-#include "ui/session/plugin_texts.h"
+#include "ui/session/message_text.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/window/palette_commands.h"
 
@@ -28,7 +28,7 @@ void ModeActions::fill()
     if (group_->actions().isEmpty() && isOpen) {
         int key = 1;
         for (const Provided<Renderer>& mode : workbench_.scenes().modes()) {
-            auto* action = new QAction(pluginText(mode.name), group_);
+            auto* action = new QAction(inUsersLanguage(mode.name, mode.names), group_);
             action->setObjectName("action.mode." + QString::fromStdString(mode.id));
             action->setData(QString::fromStdString(mode.id));
             action->setCheckable(true);

@@ -24,11 +24,11 @@ OrientationActions::OrientationActions(Session& session, QMenu& menu)
 {
     addUpAxes(menu);
     menu.addSeparator();
-    flip_ = add(menu, "flip", tr("Turn Upside Down"), "Ctrl+U", tr("Let the axis that points up point down"));
+    flip_ = add(menu, "flip", tr("Turn Upside Down"), "Ctrl+U", tr("Flip the up axis"));
     rollRight_ = add(menu, "rollRight", tr("Roll Clockwise"), "Ctrl+R", tr("Turn the picture by 90° clockwise"));
     rollLeft_ =
         add(menu, "rollLeft", tr("Roll Anticlockwise"), "Ctrl+Shift+R", tr("Turn the picture by 90° anticlockwise"));
-    level_ = add(menu, "level", tr("Level"), "Ctrl+L", tr("Take the roll away: the axis that points up is upright"));
+    level_ = add(menu, "level", tr("Level"), "Ctrl+L", tr("Remove the roll: make the up axis vertical"));
     menu.addSeparator();
     trackball_ = add(menu, "trackball", tr("Trackball"), "Ctrl+T",
                      tr("Dragging turns the model freely, in any direction, instead of around the up axis"));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/plugin_window.h"
 
+#include "ui/session/message_text.h"
 #include "ui/session/plugin_choice.h"
-#include "ui/session/plugin_texts.h"
-#include "ui/session/sentences.h"
 #include "ui/session/target_path.h"
 
 #include <QClipboard>
@@ -36,17 +35,17 @@ bool canBeChosen(const PluginStatus& plugin)
 QTreeWidgetItem* itemFor(const PluginStatus& plugin, const std::vector<std::string>& unwanted)
 {
     const PluginMetadata& data = plugin.metadata;
-    const QString name = plugin.hasMetadata ? pluginText(data.name) : qString(data.id);
-    const QString kind = plugin.hasMetadata ? pluginText(std::string(pluginKindName(data.kind))) : QString();
+    const QString name = plugin.hasMetadata ? inUsersLanguage(data.name, data.names) : qString(data.id);
+    const QString kind = plugin.hasMetadata ? translatedMessage(pluginKindText(data.kind)) : QString();
     const QString version = plugin.hasMetadata ? qString(toText(data.version)) : QString();
-    const QString state = pluginText(std::string(pluginStateName(plugin.state)));
+    const QString state = translatedText(pluginStateName(plugin.state));
     auto* item =
-        new QTreeWidgetItem({name, kind, version, state, translatedSentence(plugin.error), pathText(plugin.path)});
+        new QTreeWidgetItem({name, kind, version, state, translatedMessage(plugin.error), pathText(plugin.path)});
     item->setData(0, idRole, qString(data.id));
     if (canBeChosen(plugin))
         item->setCheckState(0, std::ranges::count(unwanted, data.id) > 0 ? Qt::Unchecked : Qt::Checked);
-    item->setToolTip(0, pluginText(data.description));
-    item->setToolTip(4, translatedSentence(plugin.error));
+    item->setToolTip(0, inUsersLanguage(data.description, data.descriptions));
+    item->setToolTip(4, translatedMessage(plugin.error));
     item->setToolTip(5, pathText(plugin.path));
     return item;
 }
@@ -62,7 +61,7 @@ PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
     list_->setObjectName("plugins.list");
     list_->setAccessibleName(tr("Plugins"));
     list_->setTextElideMode(Qt::ElideMiddle); // paths differ at their ends
-    list_->setToolTip(tr("What was found, and why something is not used. Space switches a plugin on or off."));
+    list_->setToolTip(tr("The plugins found, and why some are not used. Space switches a plugin on or off."));
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);
     list_->setHeaderLabels({tr("Plugin"), tr("Kind"), tr("Version"), tr("State"), tr("Reason"), tr("File")});
@@ -114,7 +113,7 @@ QStringList pluginErrors(const PluginHost& host)
 QString pluginError(const PluginStatus& plugin)
 {
     return PluginWindow::tr("The plugin %1 cannot be used. %2")
-        .arg(qString(plugin.metadata.id), translatedSentence(plugin.error));
+        .arg(qString(plugin.metadata.id), translatedMessage(plugin.error));
 }
 
 } // namespace tetra

@@ -14,11 +14,11 @@ RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, 
     : QObject(&menu), session_(session), viewport_(viewport),
       sphere_(add(menu, "focusSphere", tr("Focus: &Sphere"), "F", tr("More accurate in a sphere"))),
       box_(add(menu, "focusBox", tr("Focus: &Box"), "B", tr("More accurate in a box"))),
-      toView_(add(menu, "focusToView", tr("Focus to &Centre of View"), "C",
-                  tr("Move the focus to what the camera looks at")))
+      toView_(
+          add(menu, "focusToView", tr("Focus to &Centre of View"), "C", tr("Move the focus to the camera's target")))
 {
     menu.addSeparator();
-    window_ = add(menu, "window", tr("&Window"), "W", tr("Show the part of the domain in a box only"));
+    window_ = add(menu, "window", tr("&Window"), "W", tr("Show only the part of the domain in a box"));
     sphere_->setIcon(glyphIcon(Glyph::Sphere));
     box_->setIcon(glyphIcon(Glyph::Box));
     window_->setIcon(glyphIcon(Glyph::Window));

@@ -30,21 +30,21 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     busy_->setObjectName("status.busy");
     busy_->setRange(0, 0);
     busy_->setFixedSize(80, 12);
-    busy_->setToolTip(tr("The picture at the chosen accuracy is being made"));
+    busy_->setToolTip(tr("Drawing the picture at the chosen accuracy"));
     bar_->addPermanentWidget(busy_);
     busy_->hide();
     picked_ = add("status.picked", tr("Value and place that were picked in the picture, in the units of the data. "
                                       "Click elsewhere to pick another one, Esc takes the mark away."));
     errors_ = add("status.errors", {});
-    sites_ = add("status.sites", tr("Data points in the mesh that is shown"));
+    sites_ = add("status.sites", tr("Vertices of the mesh shown"));
     tetrahedra_ = add("status.tetrahedra", {});
-    triangles_ = add("status.triangles", tr("Triangles of all surfaces that are shown"));
-    extraction_ = add("status.extraction", tr("Time for taking the mesh out of the model"));
+    triangles_ = add("status.triangles", tr("Triangles of all surfaces shown"));
+    extraction_ = add("status.extraction", tr("Time to extract the mesh from the model"));
     frame_ =
         add("status.frame",
             tr("Time for drawing the last picture; while it moves the frames a second, and how much smaller and of "
                "how many tetrahedra they are"));
-    memory_ = add("status.memory", tr("Memory that the program occupies, mapped files included"));
+    memory_ = add("status.memory", tr("Memory used by the program, including mapped files"));
     backend_ = add("status.backend", {});
 
     busyShown_.setSingleShot(true);
@@ -85,7 +85,7 @@ void StatusLine::setScene(const BuiltScene& scene)
     sites_->setText(tr("%1 vertices").arg(countText(scene.mesh.keptSites)));
     tetrahedra_->setText(tr("%1 tetrahedra").arg(countText(scene.mesh.keptTetrahedra)));
     const QString pieces = piecesText(scene.mesh);
-    tetrahedra_->setToolTip(pieces.isEmpty() ? tr("Tetrahedra in the mesh that is shown") : pieces);
+    tetrahedra_->setToolTip(pieces.isEmpty() ? tr("Tetrahedra of the mesh shown") : pieces);
     triangles_->setText(tr("%1 triangles").arg(countText(scene.triangles)));
     if (scene.extractionSeconds > 0)
         extraction_->setText(tr("extracted in %1").arg(durationText(scene.extractionSeconds)));
@@ -117,7 +117,7 @@ QString StatusLine::movingText(const FrameReport& report)
 void StatusLine::setBackend(const QString& name)
 {
     backend_->setText(name);
-    backend_->setToolTip(tr("What draws the picture: OpenGL or the processor"));
+    backend_->setToolTip(tr("Rendering back end: OpenGL or the processor"));
     backend_->show();
 }
 

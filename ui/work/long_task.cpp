@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/work/long_task.h"
 
-#include "ui/session/plugin_texts.h"
-
 #include <mutex>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -20,7 +17,7 @@ constexpr auto tellingInterval = std::chrono::milliseconds(100);
 struct LongTask::Run {
     std::mutex mutex; ///< guards the next two
     double fraction = 0;
-    std::string activity;
+    Message activity;
     std::jthread thread; ///< last: ends before what it uses
 };
 
@@ -59,7 +56,7 @@ void LongTask::start(Work work)
     emit started();
 
     const auto doIt = [this, run, work = std::move(work)](const std::stop_token& stop) {
-        const Progress progress(stop, [run](double fraction, std::string_view activity) {
+        const Progress progress(stop, [run](double fraction, const Message& activity) {
             const std::lock_guard lock(run->mutex);
             run->fraction = fraction;
             run->activity = activity;
@@ -105,7 +102,7 @@ void LongTask::tell()
     {
         const std::lock_guard lock(newest_->mutex);
         progress.fraction = newest_->fraction;
-        progress.activity = pluginText(newest_->activity);
+        progress.activity = newest_->activity;
     }
     remaining_.update(progress.fraction, static_cast<double>(clock_.elapsed()) / 1000);
     progress.remainingSeconds = remaining_.seconds();

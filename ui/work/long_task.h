@@ -20,7 +20,7 @@ namespace tetra {
 /// How far a task is, for people.
 struct TaskProgress {
     double fraction = 0;
-    QString activity;
+    Message activity;
     std::optional<double> remainingSeconds;
 };
 

@@ -15,53 +15,56 @@
 
 namespace tetra {
 
-namespace {
-
-class Remarks {
-public:
-    /// "3 cells were left out: ..." or "1 cell was left out: ..."
-    void add(std::uint64_t count, std::string_view one, std::string_view several, std::string_view rest)
-    {
-        if (count > 0)
-            sentences.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : several) +
-                                std::string(rest));
-    }
-    std::vector<std::string> sentences;
-};
-
-} // namespace
-
-std::vector<std::string> repairRemarks(const Repairs& repairs)
+std::vector<Message> repairRemarks(const Repairs& repairs)
 {
-    Remarks remarks;
+    std::vector<Message> remarks;
+    const auto add = [&](std::uint64_t count, const Message& one, const Message& several) {
+        if (count > 0)
+            remarks.push_back(count == 1 ? one : several);
+    };
     if (repairs.cellValues)
-        remarks.sentences.emplace_back("The values belong to cells: each point got the mean of the cells around it.");
-    remarks.add(repairs.flatShapes, "cell is", "cells are",
-                " a vertex, line or polygon without volume and not part of the mesh.");
-    remarks.add(repairs.blanked, "cell is", "cells are", " blanked out in the file: a hole.");
-    remarks.add(repairs.notFinite, "cell has", "cells have", " a value that is not finite and became a hole.");
-    remarks.add(repairs.repeated, "cell names a corner twice, has no volume and was",
-                "cells name a corner twice, have no volume and were", " left out.");
-    remarks.add(repairs.flat, "cell without volume was", "cells without volume were", " left out.");
+        remarks.push_back(Message::say("The values belong to cells: each point got the mean of the cells around it."));
+    add(repairs.flatShapes,
+        Message::say("1 cell is a vertex, line or polygon without volume and not part of the mesh."),
+        Message::say("%1 cells are vertices, lines or polygons without volume and not part of the mesh.",
+                     repairs.flatShapes));
+    add(repairs.blanked, Message::say("1 cell is blanked out in the file: a hole."),
+        Message::say("%1 cells are blanked out in the file: holes.", repairs.blanked));
+    add(repairs.notFinite, Message::say("1 cell has a value that is not finite and became a hole."),
+        Message::say("%1 cells have a value that is not finite and became holes.", repairs.notFinite));
+    add(repairs.repeated, Message::say("1 cell names a corner twice, has no volume and was left out."),
+        Message::say("%1 cells name a corner twice, have no volume and were left out.", repairs.repeated));
+    add(repairs.flat, Message::say("1 cell without volume was left out."),
+        Message::say("%1 cells without volume were left out.", repairs.flat));
     if (repairs.turned > 0 && repairs.turned == repairs.cells)
-        remarks.sentences.emplace_back("All cells had inverted orientation and were corrected.");
+        remarks.push_back(Message::say("All cells had inverted orientation and were corrected."));
     else
-        remarks.add(repairs.turned, "cell had inverted orientation and was", "cells had inverted orientation and were",
-                    " corrected.");
-    remarks.add(repairs.welded, "point", "points", " on the place of another one joined with it.");
-    remarks.add(repairs.conflicting, "place had", "places had", " different values and got their mean.");
-    remarks.add(repairs.middles, "node in the middle of an edge or face was",
-                "nodes in the middle of edges and faces were",
-                " left out: not all cells there have them, or cells bend too much.");
-    remarks.add(repairs.resplit, "cell was", "cells were",
-                " cut along other diagonals, because the faces are not flat.");
-    remarks.add(repairs.warped, "cell was", "cells were",
-                " left out: too warped to be cut into tetrahedra without a new point.");
-    remarks.add(repairs.duplicates, "tetrahedron was", "tetrahedra were", " there twice.");
-    remarks.add(repairs.pinching, "tetrahedron was", "tetrahedra were",
-                " left out where parts of the mesh touched in an edge or a point only.");
-    remarks.add(repairs.unused, "point is", "points are", " of no cell: left out.");
-    return std::move(remarks.sentences);
+        add(repairs.turned, Message::say("1 cell had inverted orientation and was corrected."),
+            Message::say("%1 cells had inverted orientation and were corrected.", repairs.turned));
+    add(repairs.welded, Message::say("1 point on the place of another one was merged with it."),
+        Message::say("%1 points on the place of another one were merged with it.", repairs.welded));
+    add(repairs.conflicting, Message::say("1 place had different values and got their mean."),
+        Message::say("%1 places had different values and got their mean.", repairs.conflicting));
+    add(repairs.middles,
+        Message::say("1 node in the middle of an edge or face was left out: not all cells there have it, or cells bend "
+                     "too much."),
+        Message::say("%1 nodes in the middle of edges and faces were left out: not all cells there have them, or cells "
+                     "bend too much.",
+                     repairs.middles));
+    add(repairs.resplit, Message::say("1 cell was cut along other diagonals, because its faces are not flat."),
+        Message::say("%1 cells were cut along other diagonals, because their faces are not flat.", repairs.resplit));
+    add(repairs.warped, Message::say("1 cell was left out: too warped to be cut into tetrahedra without a new point."),
+        Message::say("%1 cells were left out: too warped to be cut into tetrahedra without a new point.",
+                     repairs.warped));
+    add(repairs.duplicates, Message::say("1 tetrahedron was there twice."),
+        Message::say("%1 tetrahedra were there twice.", repairs.duplicates));
+    add(repairs.pinching,
+        Message::say("1 tetrahedron was left out where parts of the mesh touched only in an edge or a point."),
+        Message::say("%1 tetrahedra were left out where parts of the mesh touched only in an edge or a point.",
+                     repairs.pinching));
+    add(repairs.unused, Message::say("1 point belongs to no cell and was left out."),
+        Message::say("%1 points belong to no cell and were left out.", repairs.unused));
+    return remarks;
 }
 
 namespace {
@@ -100,7 +103,7 @@ std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positio
 
 namespace {
 
-Error badCells(std::string text)
+Error badCells(Message text)
 {
     return {ErrorKind::BadInput, std::move(text)};
 }
@@ -114,22 +117,23 @@ Status checkArrays(const CellComplex& complex, const ComplexValues& values)
 {
     const std::size_t cells = complex.shapes.size();
     if (cells == 0 || complex.positions.empty())
-        return badCells("The mesh has no cells or no points.");
+        return badCells(Message::say("The mesh has no cells or no points."));
     if (complex.positions.size() >= std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource,
                      Message::say("The mesh has %1 points; at most 4294967294 can be numbered. Take a part of it.",
                                   complex.positions.size())};
     if (complex.offsets.size() != cells + 1 || complex.offsets.front() != 0 ||
         complex.offsets.back() != complex.corners.size() || !std::ranges::is_sorted(complex.offsets))
-        return badCells("The cells' lists of corners do not fit together: their offsets do not rise from 0 to the "
-                        "number of corners.");
+        return badCells(Message::say("The cells' lists of corners do not fit together: their offsets do not rise from "
+                                     "0 to the number of corners."));
     if (!complex.blanked.empty() && complex.blanked.size() != cells)
-        return badCells("The mesh has " + std::to_string(cells) + " cells, but says of " +
-                        std::to_string(complex.blanked.size()) + " whether they are blanked out.");
+        return badCells(Message::say("The mesh has %1 cells, but says of %2 whether they are blanked out.", cells,
+                                     complex.blanked.size()));
     const std::size_t wanted = values.perCell ? cells : complex.positions.size();
     if (values.values.size() != wanted)
-        return badCells("The mesh has " + std::to_string(wanted) + (values.perCell ? " cells" : " points") + ", but " +
-                        std::to_string(values.values.size()) + " values.");
+        return badCells(values.perCell
+                            ? Message::say("The mesh has %1 cells, but %2 values.", wanted, values.values.size())
+                            : Message::say("The mesh has %1 points, but %2 values.", wanted, values.values.size()));
     return {};
 }
 
@@ -141,12 +145,8 @@ public:
         if (count_++ == 0)
             first_ = cell;
     }
-    bool any() const { return count_ > 0; }
-    std::string text(std::string_view what) const
-    {
-        return std::to_string(count_) + (count_ == 1 ? " cell " : " cells ") + std::string(what) +
-               ", the first is cell " + std::to_string(first_) + ". ";
-    }
+    std::uint64_t count() const { return count_; }
+    std::size_t first() const { return first_; }
 
 private:
     std::uint64_t count_ = 0;
@@ -211,19 +211,25 @@ private:
             else
                 chosen_.push_back(cell);
         }
-        if (range.any())
-            return badCells(range.text("name points that do not exist") + "The mesh has " +
-                            std::to_string(complex_.positions.size()) + " points, the file is damaged.");
-        if (counts.any())
-            return badCells(counts.text("have another number of corners than their shape") + "The file is damaged.");
-        if (polyhedra.any())
-            return badCells(polyhedra.text("are polyhedra with any number of faces") +
-                            "Cut them into tetrahedra first (in ParaView the filter Tetrahedralize).");
-        if (places.any())
-            return badCells(places.text("have a corner whose place is not finite") +
-                            "Correct the points, or blank the cells.");
+        if (range.count() > 0)
+            return badCells(Message::say("Cells name points that do not exist (%1 in all, the first is cell %2). The "
+                                         "mesh has %3 points: the file is damaged.",
+                                         range.count(), range.first(), complex_.positions.size()));
+        if (counts.count() > 0)
+            return badCells(Message::say("Cells have another number of corners than their shape (%1 in all, the first "
+                                         "is cell %2). The file is damaged.",
+                                         counts.count(), counts.first()));
+        if (polyhedra.count() > 0)
+            return badCells(Message::say("Cells are polyhedra with any number of faces (%1 in all, the first is cell "
+                                         "%2). Cut them into tetrahedra first (in ParaView the filter "
+                                         "Tetrahedralize).",
+                                         polyhedra.count(), polyhedra.first()));
+        if (places.count() > 0)
+            return badCells(Message::say("Cells have a corner whose place is not finite (%1 in all, the first is cell "
+                                         "%2). Correct the points, or blank the cells.",
+                                         places.count(), places.first()));
         if (chosen_.empty())
-            return badCells("No cell of the mesh has a volume and finite values: nothing is left.");
+            return badCells(Message::say("No cell of the mesh has a volume and finite values: nothing is left."));
         return {};
     }
 

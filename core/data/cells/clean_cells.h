@@ -7,7 +7,7 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
+
 #include <vector>
 
 namespace tetra {
@@ -33,7 +33,7 @@ struct Repairs {
 };
 
 /// In sentences for the user; what did not happen is not said.
-TAN_INTERNAL std::vector<std::string> repairRemarks(const Repairs& repairs);
+TAN_INTERNAL std::vector<Message> repairRemarks(const Repairs& repairs);
 
 /// For each point, the first of those on exactly its place (so its own number if it is the first, or alone); only
 /// points with `used` count, the others get their own. O(points), by a hash table; fewer than 2^32 - 1 points.

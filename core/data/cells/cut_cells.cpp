@@ -172,7 +172,7 @@ ResplitCells resplitCells(std::span<const Eigen::Vector3d> positions, const Clea
     return Resplitting(positions, cells, failing).run(progress);
 }
 
-constexpr std::string_view cuttingCells = "Cutting the cells";
+constexpr MarkedText cuttingCells = Message::marked("Cutting the cells");
 
 bool repeatsCorner(CellShape shape, std::span<const std::uint32_t> nodes)
 {

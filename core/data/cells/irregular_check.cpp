@@ -165,7 +165,7 @@ BoundaryFaults findBoundaryFaults(std::span<const Eigen::Vector3d> positions, st
 using Positions = std::span<const Eigen::Vector3d>;
 using TetrahedronSpan = std::span<const std::array<std::uint32_t, 4>>;
 
-constexpr std::string_view checkingMesh = "Checking the mesh";
+constexpr MarkedText checkingMesh = Message::marked("Checking the mesh");
 
 std::string placeText(const Eigen::Vector3d& place)
 {
@@ -237,23 +237,22 @@ Status checkManifold(Positions positions, const ManifoldBreaches& breaches)
 
 Status checkPoints(const Dataset& dataset)
 {
-    const auto bad = [](std::string text) { return Error{ErrorKind::BadInput, std::move(text)}; };
+    const auto bad = [](Message text) { return Error{ErrorKind::BadInput, std::move(text)}; };
     if (!dataset.positions || !dataset.tetrahedra || dataset.tetrahedra->empty())
-        return bad("The dataset is no irregular mesh: it has no positions or no tetrahedra.");
+        return bad(Message::say("The dataset is no irregular mesh: it has no positions or no tetrahedra."));
     const auto& positions = *dataset.positions;
     if (positions.size() != dataset.values.count() || dataset.values.notFiniteCount() > 0 ||
         !std::ranges::all_of(positions, [](const auto& position) { return position.allFinite(); }))
-        return bad("The mesh does not have a finite position and a finite value for each point.");
+        return bad(Message::say("The mesh does not have a finite position and a finite value for each point."));
     std::vector<bool> used(positions.size());
     for (const auto& tetrahedron : *dataset.tetrahedra)
         for (const std::uint32_t point : tetrahedron) {
             if (point >= positions.size())
-                return bad("A tetrahedron of the mesh names point " + std::to_string(point) + " of " +
-                           std::to_string(positions.size()) + ".");
+                return bad(Message::say("A tetrahedron of the mesh names point %1 of %2.", point, positions.size()));
             used[point] = true;
         }
     if (const auto unused = std::ranges::count(used, false); unused > 0)
-        return bad("The mesh has " + std::to_string(unused) + " points that no tetrahedron uses.");
+        return bad(Message::say("The mesh has %1 points that no tetrahedron uses.", unused));
     return {};
 }
 

@@ -224,7 +224,7 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
 Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                  const Progress& progress)
 {
-    return guarded("Not enough memory for the mesh. Take a part of it.",
+    return guarded(Message::marked("Not enough memory for the mesh. Take a part of it."),
                    [&] { return makeDataset(complex, values, source, progress); });
 }
 

@@ -300,7 +300,7 @@ Status RunFiles::read(std::uint32_t block, std::uint64_t offset, std::span<std::
 
 Error RunFiles::unreadable(std::uint32_t block, int systemError) const
 {
-    const std::string reason = systemErrorText(systemError);
+    const Message reason = systemErrorText(systemError);
     return unreadable(block, isLackOfResources(systemError) ? Message::say("%1. %2", reason, resourceRemedy)
                                                             : Message::say("%1. Start the build again.", reason));
 }

@@ -56,7 +56,7 @@ public:
     {
         for (std::uint32_t block = 0; block < runs.blockCount(); ++block)
             allPoints_ += pointsOf(options.division.box(block));
-        points_.emplace(progress, static_cast<double>(allPoints_), "Refining the blocks");
+        points_.emplace(progress, static_cast<double>(allPoints_), Message::marked("Refining the blocks"));
     }
 
     Status run();
@@ -97,7 +97,7 @@ Status RunMaker::work()
     for (std::uint32_t i = next_++; i < order_.size() && !failure_.happened(); i = next_++) {
         const std::uint32_t block = order_[i];
         if (progress_.cancelled())
-            return cancelledError("The build");
+            return cancelledError(Message::marked("The build"));
         if (!(options_.reuseIntact && runs_.intact(block))) {
             if (const Status made = make(block, refiner, recorder); !made)
                 return made;
@@ -160,9 +160,11 @@ Status RunMaker::account(std::uint32_t block)
 Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, const RunFiles& runs,
                        const Progress& progress)
 {
-    return guarded("Not enough memory to refine blocks of this size. Close other programs, use fewer threads or choose "
-                   "smaller blocks.",
-                   [&] { return RunMaker(options, samples, runs, progress).run(); });
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine blocks of this size. Close other programs, use fewer threads or choose "
+            "smaller blocks."),
+        [&] { return RunMaker(options, samples, runs, progress).run(); });
 }
 
 } // namespace tetra

@@ -107,8 +107,9 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
             continue;
         reported = done;
         if (progress.cancelled())
-            return cancelledError("Merging the blocks");
-        progress.report(static_cast<double>(done) / static_cast<double>(numbers.size()), "Numbering the sites");
+            return cancelledError(Message::marked("Merging the blocks"));
+        progress.report(static_cast<double>(done) / static_cast<double>(numbers.size()),
+                        Message::marked("Numbering the sites"));
     }
     return done == numbers.size() ? Status() : Status(unfitNumbers());
 }
@@ -399,7 +400,7 @@ PiecePointer StarPipeline::make(tbb::flow_control& control)
 {
     auto piece = std::make_shared<SectionPiece>();
     if (progress_.cancelled())
-        fail(cancelledError("Merging the blocks"));
+        fail(cancelledError(Message::marked("Merging the blocks")));
     if (!failed_) {
         Result<MergedChunk> chunk = maker_.next();
         if (chunk)
@@ -441,7 +442,7 @@ void StarPipeline::write(const SectionPiece& piece)
         if (!written)
             return fail(written.error());
     const auto sites = static_cast<double>(chunk.firstSite) + static_cast<double>(chunk.points.size());
-    progress_.report(sites / numbers_.siteCount(), "Merging the blocks");
+    progress_.report(sites / numbers_.siteCount(), Message::marked("Merging the blocks"));
 }
 
 void StarPipeline::fail(const Error& error)
@@ -478,7 +479,7 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
     if (const Status merged = StarPipeline(runs, *numbers, **writer, writing, sliceTetrahedra).run(); !merged)
         return merged.error();
     if (progress.cancelled())
-        return cancelledError("Merging the blocks");
+        return cancelledError(Message::marked("Merging the blocks"));
     if (const Status finished = (*writer)->finish(finalKey); !finished)
         return finished.error();
     return counts;
@@ -489,8 +490,9 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
 Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra)
 {
-    return guarded("Not enough memory to merge the blocks. Close other programs, or ask for a larger error.",
-                   [&] { return merge(runs, workFolder, open, progress, sliceTetrahedra); });
+    return guarded(
+        Message::marked("Not enough memory to merge the blocks. Close other programs, or ask for a larger error."),
+        [&] { return merge(runs, workFolder, open, progress, sliceTetrahedra); });
 }
 
 } // namespace tetra

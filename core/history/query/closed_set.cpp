@@ -33,7 +33,7 @@ template <class Link> Status visitLinks(const Model& model, std::uint32_t sites,
         });
         return right ? Status() : inconsistentModel(model, Message::say("a tetrahedron dies before it is made"));
     };
-    return walkHistory(model, 0, sites, progress, "Looking at the history", visit);
+    return walkHistory(model, 0, sites, progress, Message::marked("Looking at the history"), visit);
 }
 
 } // namespace
@@ -118,7 +118,7 @@ std::span<const std::uint64_t> coarseCandidates(const Model& model, const SiteSe
 constexpr std::size_t sitesAhead = 6;
 /// The least scale that says that something was not reached.
 constexpr double moreThanAsked = 1 + std::numeric_limits<double>::epsilon();
-constexpr std::string_view choosing = "Choosing the sites";
+constexpr MarkedText choosing = Message::marked("Choosing the sites");
 
 /// A closed set while it grows: a tetrahedron that is too coarse must be destroyed, so its destroyer comes with its
 /// group and all that these need. Without a budget that is done at once. With one, what is farthest from what was asked
@@ -359,9 +359,9 @@ Status SetScan::run(const Progress& progress)
     for (std::size_t vertex = 0; vertex < out_.sites.size(); ++vertex) {
         if (vertex % starsAtOnce == 0) {
             if (progress.cancelled())
-                return cancelledError("Extracting the mesh");
+                return cancelledError(Message::marked("Extracting the mesh"));
             progress.report(static_cast<double>(vertex) / static_cast<double>(out_.sites.size()),
-                            "Extracting the mesh");
+                            Message::marked("Extracting the mesh"));
         }
         if (vertex + 2 * starsAhead < out_.sites.size()) {
             fetchStarOffsets(model_, out_.sites[vertex + 2 * starsAhead]);

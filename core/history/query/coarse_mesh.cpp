@@ -17,7 +17,7 @@ constexpr double extractionEnd = 0.3; ///< how far it is when the mesh is there
 Error notLoaded(const Model& model, MeshLoading loading)
 {
     if (loading == MeshLoading::Cancelled)
-        return cancelledError("Extracting the mesh");
+        return cancelledError(Message::marked("Extracting the mesh"));
     if (loading == MeshLoading::NoMesh)
         return inconsistentModel(model, Message::say("its coarse tetrahedra do not fit together"));
     return {ErrorKind::WrongUsage, Message::say("'%1' was not made by inserting points into Delaunay meshes, so none "
@@ -40,7 +40,7 @@ Status loadCoarse(const Model& model, std::uint32_t sites, const Progress& progr
     coarse.points.resize(sites);
     std::ranges::transform(model.points().first(sites), coarse.points.begin(),
                            [&](std::uint32_t point) { return delaunay.lattice().pointAt(point); });
-    progress.report(extractionEnd, "Looking at the mesh");
+    progress.report(extractionEnd, Message::marked("Looking at the mesh"));
     const MeshLoading loading = delaunay.load(coarse.mesh.tetrahedra, coarse.points, progress);
     return loading == MeshLoading::Done ? Status() : notLoaded(model, loading);
 }

@@ -31,7 +31,7 @@ void writeRefined(const Model& model, const TetrahedralMesh& coarse, const Local
 
 /// That a point could not be added.
 Error focusTooLarge();
-inline constexpr const char* noMemoryForFocus =
-    "Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.";
+inline constexpr MarkedText noMemoryForFocus =
+    Message::marked("Not enough memory for the mesh of the focus. Choose a larger error or a smaller focus.");
 
 } // namespace tetra

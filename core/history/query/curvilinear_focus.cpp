@@ -116,7 +116,7 @@ Status CurvilinearFocus::Work::findLimits(const MeshQuery& query, const Progress
     limits_.last = {-1, -1, -1};
     for (std::uint32_t index = 0; index < count; ++index) {
         if (index % pointsLoadedAtOnce == 0 && progress.cancelled())
-            return cancelledError("Extracting the mesh");
+            return cancelledError(Message::marked("Extracting the mesh"));
         const double value = grid_[index].components[3];
         const double error = query.error.at(positions_[index], value);
         const double warping = query.warping.at(positions_[index], value);
@@ -186,8 +186,8 @@ Status CurvilinearFocus::Work::insertSites(const Progress& progress)
     for (std::uint32_t site = coarseSites_; site < model_.siteCount(); ++site) {
         if (site % curvilinearInsertionsAtOnce == 0) {
             if (progress.cancelled())
-                return cancelledError("Extracting the mesh");
-            progress.report(static_cast<double>(site) / model_.siteCount(), "Refining the focus");
+                return cancelledError(Message::marked("Extracting the mesh"));
+            progress.report(static_cast<double>(site) / model_.siteCount(), Message::marked("Refining the focus"));
         }
         const std::uint32_t point =
             std::min<std::uint32_t>(model_.points()[site], static_cast<std::uint32_t>(keys_.size() - 1));
@@ -222,7 +222,7 @@ Status CurvilinearFocus::Work::look(bool coarseIsKnown, const Progress& progress
     worst_.clear();
     if (!scan(slots_, coarseIsKnown ? ScannedPart::Limited : ScannedPart::All, progress) ||
         !scan(mesh_.changed(), ScannedPart::All, progress))
-        return cancelledError("Extracting the mesh");
+        return cancelledError(Message::marked("Extracting the mesh"));
     mesh_.acceptChanges();
     return {};
 }
@@ -239,13 +239,13 @@ Status CurvilinearFocus::Work::repair(const Progress& progress)
         {
             work.worst_.clear();
             if (!work.scan(work.mesh_.changed(), ScannedPart::All, progress))
-                return cancelledError("Extracting the mesh");
+                return cancelledError(Message::marked("Extracting the mesh"));
             work.mesh_.acceptChanges();
             return {};
         }
     };
     Space space{*this, progress};
-    return refineInRounds(space, progress, "Extracting the mesh");
+    return refineInRounds(space, progress, Message::marked("Extracting the mesh"));
 }
 
 void CurvilinearFocus::Work::write(ExtractedMesh& mesh) const

@@ -157,7 +157,7 @@ public:
         const ErrorField found = field();
         skipBlanks();
         if (place_ < text_.size())
-            fail("the end of the text");
+            fail(Message::say("the end of the text"));
         if (error_)
             return *std::move(error_);
         return found;
@@ -170,8 +170,7 @@ private:
     ErrorField field()
     {
         if (++depth_ > deepestExpression || ++fields_ > mostFields)
-            fail("fewer fields: at most " + std::to_string(mostFields) + ", nested " +
-                 std::to_string(deepestExpression) + " deep");
+            fail(Message::say("fewer fields: at most %1, nested %2 deep", mostFields, deepestExpression));
         skipBlanks();
         const ErrorField found = error_ ? ErrorField() : startsName() ? call() : ErrorField(size());
         --depth_;
@@ -192,8 +191,8 @@ private:
         const std::optional<ErrorField> found = named(name);
         if (!found) {
             place_ = start;
-            fail("a number or one of box, sphere, halfspace, camera, values, isovalues, opacity, sum, product, min and "
-                 "max");
+            fail(Message::say("a number or one of %1",
+                              "box, sphere, halfspace, camera, values, isovalues, opacity, sum, product, min, max"));
         }
         expect(')');
         return found.value_or(ErrorField());
@@ -244,7 +243,7 @@ private:
     {
         const Numbers n = coordinates(4);
         if (n[0] == 0 && n[1] == 0 && n[2] == 0)
-            fail("a half-space whose first three numbers are not all 0");
+            fail(Message::say("a half-space whose first three numbers are not all 0"));
         return ramp(HalfSpace{{n[0], n[1], n[2]}, n[3]});
     }
 
@@ -334,11 +333,11 @@ private:
     double number()
     {
         const std::size_t start = place_;
-        const double found = anyNumber("a number");
+        const double found = anyNumber(Message::marked("a number"));
         if (std::isfinite(found))
             return found;
         place_ = start;
-        fail("a finite number");
+        fail(Message::say("a finite number"));
         return 0;
     }
 
@@ -346,15 +345,15 @@ private:
     double size()
     {
         const std::size_t start = place_;
-        const double found = anyNumber("a number, or the name of a field");
+        const double found = anyNumber(Message::marked("a number, or the name of a field"));
         if (found >= 0)
             return found;
         place_ = start;
-        fail("a number that is not negative");
+        fail(Message::say("a number that is not negative"));
         return 0;
     }
 
-    double anyNumber(std::string_view what)
+    double anyNumber(MarkedText what)
     {
         skipBlanks();
         std::string_view rest = text_.substr(place_);
@@ -363,7 +362,7 @@ private:
         double found = 0;
         const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), found);
         if (problem == std::errc::result_out_of_range)
-            fail("a number of less than 308 digits");
+            fail(Message::say("a number of less than 308 digits"));
         else if (problem != std::errc())
             fail(what);
         else
@@ -393,15 +392,18 @@ private:
             ++place_;
     }
 
-    void fail(std::string_view expected)
+    void fail(const Message& expected)
     {
         if (error_)
             return;
         skipBlanks();
-        const std::string found = place_ == text_.size() ? "the text ends" : "there is '" + printable(rest()) + "'";
-        error_ = Error{ErrorKind::WrongUsage,
-                       Message::say("The error field cannot be read at character %1: expected %2, but %3.", place_ + 1,
-                                    expected, found)};
+        error_ =
+            Error{ErrorKind::WrongUsage,
+                  place_ == text_.size()
+                      ? Message::say("The error field cannot be read at character %1: expected %2, but the text ends.",
+                                     place_ + 1, expected)
+                      : Message::say("The error field cannot be read at character %1: expected %2, but there is '%3'.",
+                                     place_ + 1, expected, printable(rest()))};
     }
 
     /// A glance at what comes next, never half a character.

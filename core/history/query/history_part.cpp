@@ -16,7 +16,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view extractingRange = "Extracting a range of meshes";
+constexpr MarkedText extractingRange = Message::marked("Extracting a range of meshes");
 
 /// What is asked of tetrahedra besides their life.
 class Choice {
@@ -162,7 +162,7 @@ Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, cons
     if (part.coarse.sites > part.fine.sites)
         std::swap(part.coarse, part.fine);
     const Status extracted = guarded(
-        "Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.",
+        Message::marked("Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window."),
         [&] { return extractInto(model, values, window, progress, part); }, part.fine.sites);
     if (!extracted)
         return extracted.error();

@@ -158,7 +158,7 @@ private:
     Status extractWhole(const MeshQuery& query, const Progress& progress);
     Status extractUniform(const MeshQuery& query, const Progress& progress);
     Status extractClosedSet(const MeshQuery& query, const Progress& progress);
-    const char* obstacleToInsertion(const MeshQuery& query) const;
+    std::optional<Message> obstacleToInsertion(const MeshQuery& query) const;
     bool insertionIsBetter(const MeshQuery& query);
     Status extractByInsertion(const MeshQuery& query, const Progress& progress);
     Status extractWithinBudget(const MeshQuery& query, const Progress& progress);
@@ -221,14 +221,12 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
     const bool warps = model_->description().warpingWeight > 0;
     if (query.error.isConstant() && (query.warping.isConstant() || !warps))
         return extractUniform(query, progress);
-    const char* const obstacle = obstacleToInsertion(query);
-    if (query.method == VariableMethod::Insertion && obstacle != nullptr)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Insertion %1. Use a closed set, or the automatic choice.", obstacle)};
+    const std::optional<Message> obstacle = obstacleToInsertion(query);
+    if (query.method == VariableMethod::Insertion && obstacle)
+        return Error{ErrorKind::WrongUsage, Message::say("%1. Use a closed set, or the automatic choice.", *obstacle)};
     if (query.method == VariableMethod::Insertion)
         return extractByInsertion(query, progress);
-    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && obstacle == nullptr &&
-        insertionIsBetter(query)) {
+    if (query.method == VariableMethod::Automatic && insertionFitsHistory_ && !obstacle && insertionIsBetter(query)) {
         if (const Status inserted = extractByInsertion(query, progress);
             inserted || inserted.error().kind != ErrorKind::WrongUsage)
             return inserted;
@@ -285,23 +283,27 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     return extractSet(*model_, *set, places_, progress.part(0.8, 1), startWhole());
 }
 
-/// Why a query cannot be answered by insertion, as the end of a sentence; null if, without looking, it can.
-const char* MeshExtractor::Work::obstacleToInsertion(const MeshQuery& query) const
+/// Why a query cannot be answered by insertion, a sentence without its full stop; nothing if, without looking, it can.
+std::optional<Message> MeshExtractor::Work::obstacleToInsertion(const MeshQuery& query) const
 {
     if (model_->description().domain == DomainClass::Scattered)
-        return "is for lattices and curvilinear grids, not for scattered points";
+        return Message::say("Insertion is for lattices and curvilinear grids, not for scattered points");
     if (!model_->description().delaunay)
-        return "needs a model made by refinement, whose meshes are Delaunay ones";
+        return Message::say("Insertion needs a model made by refinement, whose meshes are Delaunay ones");
     if (model_->samples().empty())
-        return "needs all samples of the dataset, which this model's file does not hold";
+        return Message::say("Insertion needs all samples of the dataset, which this model's file does not hold");
     if (CurvilinearFocus::fits(*model_))
-        return nullptr;
+        return std::nullopt;
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
     if (ramp == nullptr || !(ramp->inner < ramp->outer))
-        return "into a lattice is for one box, sphere or half-space of smaller error";
+        return Message::say("Insertion into a lattice is for one box, sphere or half-space of smaller error");
     if (query.budget && scaledField(query.error, 2).asSpaceRamp() == nullptr)
-        return "within a budget needs a sharp border, or an error of at least 0.001 % to fall off from";
-    return RegionRefiner::fits(*model_) ? nullptr : "does not know how this model was built, or its grid is too large";
+        return Message::say("Insertion within a budget needs a sharp border, or an error of at least %1 to fall off "
+                            "from",
+                            "0.001 %");
+    if (RegionRefiner::fits(*model_))
+        return std::nullopt;
+    return Message::say("Insertion does not know how this model was built, or its grid is too large");
 }
 
 /// Closed sets are small for graded fields, and quick for large foci. In computational space, where much of a grid
@@ -334,7 +336,7 @@ Status MeshExtractor::Work::extractWithinBudget(const MeshQuery& query, const Pr
         scaled.budget.reset();
         scaled.error = scaledField(query.error, scale);
         scaled.warping = scaledField(query.warping, scale);
-        progress.report(1 - 1 / (1 + 0.25 * ++meshes), "Trying what the budget allows");
+        progress.report(1 - 1 / (1 + 0.25 * ++meshes), Message::marked("Trying what the budget allows"));
         if (const Status found = extractByInsertion(scaled, progress.withCallback({})); !found)
             return found.error();
         return whole_->content.wholeTetrahedra;
@@ -409,7 +411,8 @@ const std::shared_ptr<const Model>& MeshExtractor::model() const noexcept
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::extract(const MeshQuery& query, const Progress& progress)
 {
     auto mesh =
-        guarded("There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget.",
+        guarded(Message::marked(
+                    "There is not enough memory for this mesh. Ask for a larger error, a smaller focus or a budget."),
                 [&] { return work_->extract(query, progress); });
     if (!mesh && mesh.error().kind == ErrorKind::OutOfResource)
         work_ = std::make_unique<Work>(work_->model()); // without what it kept for the next query

@@ -21,7 +21,7 @@ bool operator==(const MeshQuery& first, const MeshQuery& second)
 
 namespace {
 
-Error wrong(const std::string& text)
+Error wrong(const Message& text)
 {
     return {ErrorKind::WrongUsage, text};
 }
@@ -31,17 +31,17 @@ Status checkWindow(const Box& box)
     constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis)
         if (!(box.least[axis] <= box.largest[axis]))
-            return wrong("The window's smallest " + std::string(axes[axis]) +
-                         " must not be larger than its largest: " + formatNumber(box.least[axis]) + " and " +
-                         formatNumber(box.largest[axis]) + " are no such pair of numbers.");
+            return wrong(Message::say("The smallest %1 of the crop box, %2, is larger than its largest, %3. Swap them.",
+                                      axes[static_cast<std::size_t>(axis)], formatNumber(box.least[axis]),
+                                      formatNumber(box.largest[axis])));
     return {};
 }
 
-Status checkField(const ErrorField& field, const std::string& name)
+Status checkField(const ErrorField& field, const Message& refusal)
 {
     const ValueRange bounds = field.bounds();
     if (std::isnan(bounds.minimum) || std::isnan(bounds.maximum))
-        return wrong("The " + name + " that is asked for is not a number somewhere. Use numbers of percent.");
+        return wrong(refusal);
     return {};
 }
 
@@ -49,16 +49,20 @@ Status checkField(const ErrorField& field, const std::string& name)
 
 Status checkQuery(const Model& model, const MeshQuery& query)
 {
-    if (const Status error = checkField(query.error, "error"); !error)
+    const Status error = checkField(
+        query.error, Message::say("The largest error is not a number somewhere. Give it in percent everywhere."));
+    if (!error)
         return error;
-    if (const Status warping = checkField(query.warping, "warping"); !warping)
+    const Status warping = checkField(
+        query.warping, Message::say("The largest warping is not a number somewhere. Give it in percent everywhere."));
+    if (!warping)
         return warping;
     if (query.budget == 0)
-        return wrong("A budget of no tetrahedra allows no mesh of '" + model.path().string() + "'.");
+        return wrong(Message::say("A budget of no tetrahedra allows no mesh of '%1'.", model.path().string()));
     for (const ValueRange& range : query.values)
         if (!(range.minimum <= range.maximum))
-            return wrong("A range of values must go from a smaller number to a larger one: " +
-                         formatNumber(range.minimum) + " and " + formatNumber(range.maximum) + " do not.");
+            return wrong(Message::say("A range of values goes from a smaller number to a larger one: %1 and %2 do not.",
+                                      formatNumber(range.minimum), formatNumber(range.maximum)));
     return query.window ? checkWindow(query.window->box) : Status();
 }
 

@@ -419,7 +419,8 @@ Result<TetrahedronSet> TetrahedronSet::make(const Model& model, std::uint32_t fi
         }
         return {};
     };
-    if (const Status walked = walkHistory(model, firstCreator, sites, progress, "Looking at the history", visit);
+    if (const Status walked =
+            walkHistory(model, firstCreator, sites, progress, Message::marked("Looking at the history"), visit);
         !walked)
         return walked.error();
     stars.starts_.push_back(static_cast<std::uint32_t>(stars.keys_.size()));
@@ -679,8 +680,9 @@ Status RegionRefiner::Work::insertMissing(const Progress& progress)
     }
     for (std::size_t first = 0; first < points_.size(); first += insertionsAtOnce) {
         if (progress.cancelled())
-            return cancelledError("Extracting the mesh");
-        progress.report(static_cast<double>(first) / static_cast<double>(points_.size()), "Refining the focus");
+            return cancelledError(Message::marked("Extracting the mesh"));
+        progress.report(static_cast<double>(first) / static_cast<double>(points_.size()),
+                        Message::marked("Refining the focus"));
         const std::size_t count = std::min(insertionsAtOnce, points_.size() - first);
         if (!mesh_.add(std::span(points_).subspan(first, count)))
             return focusTooLarge();
@@ -787,7 +789,7 @@ Status RegionRefiner::Work::readBounds(std::uint32_t sites)
         });
         return {};
     };
-    return walkHistory(model_, 0, sites, {}, "Looking at the history", visit);
+    return walkHistory(model_, 0, sites, {}, Message::marked("Looking at the history"), visit);
 }
 
 Status RegionRefiner::Work::knowStars(const Range& range, const Progress& progress)
@@ -923,10 +925,10 @@ Status RegionRefiner::Work::repair(const FocusLimits& limits, const Progress& pr
         }
     };
     Space space{*this, limits, progress};
-    if (const Status repaired = refineInRounds(space, progress, "Extracting the mesh"); !repaired)
+    if (const Status repaired = refineInRounds(space, progress, Message::marked("Extracting the mesh")); !repaired)
         return repaired;
     if (progress.cancelled()) // then nothing may have been found because nothing was looked at
-        return cancelledError("Extracting the mesh");
+        return cancelledError(Message::marked("Extracting the mesh"));
     return {};
 }
 

@@ -129,7 +129,7 @@ void orderBySigns(std::array<std::uint32_t, 4>& tetrahedron, std::array<int, 4>&
 
 using CutPlace = BoxSides::Place;
 
-constexpr std::string_view cuttingAtWindow = "Cutting at the window";
+constexpr MarkedText cuttingAtWindow = Message::marked("Cutting at the window");
 /// Tetrahedra between two looks at whether the work was cancelled, and at how many vertices there are.
 constexpr std::size_t cutAtOnce = 1 << 16;
 constexpr std::size_t mostVertices = 0xfffffffe;
@@ -333,7 +333,7 @@ Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const P
 
 /// Tetrahedra between two looks at whether the work was cancelled.
 constexpr std::size_t filteredAtOnce = 1 << 16;
-constexpr std::string_view choosingCells = "Choosing from the mesh";
+constexpr MarkedText choosingCells = Message::marked("Choosing from the mesh");
 
 /// Keeps those that the test is true of, in order.
 template <class Test> Status keepIf(Buffer<Tetrahedron>& tetrahedra, const Progress& progress, const Test& test)
@@ -383,8 +383,9 @@ Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, con
 Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress)
 {
     return guarded(
-        "Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller "
-        "window.",
+        Message::marked(
+            "Not enough memory to cut a mesh of %1 tetrahedra at a window. Choose a larger error or a smaller "
+            "window."),
         [&] { return keepWindowUnguarded(mesh, window, progress); }, mesh.tetrahedra.size());
 }
 

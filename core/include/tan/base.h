@@ -21,8 +21,8 @@
 /// /// Work of a hundred steps that tells how far it is and can be stopped from another thread.
 /// tetra::Status countToHundred(std::stop_token stop, std::ostream& told)
 /// {
-///     const tetra::Progress progress(stop, [&](double fraction, std::string_view activity) {
-///         told << activity << ' ' << int(100 * fraction) << " %\n";
+///     const tetra::Progress progress(stop, [&](double fraction, const tetra::Message& activity) {
+///         told << activity.text() << ' ' << int(100 * fraction) << " %\n";
 ///     });
 ///     for (int step = 1; step <= 100; ++step) {
 ///         if (progress.cancelled())
@@ -70,6 +70,14 @@ enum class ErrorKind {
     Cancelled,     ///< the user stopped it (exit 130)
 };
 
+/// An English text that is shown later, as a label, a choice or an activity: Message::marked().
+struct MarkedText {
+    const char* text;
+
+    constexpr operator std::string_view() const noexcept { return text; }
+    operator std::string() const { return text; }
+};
+
 /// What is said to a user: an English sentence with places %1 to %9, and what stands in them. Programs that speak other
 /// languages translate the sentence, and put the same into its places; which is why it is not put together from pieces.
 class Message {
@@ -77,6 +85,8 @@ public:
     Message() = default;
     /// What is the same in every language: a name, a number, what another program said.
     Message(std::string text) : text_(std::move(text)) {}
+    /// A text that is translated whole.
+    Message(MarkedText marked) : text_(marked.text), sentence_(marked.text) {}
     Message(std::string_view text) : text_(text) {}
     Message(const char* text) : text_(text) {}
     template <std::integral Number> Message(Number number) : text_(std::to_string(number)) {}
@@ -88,6 +98,8 @@ public:
         static_assert(sizeof...(arguments) <= 9);
         return of(sentence, {Message(std::forward<Arguments>(arguments))...});
     }
+    /// Marks a text that is kept as it is until it is shown, for translators' tools, as say() does: a literal.
+    static constexpr MarkedText marked(const char* text) noexcept { return {text}; }
     /// What say() makes, of a message that was taken apart.
     static Message of(std::string sentence, std::vector<Message> arguments)
     {
@@ -103,6 +115,10 @@ public:
     /// With its places; empty if it is what every language has in common.
     const std::string& sentence() const noexcept { return sentence_; }
     const std::vector<Message>& arguments() const noexcept { return arguments_; }
+    bool empty() const noexcept { return text_.empty(); }
+
+    /// Whether they say the same.
+    friend bool operator==(const Message& one, const Message& other) { return one.text_ == other.text_; }
 
 private:
     std::string filled() const
@@ -199,9 +215,8 @@ inline Error cancelledError(const Message& activity)
 /// should return at once.
 class Progress {
 public:
-    /// `fraction` in [0, 1], never decreasing within one piece of work; `activity` is a short text for the user, valid
-    /// during the call.
-    using Callback = std::function<void(double fraction, std::string_view activity)>;
+    /// `fraction` in [0, 1], never decreasing within one piece of work; `activity` is a short text for the user.
+    using Callback = std::function<void(double fraction, const Message& activity)>;
 
     /// Silent and not cancellable.
     Progress() = default;
@@ -218,10 +233,11 @@ public:
         return false;
     }
 
-    void report(double fraction, std::string_view activity) const
+    /// `activity` is what a Message is made of; it is made only if somebody listens.
+    template <class Activity = Message> void report(double fraction, const Activity& activity) const
     {
         if (callback_)
-            callback_(first_ + fraction * (last_ - first_), activity);
+            callback_(first_ + fraction * (last_ - first_), Message(activity));
     }
 
     /// The same progress for a step that covers [first, last] of the whole.
@@ -362,14 +378,14 @@ TAN_API std::vector<std::filesystem::path> pathsIn(const std::filesystem::path& 
 /// What a number of errno means, in English under every locale, without a full stop: "No such file or directory". The
 /// C library's own texts would come in the user's language, in the middle of an English sentence that nobody could
 /// translate any more.
-TAN_API std::string systemErrorText(int error);
+TAN_API Message systemErrorText(int error);
 
 /// Whether a number of errno says that this process or machine has no more memory, descriptors, threads or processes:
 /// then it says nothing of the file, and another file or folder would not help.
 TAN_API bool isLackOfResources(int error) noexcept;
 
 /// What to do about a lack of resources, a sentence.
-inline constexpr std::string_view resourceRemedy = "Close other programs, or raise the limit (ulimit).";
+inline constexpr MarkedText resourceRemedy = Message::marked("Close other programs, or raise the limit (ulimit).");
 
 /// The machine's physical memory in bytes, in use or not; 0 if the system does not tell.
 TAN_API std::uint64_t physicalBytes() noexcept;

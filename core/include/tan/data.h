@@ -77,10 +77,18 @@ struct Lattice {
 /// What kind of domain the points of a dataset lie in (R1). The numbers are part of the `.tan` format.
 enum class DomainClass : std::uint32_t { RegularLattice = 0, Curvilinear = 1, Irregular = 2, Scattered = 3 };
 
+/// In words for the user: "curvilinear".
+constexpr MarkedText domainClassText(DomainClass domain) noexcept
+{
+    constexpr MarkedText names[] = {Message::marked("regular"), Message::marked("curvilinear"),
+                                    Message::marked("irregular"), Message::marked("scattered")};
+    return names[static_cast<std::uint32_t>(domain)];
+}
+
+/// The same as a name, which stays.
 constexpr std::string_view domainClassName(DomainClass domain) noexcept
 {
-    constexpr std::string_view names[] = {"regular", "curvilinear", "irregular", "scattered"};
-    return names[static_cast<std::uint32_t>(domain)];
+    return domainClassText(domain);
 }
 
 /// Whether the points are those of a lattice of computational space.
@@ -248,7 +256,7 @@ struct TAN_API Dataset {
     PointPositions positions = nullptr; ///< one per point, in the order of the values; null for a regular lattice
     ScalarField values;                 ///< one sample per point, all finite
     Source source;
-    std::vector<std::string> remarks{}; ///< changes made while reading, in sentences for the user
+    std::vector<Message> remarks{}; ///< changes made while reading, in sentences for the user
     /// The file whose bytes the values are; null if they are in memory.
     std::shared_ptr<const MappedFile> mappedFile = nullptr;
     PointTetrahedra tetrahedra = nullptr; ///< of irregular data, else null

@@ -204,12 +204,14 @@ Status CurvilinearMesh::reserve()
         return status;
     if (Status status = pool_.reserve(blockPoints); !status)
         return status;
-    if (Status status = slots_.reserve(delaunay_.capacity(), "the state of the refinement's tetrahedra"); !status)
+    if (Status status =
+            slots_.reserve(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra"));
+        !status)
         return status;
     if (Status status = startStar_.attach(grid_.lattice()); !status)
         return status;
     const std::uint64_t pointCount = std::uint64_t(size[0]) * size[1] * size[2];
-    return siteOfPoint_.reserve(pointCount, "the numbers of the sites");
+    return siteOfPoint_.reserve(pointCount, Message::marked("the numbers of the sites"));
 }
 
 Status CurvilinearMesh::start(HistorySink& sink)

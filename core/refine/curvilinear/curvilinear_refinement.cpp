@@ -73,7 +73,7 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Bl
                           .selection = options.selection});
     if (Status status = sink.begin({options.warpingWeight, true, blocks.blockCells()}); !status)
         return status.error();
-    progress.report(0, "Distributing the points");
+    progress.report(0, Message::marked("Distributing the points"));
     if (Status status = mesh.start(sink); !status)
         return status.error();
     CurvilinearSpace space(mesh, options.selection, sink);
@@ -96,8 +96,9 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
     if (Status status = checkSize(size, blocks); !status)
         return status.error();
     return guarded(
-        "Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop "
-        "or subsample the data.",
+        Message::marked(
+            "Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop "
+            "or subsample the data."),
         [&] { return refine(CurvilinearGrid(size, positions, samples), blocks, options, sink, progress); });
 }
 

@@ -218,11 +218,11 @@ void ScatteredSpace::closeCell(std::uint32_t slot)
 
 Status ScatteredSpace::start(const Progress& progress)
 {
-    progress.report(0, "Finding the convex hull");
+    progress.report(0, Message::marked("Finding the convex hull"));
     if (Status status = checkDistinct(points_.positions); !status)
         return status;
     if (progress.cancelled())
-        return cancelledError("The refinement");
+        return cancelledError(Message::marked("The refinement"));
     if (Status status = delaunay_.start(); !status)
         return status;
     for (const ScatteredDelaunay::Cell& cell : delaunay_.created()) {
@@ -243,8 +243,8 @@ Status ScatteredSpace::distribute(const Progress& progress)
     for (std::uint32_t point = 0; point < points_.positions.size(); ++point) {
         if (point % pointsBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError("The refinement");
-            progress.report(0, "Distributing the points");
+                return cancelledError(Message::marked("The refinement"));
+            progress.report(0, Message::marked("Distributing the points"));
         }
         if (siteOfPoint_[point] != noCell)
             continue;
@@ -358,9 +358,11 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
             return key.error();
         return ScatteredRefinementResult{space.siteCount(), space.tetrahedronCount(), *key};
     };
-    return guarded("Not enough memory to refine these points. Close other programs, use a machine with more memory, or "
-                   "take a part of the points.",
-                   refine);
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine these points. Close other programs, use a machine with more memory, or "
+            "take a part of the points."),
+        refine);
 }
 
 } // namespace tetra

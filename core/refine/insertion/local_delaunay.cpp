@@ -110,9 +110,11 @@ Status LocalDelaunay::prepare(const BlockDivision& division, const LatticeMetric
     hints_ = HintGrid(division, hintEdge);
     if (const Status started = vertexSet_.start(size); !started)
         return started;
-    if (const Status reserved = numbers_.reserve(mesh_.capacity(), "the vertices of the mesh's tetrahedra"); !reserved)
+    if (const Status reserved =
+            numbers_.reserve(mesh_.capacity(), Message::marked("the vertices of the mesh's tetrahedra"));
+        !reserved)
         return reserved;
-    return flags_.reserve(mesh_.capacity(), "the state of the mesh's tetrahedra");
+    return flags_.reserve(mesh_.capacity(), Message::marked("the state of the mesh's tetrahedra"));
 }
 
 void LocalDelaunay::dropMesh()

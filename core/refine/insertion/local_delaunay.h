@@ -70,7 +70,8 @@ public:
     {
         rowWords_ = (size[0] + 63) / 64;
         rows_ = size[1];
-        return words_.reserve(std::uint64_t(rowWords_) * size[1] * size[2], "the set of the mesh's points");
+        return words_.reserve(std::uint64_t(rowWords_) * size[1] * size[2],
+                              Message::marked("the set of the mesh's points"));
     }
     std::uint64_t& word(std::uint32_t x, std::uint32_t y, std::uint32_t z) noexcept { return row(y, z)[x / 64]; }
     bool has(std::uint32_t x, std::uint32_t y, std::uint32_t z) const noexcept

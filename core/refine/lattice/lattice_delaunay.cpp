@@ -41,7 +41,9 @@ Status LatticeDelaunay::prepare(const std::array<std::uint32_t, 3>& size, const 
     for (std::size_t axis = 0; axis < 3; ++axis)
         weights_[axis] = metric[axis];
     slotCapacity_ = std::min<std::uint64_t>(slots, 0x7ffffff0);
-    if (const Status status = tetrahedra_.ensure(slotCapacity_ + 1, "the tetrahedra of the refinement"); !status)
+    if (const Status status =
+            tetrahedra_.ensure(slotCapacity_ + 1, Message::marked("the tetrahedra of the refinement"));
+        !status)
         return status;
     if (Status status = star_.attach(lattice_); !status)
         return status;

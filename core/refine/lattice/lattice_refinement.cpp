@@ -115,9 +115,11 @@ Result<LatticeRefinementResult> LatticeRefiner::refine(const LatticeBoxOptions& 
                            whole ? samples : samples.copyBox(options.latticeSize, options.box, state_->boxSamples),
                            sink, progress);
     };
-    return guarded("Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or "
-                   "crop or subsample the data.",
-                   refineBox);
+    return guarded(
+        Message::marked(
+            "Not enough memory to refine this lattice. Close other programs, use a machine with more memory, or "
+            "crop or subsample the data."),
+        refineBox);
 }
 
 Result<LatticeRefinementResult> refineLattice(const LatticeRefinementOptions& options, const LatticeSamples& samples,
@@ -142,7 +144,7 @@ Result<LatticeRefinementResult> LatticeRefiner::State::run(const LatticeBoxOptio
     options_ = options;
     samples_ = &samples;
     sink_ = &sink;
-    progress.report(0, "Distributing the points");
+    progress.report(0, Message::marked("Distributing the points"));
     if (Status status = start(); !status)
         return status.error();
     const Result<float> key = refineWorstFirst(*this, options.stopError, sink, progress);
@@ -215,9 +217,11 @@ Status LatticeRefiner::State::start()
     const std::uint64_t pointCount = std::uint64_t(size[0]) * size[1] * size[2];
     if (Status status = pool_.reserve(pointCount); !status)
         return status;
-    if (Status status = buckets_.ensure(pointCount, "the lists of the refinement's points"); !status)
+    if (Status status = buckets_.ensure(pointCount, Message::marked("the lists of the refinement's points")); !status)
         return status;
-    if (Status status = slots_.ensure(delaunay_.capacity(), "the state of the refinement's tetrahedra"); !status)
+    if (Status status =
+            slots_.ensure(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra"));
+        !status)
         return status;
     if (Status status = distributeStart(); !status)
         return status;

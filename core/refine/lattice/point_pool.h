@@ -38,7 +38,8 @@ public:
             return status;
         freeBlocks_.clear();
         used_ = nowhere + minimumBlock;
-        return storage_.ensure(2 * points + std::uint64_t{64} * minimumBlock, "the points of the refinement");
+        return storage_.ensure(2 * points + std::uint64_t{64} * minimumBlock,
+                               Message::marked("the points of the refinement"));
     }
 
     /// The place of a block for `count` points, at least one and at most 2^31.

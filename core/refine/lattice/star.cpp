@@ -89,7 +89,8 @@ Status Star::attach(const PackedLattice& lattice)
     linkStart_ += linkCount_;
     linkCount_ = 0;
     const auto& size = lattice.size();
-    return marks_.ensure(std::uint64_t(size[0]) * size[1] * size[2], "the marks of the refinement's points");
+    return marks_.ensure(std::uint64_t(size[0]) * size[1] * size[2],
+                         Message::marked("the marks of the refinement's points"));
 }
 
 /// Finds the distinct vertices of the faces. Without a branch on whether one is new, which nobody could predict.

@@ -67,7 +67,7 @@ struct SceneVolumes {
     const FocusVolume* focus = nullptr; ///< the blend
 };
 
-constexpr std::string_view drawingParts = "Drawing the picture";
+constexpr MarkedText drawingParts = Message::marked("Drawing the picture");
 
 class Stopwatch {
 public:
@@ -335,7 +335,7 @@ private:
         const std::vector<SampleRectangle> parts = picturePartsOf(width, height, tileSideFor(samples));
         Picture picture = emptyPicture(options, progress);
         if (progress.cancelled())
-            return cancelledError("Drawing the picture");
+            return cancelledError(Message::marked("Drawing the picture"));
         RenderStatistics statistics;
         const SceneVolumes volumes{volumeOf(scene), focusOf(scene)};
         statistics.orderReused = volumes.volume != nullptr; // until a part needs a new one

@@ -22,7 +22,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view drawingScene = "Drawing the picture";
+constexpr MarkedText drawingScene = Message::marked("Drawing the picture");
 
 /// Behind this opacity nothing changes an 8-bit channel; half floats cannot tell much more from 1.
 constexpr float saturatedOpacity = 1 - 1.0f / 1024;

@@ -94,7 +94,7 @@ void setVolumePart(const GlProgram& program, const VolumePart& part)
     program.set("borderShares", part.shares);
 }
 
-constexpr std::string_view drawingVolume = "Drawing the volume";
+constexpr MarkedText drawingVolume = Message::marked("Drawing the volume");
 constexpr int verticesPerCell = 12;
 /// How often in a picture the samples that nothing can be added to are marked: a pass over all samples each.
 constexpr std::size_t marks = 16;

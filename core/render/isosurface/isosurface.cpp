@@ -58,7 +58,7 @@ IsosurfaceIndex makeIsosurfaceIndex(const TetrahedralMesh& mesh)
 
 namespace {
 
-constexpr std::string_view extractingIsosurface = "Extracting the isosurface";
+constexpr MarkedText extractingIsosurface = Message::marked("Extracting the isosurface");
 
 TETRA_SIMD_INLINE void renumberTriangles(const Triangle* triangles, std::size_t count, const std::uint32_t* numbers,
                                          Triangle* renumbered)
@@ -136,7 +136,8 @@ Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const Isosurfac
 {
     if (Status status = checkArguments(mesh, index, gradients, isovalue); !status)
         return status.error();
-    return guarded("Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh.",
+    return guarded(Message::marked(
+                       "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."),
                    [&] { return extract(mesh, index, gradients, isovalue, progress); });
 }
 

@@ -17,7 +17,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view extractingIsosurfaces = "Extracting isosurfaces";
+constexpr MarkedText extractingIsosurfaces = Message::marked("Extracting isosurfaces");
 
 bool isShown(const Isovalue& isovalue)
 {
@@ -115,8 +115,9 @@ Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> i
                     {surfaces_.at(isovalue.value), {isovalue.red, isovalue.green, isovalue.blue}, isovalue.opacity});
         return surfaces;
     };
-    return guarded("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.",
-                   shown);
+    return guarded(
+        Message::marked("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh."),
+        shown);
 }
 
 Result<std::vector<Drawable>> IsosurfaceCache::drawables(std::span<const Isovalue> isovalues, const Progress& progress)

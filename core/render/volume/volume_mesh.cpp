@@ -146,8 +146,8 @@ bool hasConvexBoundary(const TetrahedralMesh& mesh, const FaceAdjacency& adjacen
 
 namespace {
 
-constexpr const char* noMemoryForVolume =
-    "Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.";
+constexpr MarkedText noMemoryForVolume = Message::marked(
+    "Not enough memory to draw this mesh as a volume. Close other programs or lower the accuracy of the mesh.");
 
 Status checkCells(const TetrahedralMesh& mesh)
 {
@@ -279,7 +279,7 @@ Eigen::AlignedBox3d drawnBounds(const Scene& scene)
 
 namespace {
 
-constexpr std::string_view preparingVolume = "Preparing the volume";
+constexpr MarkedText preparingVolume = Message::marked("Preparing the volume");
 
 } // namespace
 

@@ -24,8 +24,8 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view renderingVolume = "Drawing the volume";
-constexpr std::string_view ordering = "Ordering the tetrahedra";
+constexpr MarkedText renderingVolume = Message::marked("Drawing the volume");
+constexpr MarkedText ordering = Message::marked("Ordering the tetrahedra");
 
 Status checkSize(const VolumeOptions& options)
 {

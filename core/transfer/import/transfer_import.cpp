@@ -45,7 +45,7 @@ Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view t
         const Result<JsonValue> root = parseJson(text);
         if (!root)
             return Error{ErrorKind::BadInput,
-                         Message::say("The transfer function cannot be read. %1", root.error().text())};
+                         Message::say("The transfer function cannot be read. %1", root.error().message)};
         if (root->find("format") != nullptr) {
             Result<TransferFunction> function = transferFunctionFromJson(*root);
             if (!function)

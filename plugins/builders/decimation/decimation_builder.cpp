@@ -10,17 +10,18 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view exact = "exact", paper = "paper", rounds = "rounds";
+constexpr std::string_view exact = Message::marked("exact"), paper = Message::marked("paper"),
+                           rounds = Message::marked("rounds");
 
 Parameter orderParameter()
 {
     Parameter order;
     order.id = "order";
-    order.label = "Order";
-    order.explanation =
+    order.label = Message::marked("Order");
+    order.explanation = Message::marked(
         "Which point goes next: 'exact' takes the one whose loss does the least harm, for the fewest points; 'paper' "
         "estimates that by gradients and planes, as the paper did; 'rounds' takes many points at a time that do not "
-        "touch, so that a focus region needs the least besides.";
+        "touch, so that a focus region needs the least besides.");
     order.defaultValue = std::string(exact);
     order.choices = {std::string(exact), std::string(paper), std::string(rounds)};
     return order;
@@ -33,17 +34,19 @@ DecimationOrder orderOf(const std::string& name)
     return name == rounds ? DecimationOrder::IndependentRounds : DecimationOrder::ExactError;
 }
 
-std::string reasonFor(const Dataset& dataset)
+Message reasonFor(const Dataset& dataset)
 {
     switch (dataset.domain) {
-    case DomainClass::Irregular: return "An irregular mesh: decimation keeps its shape and its cavities.";
+    case DomainClass::Irregular: return Message::say("An irregular mesh: decimation keeps its shape and its cavities.");
     case DomainClass::Curvilinear:
-        return "A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.";
+        return Message::say(
+            "A curvilinear grid: decimation takes fewer points for the same accuracy, but more time and memory.");
     case DomainClass::RegularLattice:
-        return "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.";
+        return Message::say(
+            "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.");
     case DomainClass::Scattered: break;
     }
-    return "";
+    return {};
 }
 
 /// Of a grid as many as if it had a cell for each point.
@@ -82,18 +85,18 @@ BuildEstimate estimateDecimation(const BuildSize& size, double finest)
 Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkDecimation(dataset); !possible)
-        return {0, possible.error().text()};
+        return {0, possible.error().message};
     return {dataset.domain == DomainClass::Irregular ? 1.0 : 0.5, reasonFor(dataset)};
 }
 
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
-    return {errorThresholdParameter("The error at which to stop; 0 goes on to the coarsest mesh."),
+    return {errorThresholdParameter(Message::marked("The error at which to stop; 0 goes on to the coarsest mesh.")),
             warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
-            thresholdParameter("finest", "Finest error",
-                               "Leaves meshes of smaller errors out of the model, so that it is smaller; 0 keeps "
-                               "everything.",
-                               "% of the value range"),
+            thresholdParameter("finest", Message::marked("Finest error"),
+                               Message::marked("Leaves meshes of smaller errors out of the model, so that it is "
+                                               "smaller; 0 keeps everything."),
+                               Message::marked("% of the value range")),
             orderParameter(), weightsParameter()};
 }
 

@@ -14,17 +14,18 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view normalised = "normalised";
-constexpr std::string_view paper = "paper";
+constexpr std::string_view normalised = Message::marked("normalised");
+constexpr std::string_view paper = Message::marked("paper");
 
 Parameter selectionParameter()
 {
     Parameter selection;
     selection.id = "selection";
-    selection.label = "Selection";
-    selection.explanation = "For curvilinear data: 'normalised' takes the point that is farthest off in error or "
-                            "warping; 'paper' compares the two in the units of the data, as the paper did, to "
-                            "compare with it. Both keep cells from turning over.";
+    selection.label = Message::marked("Selection");
+    selection.explanation =
+        Message::marked("For curvilinear data: 'normalised' takes the point that is farthest off in error or "
+                        "warping; 'paper' compares the two in the units of the data, as the paper did, to "
+                        "compare with it. Both keep cells from turning over.");
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
     selection.onlyWith = {domainId, {std::string(domainClassName(DomainClass::Curvilinear))}};
@@ -35,14 +36,14 @@ Parameter blockParameter()
 {
     Parameter block;
     block.id = "block";
-    block.label = "Block";
-    block.explanation =
+    block.label = Message::marked("Block");
+    block.explanation = Message::marked(
         "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
         "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a "
-        "curvilinear grid are refined together, all in memory.";
-    block.unit = "cells";
+        "curvilinear grid are refined together, all in memory.");
+    block.unit = Message::marked("cells");
     block.defaultValue = std::string("automatic");
-    block.words = {"automatic", "none"};
+    block.words = {Message::marked("automatic"), Message::marked("none")};
     block.onlyWith.id = domainId;
     for (const DomainClass domain : {DomainClass::RegularLattice, DomainClass::Curvilinear})
         block.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
@@ -66,17 +67,17 @@ Result<std::optional<std::uint32_t>> blockOf(const std::string& text)
     return cells;
 }
 
-std::string reasonFor(DomainClass domain)
+Message reasonFor(DomainClass domain)
 {
     switch (domain) {
     case DomainClass::RegularLattice:
-        return "A regular lattice: refinement keeps the exact domain and needs the least time.";
+        return Message::say("A regular lattice: refinement keeps the exact domain and needs the least time.");
     case DomainClass::Curvilinear:
-        return "A curvilinear grid: refinement in computational space bounds both error and warping.";
-    case DomainClass::Scattered: return "Scattered points: refinement fills their convex hull.";
+        return Message::say("A curvilinear grid: refinement in computational space bounds both error and warping.");
+    case DomainClass::Scattered: return Message::say("Scattered points: refinement fills their convex hull.");
     case DomainClass::Irregular: break;
     }
-    return "";
+    return {};
 }
 
 /// What a build of one kind takes, measured (docs/performance.md, "Estimates").
@@ -137,14 +138,14 @@ BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlo
 Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkRefinement(dataset); !possible)
-        return {0, possible.error().text()};
+        return {0, possible.error().message};
     return {1, reasonFor(dataset.domain)};
 }
 
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
-    return {errorThresholdParameter(
-                "The error at which to stop; 0 keeps everything, so that any accuracy can be shown later."),
+    return {errorThresholdParameter(Message::marked(
+                "The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.")),
             warpingThresholdParameter({DomainClass::Curvilinear}), blockParameter(), selectionParameter(),
             weightsParameter()};
 }

@@ -79,9 +79,10 @@ void TransferPanel::addValueAxes(QMenu& menu)
 void TransferPanel::setValueAxis(ValueAxis axis)
 {
     if (!hasPlaces(state_.limits(), axis))
-        host_.tell(tr("The axis of values stays linear: a logarithmic one has no place for zero and less, and the data "
-                      "or the points begin at %1. Move the points above zero, or choose data of positive values.")
-                       .arg(QLocale().toString(state_.limits().least, 'g', 6)));
+        host_.tell(Message::say("The axis of values stays linear: a logarithmic one has no place for zero and less, "
+                                "and the data or the points begin at %1. Move the points above zero, or choose data "
+                                "of positive values.",
+                                QLocale().toString(state_.limits().least, 'g', 6).toStdString()));
     EditorView view = state_.view();
     view.valueAxis = hasPlaces(state_.limits(), axis) ? axis : ValueAxis::Linear;
     state_.setView(view);

@@ -10,10 +10,6 @@
 namespace tetra {
 namespace {
 
-class PointClipboard {
-    Q_DECLARE_TR_FUNCTIONS(PointClipboard)
-};
-
 constexpr double duplicateDistance = 0.05; ///< of what is seen
 
 } // namespace
@@ -31,9 +27,9 @@ void pastePoints(EditorState& state, std::optional<double> at)
     if (const auto edited = pasted(state.joinedFunction(), text, at, state.limits()))
         state.apply(*edited);
     else
-        state.host().tell(PointClipboard::tr("The clipboard holds no points of a transfer function. Copy some here or "
-                                             "in another window. %1")
-                              .arg(QString::fromStdString(edited.error().text())));
+        state.host().tell(Message::say("The clipboard holds no points of a transfer function. Copy some here or in "
+                                       "another window. %1",
+                                       edited.error().message));
 }
 
 void duplicatePoints(EditorState& state)

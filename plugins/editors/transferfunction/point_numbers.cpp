@@ -41,15 +41,15 @@ void PointNumbers::nameControls()
 {
     value_->setObjectName("transfer.value");
     value_->setAccessibleName(tr("Value"));
-    value_->setToolTip(tr("Value of what is selected, in the units of the data; selected points move together"));
+    value_->setToolTip(tr("Value of the selection, in data units; selected points move together"));
     opacity_->setObjectName("transfer.opacity");
     opacity_->setAccessibleName(tr("Opacity"));
-    opacity_->setToolTip(tr("Opacity of the selected points, in percent of the light that a unit distance takes away"));
+    opacity_->setToolTip(tr("Opacity of the selected points: percent of the light absorbed per unit distance"));
     opacity_->setValueRange(0, 100);
     opacity_->setDecimals(2);
     opacity_->setSuffix(tr(" %"));
     colour_->setObjectName("transfer.colour");
-    colour_->setToolTip(tr("Colour of what is selected"));
+    colour_->setToolTip(tr("Colour of the selection"));
     unitDistance_->setObjectName("transfer.unitDistance");
     unitDistance_->setAccessibleName(tr("Unit distance"));
     unitDistance_->setToolTip(tr("The thickness, in the units of the data, that a layer must have for the opacities to "

@@ -40,7 +40,7 @@ PresetPopup::PresetPopup(EditorState& state, QWidget* parent)
     search_->setClearButtonEnabled(true);
     search_->installEventFilter(this);
     part_->setObjectName("transfer.presetPopup.part");
-    part_->setAccessibleName(tr("What to take of a preset"));
+    part_->setAccessibleName(tr("Parts of a preset to apply"));
     part_->setToolTip(part_->accessibleName());
     part_->addItems({tr("Colours and opacities"), tr("Colours alone"), tr("Opacities alone")});
     list_->setObjectName("transfer.presetPopup.list");
@@ -82,7 +82,7 @@ void PresetPopup::readOwn(const std::function<Status()>& change)
             this,
             [this, changed, presets = ownPresets(), number] {
                 if (!changed)
-                    state_.host().tell(QString::fromStdString(changed.error().text()));
+                    state_.host().tell(changed.error().message);
                 if (number != newest_)
                     return;
                 own_ = presets;

@@ -70,19 +70,18 @@ void TransferPanel::nameControls()
     name(step_, "step", {},
          tr("Give the point two sides: what lies below its value ends there, and what lies above begins"));
     name(add_, "add", {}, tr("Add a point after the selected one, or click on the curve, or double click in the plot"));
-    name(remove_, "remove", {}, tr("Remove what is selected (Del)"));
+    name(remove_, "remove", {}, tr("Remove the selection (Del)"));
     name(logarithmic_, "logarithmic", {},
          tr("Show how often values occur on a logarithmic scale, so that rare ones are seen"));
     name(presets_, "presets", tr("Presets"), tr("Transfer-function presets"));
     name(edits_, "edits", tr("Change"), tr("Change the selected points, or all"));
     name(view_, "view", tr("View"), tr("How the plot is shown"));
-    name(mask_, "mask", tr("Mask"), tr("Show some values only: between two lines that can be dragged"));
-    name(showTable_, "table.show", tr("Table"), tr("Show all points in a table to be edited"));
-    name(load_, "load", tr("Load…"),
-         tr("Take a transfer function from a file: one of TAn or presets of ParaView (JSON or XML)"));
+    name(mask_, "mask", tr("Mask"), tr("Show only the values between two draggable lines"));
+    name(showTable_, "table.show", tr("Table"), tr("Edit all points in a table"));
+    name(load_, "load", tr("Load…"), tr("Load a transfer function: one of TAn or presets of ParaView (JSON or XML)"));
     name(save_, "save", tr("Save…"), tr("Save the transfer function as a JSON file, which “tan render” takes, too"));
     add_->setAccessibleName(tr("Add a point"));
-    remove_->setAccessibleName(tr("Remove what is selected"));
+    remove_->setAccessibleName(tr("Remove the selection"));
     readOut_->setTextFormat(Qt::RichText);
     readOut_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     mask_->setCheckable(true);

@@ -38,7 +38,7 @@ Result<Value> withFile(const std::filesystem::path& path, Vtu&& vtu, Ucd&& ucd)
 
 std::vector<std::string> CellsReader::nameFilters() const
 {
-    return {"VTK unstructured grid (*.vtu)", "AVS UCD mesh (*.inp)"};
+    return {Message::marked("VTK unstructured grid (*.vtu)"), Message::marked("AVS UCD mesh (*.inp)")};
 }
 
 double CellsReader::score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const
@@ -54,14 +54,15 @@ std::vector<Parameter> CellsReader::parameters() const
 {
     Parameter array;
     array.id = "array";
-    array.label = "Array";
-    array.explanation = "The array whose values to take, of points or of cells; nothing takes the one the file calls "
-                        "active, else the first.";
+    array.label = Message::marked("Array");
+    array.explanation =
+        Message::marked("The array whose values to take, of points or of cells; nothing takes the one the file calls "
+                        "active, else the first.");
     array.defaultValue = std::string();
     Parameter component;
     component.id = "component";
-    component.label = "Component";
-    component.explanation = "Of arrays with several components: magnitude, or a number from 0.";
+    component.label = Message::marked("Component");
+    component.explanation = Message::marked("Of arrays with several components: magnitude, or a number from 0.");
     component.defaultValue = std::string("magnitude");
     return {array, component};
 }

@@ -9,7 +9,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view readingUcd = "Reading";
+constexpr MarkedText readingUcd = Message::marked("Reading");
 
 std::string_view nextWord(std::string_view& line)
 {
@@ -100,7 +100,7 @@ public:
         numbers_.reserve(counts_.points);
         for (std::uint64_t point = 0; point < counts_.points; ++point) {
             std::string_view line;
-            if (const Status status = step(line, "points", point, counts_.points); !status)
+            if (const Status status = step(line, Message::marked("points"), point, counts_.points); !status)
                 return status;
             const auto number = parseNumber<std::int64_t>(nextWord(line));
             Eigen::Vector3d position;
@@ -124,7 +124,7 @@ public:
         complex.offsets = {0};
         for (std::uint64_t cell = 0; cell < counts_.cells; ++cell) {
             std::string_view line;
-            if (const Status status = step(line, "cells", cell, counts_.cells); !status)
+            if (const Status status = step(line, Message::marked("cells"), cell, counts_.cells); !status)
                 return status;
             const auto number = parseNumber<std::int64_t>(nextWord(line));
             std::string_view name = nextWord(line);
@@ -184,7 +184,7 @@ public:
         values.assign(count, std::numeric_limits<double>::quiet_NaN());
         for (std::uint64_t item = 0; item < count; ++item) {
             std::string_view line;
-            if (const Status status = step(line, "values", item, count); !status)
+            if (const Status status = step(line, Message::marked("values"), item, count); !status)
                 return status;
             const auto number = parseNumber<std::int64_t>(nextWord(line));
             const auto place = number ? numbers.find(*number) : numbers.end();
@@ -222,7 +222,7 @@ private:
         return {ErrorKind::BadInput, Message::say("line %1: %2.", lines_.number(), what)};
     }
 
-    Status step(std::string_view& line, std::string_view what, std::uint64_t done, std::uint64_t count)
+    Status step(std::string_view& line, MarkedText what, std::uint64_t done, std::uint64_t count)
     {
         constexpr std::uint64_t linesBetweenReports = 1 << 15;
         if (done % linesBetweenReports == 0) {

@@ -11,7 +11,7 @@ namespace tetra {
 
 namespace {
 
-constexpr std::string_view readingVtu = "Reading";
+constexpr MarkedText readingVtu = Message::marked("Reading");
 constexpr std::string_view ghostName = "vtkGhostType";
 
 CellShape shapeOf(std::uint64_t vtkType)

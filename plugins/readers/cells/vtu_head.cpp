@@ -9,7 +9,7 @@ namespace tetra {
 
 namespace {
 
-Error bad(std::string text)
+Error bad(Message text)
 {
     return {ErrorKind::BadInput, std::move(text)};
 }
@@ -29,7 +29,7 @@ public:
     {
         const auto first = tags_.next();
         if (!first || first->name != "VTKFile")
-            return bad("it does not begin with <VTKFile>, so it is no VTK XML file.");
+            return bad(Message::say("it does not begin with <VTKFile>, so it is no VTK XML file."));
         if (const Status status = fileTag(*first); !status)
             return status.error();
         while (const auto tag = tags_.next()) {
@@ -42,7 +42,7 @@ public:
                 return status.error();
         }
         if (tags_.broken())
-            return bad("its XML is damaged or cut short.");
+            return bad(Message::say("its XML is damaged or cut short."));
         return finish();
     }
 
@@ -50,15 +50,15 @@ private:
     Status fileTag(const XmlTag& tag)
     {
         if (tag.attribute("type") != "UnstructuredGrid")
-            return bad("it holds a " + printable(tag.attribute("type")) +
-                       ", not an UnstructuredGrid. The VTK plugin reads those.");
+            return bad(Message::say("it holds a %1, not an UnstructuredGrid. The VTK plugin reads those.",
+                                    printable(tag.attribute("type"))));
         head_.bigEndian = tag.attribute("byte_order") == "BigEndian";
         head_.wideHeaders = tag.attribute("header_type") == "UInt64";
         const std::string compressor = tag.attribute("compressor");
         head_.packed = compressor == "vtkZLibDataCompressor";
         if (!compressor.empty() && !head_.packed)
-            return bad("it is packed by " + printable(compressor) +
-                       ", which the VTK plugin unpacks; zlib is read without it.");
+            return bad(Message::say("it is packed by %1, which the VTK plugin unpacks; zlib is read without it.",
+                                    printable(compressor)));
         return {};
     }
 
@@ -85,7 +85,7 @@ private:
     {
         const auto points = numberOf(tag, "NumberOfPoints"), cells = numberOf(tag, "NumberOfCells");
         if (!points || !cells)
-            return bad("a piece does not say how many points and cells it has.");
+            return bad(Message::say("a piece does not say how many points and cells it has."));
         head_.pieces.push_back({.points = *points,
                                 .cells = *cells,
                                 .pointArrays = {},
@@ -111,16 +111,16 @@ private:
         if (array.components == 0)
             array.components = 1;
         if (array.components < 1 || array.components > mostComponents)
-            return bad("the array '" + printable(array.name) + "' has " + printable(components) + " components.");
+            return bad(Message::say("the array '%1' has %2 components.", printable(array.name), printable(components)));
         if (array.format == "appended") {
             const auto offset = numberOf(tag, "offset");
             if (!offset)
-                return bad("the array '" + printable(array.name) + "' does not say where it is.");
+                return bad(Message::say("the array '%1' does not say where it is.", printable(array.name)));
             offset_ = *offset;
         } else {
             const std::size_t end = bytes_.find('<', tag.end);
             if (end == std::string_view::npos && !tag.closes)
-                return bad("the array '" + printable(array.name) + "' does not end.");
+                return bad(Message::say("the array '%1' does not end.", printable(array.name)));
             array.content = tag.closes ? std::string_view() : bytes_.substr(tag.end, end - tag.end);
         }
         place(std::move(array));
@@ -156,7 +156,7 @@ private:
         head_.appendedBase64 = tag.attribute("encoding") == "base64";
         const std::size_t mark = bytes_.find('_', tag.end);
         if (mark == std::string_view::npos)
-            return bad("its appended data do not begin.");
+            return bad(Message::say("its appended data do not begin."));
         const std::string_view data = bytes_.substr(mark + 1);
         for (auto& [piece, name, inside, offset] : appendedOffsets_)
             if (VtuArray* array = find(head_.pieces[piece], name, inside))
@@ -184,13 +184,13 @@ private:
     Result<VtuHead> finish()
     {
         if (head_.pieces.empty())
-            return bad("it has no piece with points and cells.");
+            return bad(Message::say("it has no piece with points and cells."));
         for (const VtuPiece& piece : head_.pieces)
             for (const auto& [array, name] :
                  {std::pair(&piece.positions, "Points"), std::pair(&piece.connectivity, "connectivity"),
                   std::pair(&piece.offsets, "offsets"), std::pair(&piece.types, "types")})
                 if (piece.cells > 0 && array->type.empty())
-                    return bad("a piece has no array '" + std::string(name) + "'.");
+                    return bad(Message::say("a piece has no array '%1'.", name));
         return std::move(head_);
     }
 

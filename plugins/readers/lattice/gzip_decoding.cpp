@@ -58,7 +58,7 @@ private:
             return Error{ErrorKind::OutOfResource,
                          Message::say("Not enough memory to unpack gzip data. Close other programs.")};
         if (code != Z_OK && code != Z_BUF_ERROR)
-            return damaged(state_.msg != nullptr ? state_.msg : "error " + std::to_string(code));
+            return damaged(state_.msg != nullptr ? Message(state_.msg) : Message(code));
         if (rest_.empty() && state_.avail_out == room)
             return damaged(Message::say("they are cut short"));
         return {};
@@ -101,7 +101,7 @@ Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::sp
     const std::uint64_t total = skip + content.size();
     for (std::uint64_t done = 0; done < total;) {
         if (progress.cancelled())
-            return cancelledError("Reading");
+            return cancelledError(Message::marked("Reading"));
         const std::span<std::byte> piece = done < skip
                                                ? std::span(skipped).first(std::min(skip - done, pieceBytes))
                                                : content.subspan(done - skip, std::min(total - done, pieceBytes));
@@ -111,7 +111,7 @@ Status unpackGzip(std::span<const std::byte> packed, std::uint64_t skip, std::sp
         done += *read;
         if (*read < piece.size())
             return wrongSize(total, done, false);
-        progress.report(static_cast<double>(done) / static_cast<double>(total), "Reading");
+        progress.report(static_cast<double>(done) / static_cast<double>(total), Message::marked("Reading"));
     }
     std::byte beyond{};
     const Result<std::size_t> more = stream.read({&beyond, 1});

@@ -124,7 +124,7 @@ Result<Dataset> readDataset(const fs::path& path, const VolumeFile& volume, cons
     dataset.source = {path.filename().string(), path, 0};
     if (isWithin(values->bytes(), content))
         dataset.mappedFile = volume.file;
-    progress.report(1, "Reading");
+    progress.report(1, Message::marked("Reading"));
     return dataset;
 }
 
@@ -156,7 +156,8 @@ Result<FileContents> contentsOf(const fs::path& path, const VolumeFile& volume)
 
 std::vector<std::string> LatticeReader::nameFilters() const
 {
-    return {"NRRD volume (*.nrrd *.nhdr)", "Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)"};
+    return {Message::marked("NRRD volume (*.nrrd *.nhdr)"),
+            Message::marked("Raw volume (*.raw *.bin *.binary *.dat *.img *.vol)")};
 }
 
 double LatticeReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const

@@ -37,11 +37,12 @@ Status copyRawSamples(std::span<const std::byte> encoded, SampleType type, std::
     constexpr std::size_t pieceBytes = std::size_t(4) << 20;
     for (std::size_t done = 0; done < samples.size(); done += pieceBytes) {
         if (progress.cancelled())
-            return cancelledError("Reading");
+            return cancelledError(Message::marked("Reading"));
         const auto piece = samples.subspan(done, std::min(pieceBytes, samples.size() - done));
         std::memcpy(piece.data(), encoded.data() + done, piece.size());
         toNativeOrder(piece, type, order);
-        progress.report(static_cast<double>(done + piece.size()) / static_cast<double>(samples.size()), "Reading");
+        progress.report(static_cast<double>(done + piece.size()) / static_cast<double>(samples.size()),
+                        Message::marked("Reading"));
     }
     return {};
 }

@@ -10,7 +10,7 @@ namespace tetra {
 
 namespace {
 
-Error wrongUsage(const std::string& text)
+Error wrongUsage(const Message& text)
 {
     return {ErrorKind::WrongUsage, text};
 }
@@ -27,8 +27,9 @@ template <class Number> Result<std::array<Number, 3>> parseThree(const std::stri
         numbers[i] = number.value_or(Number{});
     }
     if (!understood)
-        return wrongUsage("the " + id + " '" + printable(text) +
-                          "' is not understood. Give three numbers, along x, y and z, as in 64x64x32.");
+        return wrongUsage(
+            Message::say("'%1' for '%2' is not understood. Give three numbers, along x, y and z, as in 64x64x32.",
+                         printable(text), id));
     return numbers;
 }
 
@@ -42,17 +43,18 @@ Result<Eigen::Vector3d> parsePlace(const std::string& id, const std::string& tex
 
 Error sizeIsMissing(std::string_view fileName, std::uint64_t fileBytes)
 {
-    std::string text = "it is raw data, whose " + std::to_string(fileBytes) +
-                       " bytes do not say how they are laid out. Describe them: size and type at least";
-    std::string_view separator = ", for example ";
+    Message examples;
     for (const RawGuess& guess : guessRawLayouts(fileName, fileBytes)) {
-        text += std::string(separator) + "--size " + std::to_string(guess.size[0]) + "x" +
-                std::to_string(guess.size[1]) + "x" + std::to_string(guess.size[2]) + " --type " +
-                std::string(sampleTypeName(guess.type));
-        separator = ", or ";
+        const std::string example = "--size " + std::to_string(guess.size[0]) + "x" + std::to_string(guess.size[1]) +
+                                    "x" + std::to_string(guess.size[2]) + " --type " +
+                                    std::string(sampleTypeName(guess.type));
+        examples = examples.empty() ? Message(example) : Message::say("%1, or %2", examples, example);
     }
-    const bool guessed = separator == ", or ";
-    return wrongUsage(text + (guessed ? "." : ", in the manner of --size 256x256x128 --type uint8."));
+    if (examples.empty())
+        examples = "--size 256x256x128 --type uint8";
+    return wrongUsage(Message::say("it is raw data, whose %1 bytes do not say how they are laid out. Describe them: "
+                                   "size and type at least, for example %2.",
+                                   fileBytes, examples));
 }
 
 Status parsePlacement(const std::vector<Parameter>& parameters, const ParameterValues& values, Lattice& lattice)
@@ -75,48 +77,48 @@ std::vector<Parameter> rawParameters()
     const std::string text;
     return {
         {"size",
-         "Size",
-         "Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128.",
-         "points",
+         Message::marked("Size"),
+         Message::marked("Raw files: the number of points along x (which runs fastest), y and z, as in 256x256x128."),
+         Message::marked("points"),
          text,
          0,
          0,
          {}},
         {"type",
-         "Type",
-         "Raw files: the type of a sample.",
+         Message::marked("Type"),
+         Message::marked("Raw files: the type of a sample."),
          "",
          std::string("uint8"),
          0,
          0,
          {"uint8", "int8", "uint16", "int16", "uint32", "int32", "float", "double"}},
         {"byte-order",
-         "Byte order",
-         "Raw files: little (PC) or big endian, for types of more than one byte.",
+         Message::marked("Byte order"),
+         Message::marked("Raw files: little (PC) or big endian, for types of more than one byte."),
          "",
          std::string("little"),
          0,
          0,
-         {"little", "big"}},
+         {Message::marked("little"), Message::marked("big")}},
         {"skip",
-         "Skip",
-         "Raw files: the length of a header before the samples.",
-         "bytes",
+         Message::marked("Skip"),
+         Message::marked("Raw files: the length of a header before the samples."),
+         Message::marked("bytes"),
          std::int64_t(0),
          0,
          1e15,
          {}},
         {"spacing",
-         "Spacing",
-         "Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5.",
+         Message::marked("Spacing"),
+         Message::marked("Raw files: the distance of neighbouring points along x, y and z, as in 1x1x2.5."),
          "",
          std::string("1x1x1"),
          0,
          0,
          {}},
         {"origin",
-         "Origin",
-         "Raw files: the position of the first point, as in 0,0,0.",
+         Message::marked("Origin"),
+         Message::marked("Raw files: the position of the first point, as in 0,0,0."),
          "",
          std::string("0,0,0"),
          0,
@@ -136,7 +138,7 @@ Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view f
     const auto text = [&](const std::string& id) { return parameterValue<std::string>(parameters, values, id); };
     const auto skip = parameterValue<std::int64_t>(parameters, values, "skip");
     if (skip < 0)
-        return wrongUsage("the number of bytes to skip cannot be negative.");
+        return wrongUsage(Message::say("the number of bytes to skip cannot be negative."));
     SampleLayout layout;
     layout.skippedBytes = static_cast<std::uint64_t>(skip);
     if (!describesSize(values))
@@ -150,11 +152,11 @@ Result<SampleLayout> rawLayout(const ParameterValues& values, std::string_view f
         layout.lattice.size[axis] = static_cast<std::uint32_t>((*size)[axis]);
     const Result<SampleType> type = parseSampleType(text("type"));
     if (!type)
-        return wrongUsage(type.error().text());
+        return wrongUsage(type.error().message);
     layout.type = *type;
     const Result<std::endian> order = parseByteOrder(text("byte-order"));
     if (!order)
-        return wrongUsage(order.error().text());
+        return wrongUsage(order.error().message);
     layout.order = *order;
     if (const Status placed = parsePlacement(parameters, values, layout.lattice); !placed)
         return placed.error();

@@ -19,14 +19,14 @@ std::string_view sampleText(std::span<const std::byte> bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::string described(const SampleLayout& layout)
+Message described(const SampleLayout& layout)
 {
     const auto& size = layout.lattice.size;
-    return sizeText({size[0], size[1], size[2]}) + " samples of type " + std::string(sampleTypeName(layout.type)) +
-           ", " + std::to_string(layout.sampleBytes()) + " bytes";
+    return Message::say("%1 samples of type %2, %3 bytes", sizeText({size[0], size[1], size[2]}),
+                        sampleTypeName(layout.type), layout.sampleBytes());
 }
 
-Error tooFew(const SampleLayout& layout, const std::string& found)
+Error tooFew(const SampleLayout& layout, const Message& found)
 {
     return {ErrorKind::BadInput, Message::say("it should hold %1, but there are only %2. It is cut short, or its "
                                               "description (sizes, type, bytes to skip) is wrong.",
@@ -53,7 +53,7 @@ Result<std::span<const std::byte>> rawBytes(std::span<const std::byte> data, con
     const std::uint64_t skipped = std::min<std::uint64_t>(layout.skippedBytes, data.size());
     const std::uint64_t found = data.size() - skipped;
     if (found < wanted)
-        return tooFew(layout, std::to_string(found) + " bytes");
+        return tooFew(layout, Message::say("%1 bytes", found));
     if (layout.atEndOfFile)
         return data.last(wanted);
     if (found > wanted)
@@ -72,7 +72,8 @@ Status checkEnough(std::span<const std::byte> data, const SampleLayout& layout)
         gzip ? largestUnpackedSize(data.size()) : (data.size() + 1) / 2 * sampleSize(layout.type);
     if (most >= layout.sampleBytes())
         return {};
-    return tooFew(layout, std::to_string(data.size()) + " bytes of " + (gzip ? "compressed data" : "text"));
+    return tooFew(layout, gzip ? Message::say("%1 bytes of compressed data", data.size())
+                               : Message::say("%1 bytes of text", data.size()));
 }
 
 Status decode(std::span<const std::byte> data, const SampleLayout& layout, std::span<std::byte> samples,

@@ -45,8 +45,9 @@ template <class T> Status readSamples(std::string_view text, std::span<T> sample
         samples[done++] = *sample;
         if (done % 65536 == 0) {
             if (progress.cancelled())
-                return cancelledError("Reading");
-            progress.report(static_cast<double>(done) / static_cast<double>(samples.size()), "Reading");
+                return cancelledError(Message::marked("Reading"));
+            progress.report(static_cast<double>(done) / static_cast<double>(samples.size()),
+                            Message::marked("Reading"));
         }
         first = text.find_first_not_of(separators, end);
     }

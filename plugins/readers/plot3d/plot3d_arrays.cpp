@@ -13,8 +13,16 @@ constexpr double specificHeats = 1.4; ///< their ratio, of a gas of molecules of
 
 /// In the order in which "automatic" tries them.
 constexpr std::array<std::string_view, 10> names = {
-    "density",    "pressure",   "energy",     "velocity_magnitude", "momentum_magnitude",
-    "momentum_x", "momentum_y", "momentum_z", "temperature",        "mach",
+    Message::marked("density"),
+    Message::marked("pressure"),
+    Message::marked("energy"),
+    Message::marked("velocity_magnitude"),
+    Message::marked("momentum_magnitude"),
+    Message::marked("momentum_x"),
+    Message::marked("momentum_y"),
+    Message::marked("momentum_z"),
+    Message::marked("temperature"),
+    Message::marked("mach"),
 };
 
 /// The five quantities of one point.
@@ -90,13 +98,14 @@ bool varies(const std::vector<double>& values)
 }
 
 /// Arrays that can be taken, for messages.
-std::string usableNames(const Quantities& quantities)
+Message usableNames(const Quantities& quantities)
 {
     std::string list;
     for (const std::string_view name : names)
         if (const auto values = evaluate(name, quantities); isFinite(values) && varies(values))
             list += (list.empty() ? "" : ", ") + std::string(name);
-    return list.empty() ? "No array of this solution varies." : "These can be taken: " + list + ".";
+    return list.empty() ? Message::say("No array of this solution varies.")
+                        : Message::say("These can be taken: %1.", list);
 }
 
 Status checkUsable(const Plot3dArray& array, const Quantities& quantities, const Plot3dFile& solution)

@@ -66,7 +66,7 @@ Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind
         return inPlot3dFile(path, Message::say("it is empty. Get or make the file again."));
     const auto layout = findPlot3dLayout(bytes, bytes.size(), kind);
     if (!layout)
-        return inPlot3dFile(path, layout.error().text());
+        return inPlot3dFile(path, layout.error().message);
     Plot3dFile file{*mapped, kind, *layout};
     if (file.layout.recordMarks && !allMarksFit(file))
         return inPlot3dFile(
@@ -113,8 +113,8 @@ Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t gr
     for (std::uint64_t point = 0; point < block.points; ++point) {
         if (point % pointsAtOnce == 0) {
             if (progress.cancelled())
-                return cancelledError("Reading");
-            progress.report(static_cast<double>(point) / static_cast<double>(block.points), "Reading");
+                return cancelledError(Message::marked("Reading"));
+            progress.report(static_cast<double>(point) / static_cast<double>(block.points), Message::marked("Reading"));
         }
         const std::byte* const place = first + point * realBytes;
         component[point] = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)

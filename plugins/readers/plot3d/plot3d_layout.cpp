@@ -172,9 +172,8 @@ Error explain(const std::vector<Candidate>& all, std::span<const std::byte> firs
     if (nearest == nullptr)
         return {ErrorKind::BadInput, Message::say("it is no binary PLOT3D file: it does not begin with the sizes of "
                                                   "its grids. Text files are not read.")};
-    const std::string wanted = "it begins like a grid of " + sizeText(nearest->layout.sizes[0]) +
-                               " points, which takes " + std::to_string(nearest->bytes) + " bytes or more, and has " +
-                               std::to_string(fileBytes);
+    const Message wanted = Message::say("it begins like a grid of %1 points, which takes %2 bytes or more, and has %3",
+                                        sizeText(nearest->layout.sizes[0]), nearest->bytes, fileBytes);
     if (nearest->bytes > fileBytes)
         return {ErrorKind::BadInput, Message::say("%1: it is cut short. Copy the file again.", wanted)};
     return {ErrorKind::BadInput, Message::say("%1, which fits no kind of PLOT3D file.", wanted)};

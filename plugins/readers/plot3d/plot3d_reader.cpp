@@ -137,8 +137,8 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     dataset.values = *values;
     dataset.source = {pair.grid.file->path().filename().string() + ", " + array->name, path, 0};
     if (const Status usable = checkGrid(dataset); !usable)
-        return inPlot3dFile(pair.grid.file->path(), usable.error().text());
-    progress.report(1, "Reading");
+        return inPlot3dFile(pair.grid.file->path(), usable.error().message);
+    progress.report(1, Message::marked("Reading"));
     return dataset;
 }
 
@@ -177,7 +177,7 @@ Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted)
 
 std::vector<std::string> Plot3dReader::nameFilters() const
 {
-    return {"PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)"};
+    return {Message::marked("PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)")};
 }
 
 double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
@@ -196,22 +196,24 @@ std::vector<Parameter> Plot3dReader::parameters() const
 {
     Parameter array;
     array.id = "array";
-    array.label = "Values";
-    array.explanation = "Which scalar of the solution: automatic takes the density, or if that is the same everywhere "
-                        "the first that varies.";
+    array.label = Message::marked("Values");
+    array.explanation =
+        Message::marked("Which scalar of the solution: automatic takes the density, or if that is the same everywhere "
+                        "the first that varies.");
     array.defaultValue = std::string("automatic");
-    array.choices = {"automatic"};
+    array.choices = {Message::marked("automatic")};
     for (const std::string_view name : plot3dArrayNames())
         array.choices.emplace_back(name);
     Parameter solution;
     solution.id = "solution";
-    solution.label = "Solution file";
-    solution.explanation = "The PLOT3D solution of the grid; without it the one beside it with a fitting name.";
+    solution.label = Message::marked("Solution file");
+    solution.explanation =
+        Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name.");
     solution.defaultValue = std::string();
     Parameter grid;
     grid.id = "grid";
-    grid.label = "Grid";
-    grid.explanation = "Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.";
+    grid.label = Message::marked("Grid");
+    grid.explanation = Message::marked("Which grid of a PLOT3D file that holds several, from 1; 0 takes the only one.");
     grid.defaultValue = std::int64_t(0);
     grid.minimum = 0;
     grid.maximum = 10000;

@@ -36,9 +36,9 @@ Result<Dataset> datasetOf(PointTable table, const std::filesystem::path& path)
     dataset->source.path = path;
     if (table.skippedRows > 0)
         dataset->remarks.insert(dataset->remarks.begin(),
-                                std::to_string(table.skippedRows) + (table.skippedRows == 1
-                                                                         ? " incomplete row was skipped."
-                                                                         : " incomplete rows were skipped."));
+                                table.skippedRows == 1
+                                    ? Message::say("1 incomplete row was skipped.")
+                                    : Message::say("%1 incomplete rows were skipped.", table.skippedRows));
     return dataset;
 }
 
@@ -53,7 +53,7 @@ PointTableRequest requestOf(const std::vector<Parameter>& parameters, const Para
 
 std::vector<std::string> PointReader::nameFilters() const
 {
-    return {"Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)"};
+    return {Message::marked("Table of points (*.csv *.tsv *.xyz *.pts *.txt *.asc)")};
 }
 
 double PointReader::score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const
@@ -73,19 +73,22 @@ std::vector<Parameter> PointReader::parameters() const
 {
     Parameter positions;
     positions.id = "positions";
-    positions.label = "Positions";
-    positions.explanation = "Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or "
-                            "1,2,3; 'automatic' takes those called x, y and z, else the first three.";
+    positions.label = Message::marked("Positions");
+    positions.explanation =
+        Message::marked("Tables of points: the columns of x, y and z, by name or number, as in lon,lat,depth or "
+                        "1,2,3; 'automatic' takes those called x, y and z, else the first three.");
     positions.defaultValue = std::string(automaticColumns);
     Parameter array;
     array.id = "array";
-    array.label = "Values";
-    array.explanation = "The values to take, by name or number; 'automatic' takes the first there are.";
+    array.label = Message::marked("Values");
+    array.explanation =
+        Message::marked("The values to take, by name or number; 'automatic' takes the first there are.");
     array.defaultValue = std::string(automaticColumns);
     Parameter skip;
     skip.id = "skip-incomplete";
-    skip.label = "Skip incomplete rows";
-    skip.explanation = "Tables of points: leave out rows that lack a number, instead of refusing the file.";
+    skip.label = Message::marked("Skip incomplete rows");
+    skip.explanation =
+        Message::marked("Tables of points: leave out rows that lack a number, instead of refusing the file.");
     skip.defaultValue = false;
     return {positions, array, skip};
 }
@@ -106,7 +109,7 @@ Result<Dataset> PointReader::read(const std::filesystem::path& path, const Param
         return Error{ErrorKind::OutOfResource,
                      Message::say("it has more than 4294967295 points. Take a part of them.")};
     auto dataset = datasetOf(std::move(*table), path);
-    progress.report(1, "Reading");
+    progress.report(1, Message::marked("Reading"));
     return dataset;
 }
 

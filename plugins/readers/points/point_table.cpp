@@ -16,9 +16,9 @@ namespace {
 /// So large coordinates have no volumes that fit a double, and so small ones none that differ from zero.
 constexpr double largestCoordinate = 1e90;
 
-std::string lineText(std::uint64_t number)
+Message lineText(std::uint64_t number)
 {
-    return "line " + std::to_string(number);
+    return Message::say("line %1", number);
 }
 
 /// What a message shows of a field.
@@ -126,14 +126,15 @@ Result<double> TableReading::number(std::size_t column) const
     const std::string_view field = fields_[column];
     if (const auto number = finiteNumber(field))
         return *number;
-    const std::string where = lineText(lines_.number()) + ", " + printable(columns_.names[column]) + ": ";
+    const Message line = lineText(lines_.number());
+    const std::string name = printable(columns_.names[column]);
     if (field.empty())
         return Error{ErrorKind::BadInput,
-                     Message::say("%1there is no number. Add it, or have incomplete rows skipped.", where)};
+                     Message::say("%1, %2: there is no number. Add it, or have incomplete rows skipped.", line, name)};
     if (field.find(',') != std::string_view::npos)
-        return Error{ErrorKind::BadInput,
-                     Message::say("%1%2 is not a number. Numbers need a decimal point.", where, shown(field))};
-    return Error{ErrorKind::BadInput, Message::say("%1%2 is not a finite number.", where, shown(field))};
+        return Error{ErrorKind::BadInput, Message::say("%1, %2: %3 is not a number. Numbers need a decimal point.",
+                                                       line, name, shown(field))};
+    return Error{ErrorKind::BadInput, Message::say("%1, %2: %3 is not a finite number.", line, name, shown(field))};
 }
 
 Status TableReading::addRow()
@@ -186,8 +187,9 @@ Result<PointTable> TableReading::run(const Progress& progress)
         table_.skippedRows += !added;
         if (lines_.number() % linesBetweenReports == 0) {
             if (progress.cancelled())
-                return cancelledError("Reading");
-            progress.report(static_cast<double>(lines_.position()) / static_cast<double>(text_.size()), "Reading");
+                return cancelledError(Message::marked("Reading"));
+            progress.report(static_cast<double>(lines_.position()) / static_cast<double>(text_.size()),
+                            Message::marked("Reading"));
         }
     }
     if (table_.values.empty())

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds betweenLooks{50}; ///< at whether it is to be cancelled
-constexpr auto install = "Install VTK with 'apt install libvtk9.1' (other systems: VTK 9).";
+constexpr MarkedText install = Message::marked("Install VTK with 'apt install libvtk9.1' (other systems: VTK 9).");
 
 Error cannotRead(const std::string& file, ErrorKind kind, const Message& reason)
 {
@@ -44,7 +44,7 @@ Error notEnoughToStart(const Message& reason)
 
 Error notStarted(const fs::path& helper, int systemError)
 {
-    const std::string reason = systemErrorText(systemError);
+    const Message reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
         return notEnoughToStart(reason);
     std::error_code ignored;
@@ -288,12 +288,12 @@ Error explainEnd(HelperProcess& process, const std::string& file)
     const std::string said = process.errors();
     if (const auto place = said.rfind(limitNote); place != std::string::npos)
         return cannotRead(file, ErrorKind::OutOfResource,
-                          firstLine(std::string_view(said).substr(place + limitNote.size())));
+                          limitMessage(firstLine(std::string_view(said).substr(place + limitNote.size()))));
     if (const auto error = loaderError(said))
         return *error;
     const int signal = status && WIFSIGNALED(*status) ? WTERMSIG(*status) : 0;
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
-        return cancelledError("Reading");
+        return cancelledError(Message::marked("Reading"));
     if (signal == SIGKILL)
         return cannotRead(file, ErrorKind::OutOfResource,
                           Message::say("the system ended VTK, which it does when memory runs out. Close other "
@@ -318,7 +318,7 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
             double fraction = 0;
             exchange(input, fraction);
             if (input.good())
-                progress.report(fraction, "Reading");
+                progress.report(fraction, Message::marked("Reading"));
         } else if (message == VtkMessage::Findings) {
             VtkFindings findings;
             exchange(input, findings);
@@ -336,7 +336,7 @@ Result<VtkAnswer> receive(HelperProcess& process, const std::string& file, const
         }
     }
     if (progress.cancelled())
-        return cancelledError("Reading");
+        return cancelledError(Message::marked("Reading"));
     if (output.wasIdle())
         return cannotRead(file, ErrorKind::OutOfResource,
                           Message::say("VTK has waited for its disk for minutes. See whether the disk answers, or copy "

@@ -16,11 +16,12 @@
 namespace tetra {
 namespace {
 
-/// What is said when a limit is met: made before, because then there is no memory or no time to make it.
+/// What is said when a limit is met, a word and a number that limitMessage() knows: made before, because then there is
+/// no memory or no time to make it.
 struct LastWords {
     int descriptor = STDERR_FILENO;
-    std::array<char, 512> memory{};
-    std::array<char, 512> time{};
+    std::array<char, 128> memory{};
+    std::array<char, 128> time{};
 };
 
 LastWords& lastWords()
@@ -29,15 +30,18 @@ LastWords& lastWords()
     return words;
 }
 
-void keep(std::array<char, 512>& place, const std::string& sentence)
+constexpr std::string_view addressSpaceWord = "space ", machineWord = "half ", memoryWord = "memory ",
+                           timeWord = "seconds ";
+
+void keep(std::array<char, 128>& place, std::string_view word, std::uint64_t number)
 {
-    const std::string text = std::string(limitNote) + sentence;
+    const std::string text = std::string(limitNote) + std::string(word) + std::to_string(number);
     place.fill(0);
     std::ranges::copy_n(text.begin(), static_cast<std::ptrdiff_t>(std::min(text.size(), place.size() - 1)),
                         place.begin());
 }
 
-void say(const std::array<char, 512>& words)
+void say(const std::array<char, 128>& words)
 {
     const std::size_t length = std::string_view(words.data()).size();
     [[maybe_unused]] const ssize_t written = write(lastWords().descriptor, words.data(), length);
@@ -80,20 +84,29 @@ std::uint64_t addressSpace()
     return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur : ~std::uint64_t(0);
 }
 
-std::string memorySentence(const WorkLimits& limits)
-{
-    if (const std::uint64_t space = addressSpace(); space <= limits.memory)
-        return "VTK needs more memory for it than the " + neededBytesText(space) +
-               " that programs may take here. Raise the limit (ulimit -v).";
-    const std::string start = "VTK needs more than " + neededBytesText(limits.memory) + " of memory for it, ";
-    return start +
-           (limits.isHalfOfMachine
-                ? "half of what this machine has. It is damaged, or too large for this machine: take a part of it."
-                : "which files of its size do not need. It is damaged; if not, write it in another format "
-                  "(.vtu, .vti).");
-}
-
 } // namespace
+
+Message limitMessage(std::string_view words)
+{
+    const auto numberBehind = [&](std::string_view word) {
+        return words.starts_with(word) ? parseNumber<std::uint64_t>(words.substr(word.size())) : std::nullopt;
+    };
+    if (const auto space = numberBehind(addressSpaceWord))
+        return Message::say("VTK needs more memory for it than the %1 that programs may take here. Raise the limit "
+                            "(ulimit -v).",
+                            neededBytesText(*space));
+    if (const auto half = numberBehind(machineWord))
+        return Message::say("VTK needs more than %1 of memory for it, half of what this machine has. It is damaged, or "
+                            "too large for this machine: take a part of it.",
+                            neededBytesText(*half));
+    if (const auto memory = numberBehind(memoryWord))
+        return Message::say("VTK needs more than %1 of memory for it, which files of its size do not need. It is "
+                            "damaged; if not, write it in another format (.vtu, .vti).",
+                            neededBytesText(*memory));
+    return Message::say("VTK needs more than %1 seconds of the processor for it, which files of its size do not need. "
+                        "It is damaged; if not, write it in another format (.vtu, .vti).",
+                        numberBehind(timeWord).value_or(0));
+}
 
 WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint64_t machineBytes)
 {
@@ -121,10 +134,11 @@ void limitThisProcess()
 
 void limitWork(const WorkLimits& limits)
 {
-    keep(lastWords().time, "VTK needs more than " + std::to_string(limits.seconds) +
-                               " seconds of the processor for it, which files of its size do not need. It is damaged; "
-                               "if not, write it in another format (.vtu, .vti).");
-    keep(lastWords().memory, memorySentence(limits));
+    keep(lastWords().time, timeWord, limits.seconds);
+    if (const std::uint64_t space = addressSpace(); space <= limits.memory)
+        keep(lastWords().memory, addressSpaceWord, space);
+    else
+        keep(lastWords().memory, limits.isHalfOfMachine ? machineWord : memoryWord, limits.memory);
     struct sigaction action {};
     action.sa_handler = endOfTime;
     sigaction(SIGXCPU, &action, nullptr);
@@ -139,7 +153,7 @@ void limitWork(const WorkLimits& limits)
 
 Error memoryLimitMet()
 {
-    return {ErrorKind::OutOfResource, std::string(lastWords().memory.data() + limitNote.size())};
+    return {ErrorKind::OutOfResource, limitMessage(lastWords().memory.data() + limitNote.size())};
 }
 
 int takeStandardOutput()

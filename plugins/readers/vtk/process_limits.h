@@ -24,8 +24,8 @@ WorkLimits limitsFor(std::uint64_t bytes, std::uint64_t unpackedBytes, std::uint
 /// limitWork() sets others. Call first.
 void limitThisProcess();
 
-/// From now on this process may take so much more. When its time is over it ends, having written limitNote and a
-/// sentence to standard error; where memory ends, std::bad_alloc is thrown, and the same written.
+/// From now on this process may take so much more. When its time is over it ends, having written limitNote and a few
+/// words to standard error; where memory ends, std::bad_alloc is thrown, and the same written.
 void limitWork(const WorkLimits& limits);
 
 /// The Error for std::bad_alloc under the limits that are set: that, and what to do.
@@ -33,6 +33,9 @@ Error memoryLimitMet();
 
 /// What a process whose limits were met begins its last words with.
 inline constexpr std::string_view limitNote = "\ntan-read-vtk met a limit: ";
+
+/// The last words, which limitNote comes before, as a sentence for the user.
+Message limitMessage(std::string_view words);
 
 /// Sends what is printed to standard output and standard error to nowhere from now on, and gives the file descriptor
 /// that still leads to the former output; limitNote still goes to the former error.

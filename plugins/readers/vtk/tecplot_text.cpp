@@ -162,11 +162,12 @@ public:
     }
 
 private:
-    static Error bad(const std::string& what) { return {ErrorKind::BadInput, what}; }
-    std::string zoneName(const TecplotZone& zone) const
+    static Error bad(const Message& what) { return {ErrorKind::BadInput, what}; }
+    Message zoneName(const TecplotZone& zone) const
     {
-        return "its zone " + std::to_string(file_.zones.size() + 1) +
-               (zone.name.empty() ? "" : " ('" + printable(zone.name) + "')");
+        const std::size_t number = file_.zones.size() + 1;
+        return zone.name.empty() ? Message::say("its zone %1", number)
+                                 : Message::say("its zone %1 ('%2')", number, printable(zone.name));
     }
 
     Status record(const TecplotToken& token)
@@ -181,8 +182,9 @@ private:
         if (word == "FILETYPE") {
             const auto kind = tokens_.next();
             if (kind && tecplotUpper(kind->text) != "FULL")
-                return bad("it holds '" + printable(kind->text) +
-                           "', not a grid with its values. Write both into one file (FILETYPE = FULL).");
+                return bad(Message::say(
+                    "it holds '%1', not a grid with its values. Write both into one file (FILETYPE = FULL).",
+                    printable(kind->text)));
             return {};
         }
         if (word == "TITLE") {
@@ -190,12 +192,13 @@ private:
             return {};
         }
         if (token.isNumber())
-            return bad("it has more numbers than its " + std::to_string(file_.zones.size()) +
-                       " zones ask for. Its sizes are wrong, or it is damaged.");
+            return bad(
+                Message::say("it has more numbers than its %1 zones ask for. Its sizes are wrong, or it is damaged.",
+                             file_.zones.size()));
         if (!isRecord(token))
-            return bad("it has '" + printable(token.text) +
-                       "' where a record as ZONE should begin. It is damaged, or no "
-                       "Tecplot text.");
+            return bad(
+                Message::say("it has '%1' where a record such as ZONE should begin. It is damaged, or no Tecplot text.",
+                             printable(token.text)));
         for (auto next = tokens_.next(); next; next = tokens_.next()) // what is drawn beside the data
             if (isRecord(*next) && tecplotUpper(next->text) != "TEXT") {
                 tokens_.back(*next);
@@ -224,8 +227,9 @@ private:
                 axes[*axis] = i;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (!axes[axis])
-                return bad("none of its variables is called " + std::string(1, static_cast<char>('X' + axis)) +
-                           ", so that it has no place in space. Name the coordinates X, Y and Z.");
+                return bad(Message::say("none of its variables is called %1, so that it has no place in space. Name "
+                                        "the coordinates X, Y and Z.",
+                                        std::string(1, static_cast<char>('X' + axis))));
             file_.axes[axis] = *axes[axis];
         }
         return {};
@@ -234,7 +238,7 @@ private:
     Status zone()
     {
         if (file_.variables.empty())
-            return bad("it has a zone before its VARIABLES. It is damaged.");
+            return bad(Message::say("it has a zone before its VARIABLES. It is damaged."));
         ZoneHeader header;
         const std::size_t count = file_.variables.size();
         header.zone.perElement.assign(count, false);
@@ -280,8 +284,9 @@ private:
                     header.passive[variable] = true;
             } else if (key == "D") { // variables of the zone before, in the old form
                 tokens_.bracketed();
-                return bad(zoneName(header.zone) + " repeats variables by 'D', which is not read. Write it with "
-                                                   "VARSHARELIST, or all of its variables.");
+                return bad(Message::say("%1 repeats variables by 'D', which is not read. Write it with VARSHARELIST, "
+                                        "or all of its variables.",
+                                        zoneName(header.zone)));
             } else if (key == "AUXDATA") {
                 tokens_.next(); // its name
                 tokens_.next();
@@ -289,7 +294,8 @@ private:
                 header.words[key] = tecplotUpper(value->text);
             }
         }
-        return bad(zoneName(header.zone) + " ends within its header. It is cut short: copy the file again.");
+        return bad(
+            Message::say("%1 ends within its header. It is cut short: copy the file again.", zoneName(header.zone)));
     }
 
     /// The variables of "[1-3,5]" or "4", from 0; those that are there.
@@ -336,8 +342,8 @@ private:
         for (const auto& [list, word] : assignments(text)) {
             const std::string location = tecplotUpper(word);
             if (location != "CELLCENTERED" && location != "NODAL")
-                return bad(zoneName(header.zone) + " has a VARLOCATION '" + printable(text) +
-                           "' that is not understood.");
+                return bad(Message::say("%1 has a VARLOCATION '%2' that is not understood.", zoneName(header.zone),
+                                        printable(text)));
             const bool perElement = location == "CELLCENTERED";
             if (!list.empty())
                 for (const std::size_t variable : variablesIn(list))
@@ -361,8 +367,9 @@ private:
         for (const auto& [list, word] : assignments(text)) {
             const auto from = list.empty() ? std::optional(file_.zones.size()) : parseNumber<std::size_t>(word);
             if (!from || *from < 1 || *from > file_.zones.size())
-                return bad(zoneName(header.zone) + " shares variables with zone '" + printable(word) +
-                           "', which does not come before it. The file is damaged or cut.");
+                return bad(Message::say("%1 shares variables with zone '%2', which does not come before it. The file "
+                                        "is damaged or cut short.",
+                                        zoneName(header.zone), printable(word)));
             for (const std::size_t variable : variablesIn(list.empty() ? word : list))
                 header.sharedFrom[variable] = *from - 1;
         }
@@ -378,8 +385,8 @@ private:
         constexpr std::uint64_t most = 1'000'000'000'000;
         const auto value = parseNumber<std::uint64_t>(entry->second);
         if (!value || *value < 1 || *value > most)
-            return bad(zoneName(header.zone) + " has '" + entry->first + " = " + printable(entry->second) +
-                       "'. It is damaged or cut short.");
+            return bad(Message::say("%1 has '%2'. It is damaged or cut short.", zoneName(header.zone),
+                                    entry->first + " = " + printable(entry->second)));
         return *value;
     }
 
@@ -405,17 +412,18 @@ private:
              {"FEPOINT", Point}}};
         const auto kind = std::ranges::find(kinds, type, &std::pair<std::string_view, TecplotElement>::first);
         if (kind == kinds.end())
-            return bad(zoneName(header.zone) + " is of the type '" + printable(type) +
-                       "', which is not read. Divide its elements into bricks or tetrahedra.");
+            return bad(Message::say(
+                "%1 is of the type '%2', which is not read. Divide its elements into bricks or tetrahedra.",
+                zoneName(header.zone), printable(type)));
         header.zone.element = kind->second;
         const auto nodes = number(header, "N", "NODES", 0);
         const auto elements = number(header, "E", "ELEMENTS", 0);
         if (!nodes || !elements)
             return nodes ? elements.error() : nodes.error();
         if (*nodes == 0 || *elements == 0)
-            return bad(zoneName(header.zone) +
-                       " does not say how many nodes (N) and elements (E) it has. It is damaged "
-                       "or cut short.");
+            return bad(
+                Message::say("%1 does not say how many nodes (N) and elements (E) it has. It is damaged or cut short.",
+                             zoneName(header.zone)));
         header.zone.nodes = *nodes;
         header.zone.elements = *elements;
         return {};
@@ -433,9 +441,8 @@ private:
             if (!size)
                 return size.error();
             if (*size < 1 || *size >= most || nodes > (std::uint64_t(1) << 62U) / *size)
-                return bad(zoneName(header.zone) +
-                           " does not say how many points it has (I, J, K). It is damaged or cut "
-                           "short.");
+                return bad(Message::say("%1 does not say how many points it has (I, J, K). It is damaged or cut short.",
+                                        zoneName(header.zone)));
             header.zone.size[axis] = static_cast<std::uint32_t>(*size);
             nodes *= *size;
             cells *= std::max<std::uint64_t>(1, *size - 1);
@@ -497,13 +504,15 @@ private:
         longest_ = std::max(longest_, length);
     }
 
-    Error missing(const ZoneHeader& header, std::uint64_t count, const std::string& what) const
+    /// `what` is how many there should be: "8 points".
+    Error missing(const ZoneHeader& header, const Message& what) const
     {
-        const std::string all = " of its " + std::to_string(count) + " " + what;
-        return bad(zoneName(header.zone) +
-                   (tokens_.atEnd()
-                        ? " ends before the last" + all + ". It is cut short: copy the file again."
-                        : " has no number in place of one" + all + ". Its sizes are wrong, or it is damaged."));
+        return bad(tokens_.atEnd()
+                       ? Message::say("%1 ends before the last of its %2. It is cut short: copy the file again.",
+                                      zoneName(header.zone), what)
+                       : Message::say("%1 has no number in place of one of its %2. Its sizes are wrong, or it is "
+                                      "damaged.",
+                                      zoneName(header.zone), what));
     }
 
     Status whole(const ZoneHeader& header) const
@@ -511,9 +520,9 @@ private:
         constexpr std::size_t formatted = 8; // as by "%12.5e"; short ones are alike by chance
         if (!tokens_.atEnd() || (shortest_ == longest_ && longest_ >= formatted))
             return {};
-        return bad(zoneName(header.zone) +
-                   " ends right behind its last number, or within it. If the file is whole, put an "
-                   "end of line behind it; else copy the file again.");
+        return bad(Message::say("%1 ends right behind its last number, or within it. If the file is whole, put an end "
+                                "of line behind it; else copy the file again.",
+                                zoneName(header.zone)));
     }
 
     static bool hasConnectivity(const TecplotZone& zone) { return cornersOf(zone.element) > 1; }
@@ -533,7 +542,8 @@ private:
                 zone.perElement[i] = other.perElement[i];
                 zone.values[i] = other.values[i];
                 if (zone.values[i] && zone.values[i]->size() != countOf(zone, i))
-                    return bad(zoneName(zone) + " shares values with a zone of another size. The file is damaged.");
+                    return bad(Message::say("%1 shares values with a zone of another size. The file is damaged.",
+                                            zoneName(zone)));
             } else if (!header.passive[i]) {
                 own.push_back(i);
             }
@@ -541,7 +551,7 @@ private:
             header.words.contains("DATAPACKING") ? header.words.find("DATAPACKING") : header.words.find("F");
         const std::string packing = format == header.words.end() ? "POINT" : format->second;
         if (packing != "POINT" && packing != "FEPOINT" && packing != "BLOCK" && packing != "FEBLOCK")
-            return bad(zoneName(zone) + " is packed as '" + printable(packing) + "', which is not known.");
+            return bad(Message::say("%1 is packed as '%2', which is not known.", zoneName(zone), printable(packing)));
         shortest_ = ~std::size_t(0);
         longest_ = 0;
         repeated_ = 0;
@@ -564,20 +574,22 @@ private:
         };
         if (packing.ends_with("POINT")) {
             if (std::ranges::any_of(own, [&](std::size_t i) { return zone.perElement[i]; }))
-                return bad(zoneName(zone) + " has values of elements, which must be packed by blocks. It is damaged.");
+                return bad(Message::say("%1 has values of elements, which must be packed by blocks. It is damaged.",
+                                        zoneName(zone)));
             for (std::uint64_t node = 0; node < zone.nodes; ++node)
                 for (std::size_t place = 0; place < own.size(); ++place)
                     if (!take(place))
-                        return missing(header, zone.nodes, "points");
+                        return missing(header, Message::say("%1 points", zone.nodes));
         } else {
             for (std::size_t place = 0; place < own.size(); ++place)
                 for (std::uint64_t i = countOf(zone, own[place]); i > 0; --i)
                     if (!take(place))
-                        return missing(header, countOf(zone, own[place]),
-                                       "values of '" + printable(file_.variables[own[place]]) + "'");
+                        return missing(header, Message::say("%1 values of '%2'", countOf(zone, own[place]),
+                                                            printable(file_.variables[own[place]])));
         }
         if (repeated_ > 0)
-            return bad(zoneName(zone) + " has more numbers than it should. Its sizes are wrong, or it is damaged.");
+            return bad(Message::say("%1 has more numbers than it should. Its sizes are wrong, or it is damaged.",
+                                    zoneName(zone)));
         if (!hasConnectivity(zone))
             if (const Status ends = whole(header); !ends)
                 return ends;
@@ -585,7 +597,8 @@ private:
             zone.values[own[place]] = values[place];
         for (const std::size_t axis : file_.axes)
             if (!zone.values[axis] || zone.perElement[axis])
-                return bad(zoneName(zone) + " has no positions of its points. Write it with all coordinates.");
+                return bad(
+                    Message::say("%1 has no positions of its points. Write it with all coordinates.", zoneName(zone)));
         return {};
     }
 
@@ -597,7 +610,8 @@ private:
             if (!number || *number < 1 || *number > file_.zones.size() ||
                 file_.zones[*number - 1].element != zone.element ||
                 file_.zones[*number - 1].elements != zone.elements || file_.zones[*number - 1].nodes != zone.nodes)
-                return bad(zoneName(zone) + " shares its elements with a zone that does not fit. The file is damaged.");
+                return bad(Message::say("%1 shares its elements with a zone that does not fit. The file is damaged.",
+                                        zoneName(zone)));
             zone.connectivity = file_.zones[*number - 1].connectivity;
             return whole(header);
         }
@@ -610,9 +624,9 @@ private:
             const std::string_view word = tokens_.nextNumber();
             const auto node = parseNumber<std::uint64_t>(word);
             if (!node || *node < 1 || *node > zone.nodes)
-                return word.empty() ? missing(header, zone.elements, "elements")
-                                    : bad(zoneName(zone) + " has an element at node '" + printable(word) +
-                                          "', and it has " + std::to_string(zone.nodes) + ". It is damaged.");
+                return word.empty() ? missing(header, Message::say("%1 elements", zone.elements))
+                                    : bad(Message::say("%1 has an element at node '%2', and it has %3. It is damaged.",
+                                                       zoneName(zone), printable(word), zone.nodes));
             keepLength(word);
             nodes->push_back(static_cast<std::int64_t>(*node - 1));
         }

@@ -81,7 +81,7 @@ Status checkPoints(const VtkFindings& found, std::span<const double> values)
 
 /// Points without a value are left out: they say nothing of the field.
 void leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values,
-                       std::vector<std::string>& remarks)
+                       std::vector<Message>& remarks)
 {
     std::size_t kept = 0;
     for (std::size_t point = 0; point < values.size(); ++point)
@@ -90,7 +90,7 @@ void leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<doub
             values[kept++] = values[point];
         }
     if (kept < values.size())
-        remarks.push_back(std::to_string(values.size() - kept) + " points whose value is no number were left out.");
+        remarks.push_back(Message::say("%1 points whose value is no number were left out.", values.size() - kept));
     positions.resize(kept);
     values.resize(kept);
 }
@@ -100,7 +100,7 @@ Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
     std::vector<double> values = doublesOf(found);
     if (const Status usable = checkPoints(found, values); !usable)
         return usable.error();
-    std::vector<std::string> remarks;
+    std::vector<Message> remarks;
     leaveOutNotFinite(found.positions, values, remarks);
     if (values.empty())
         return Error{ErrorKind::BadInput, Message::say("none of its values is a number.")};
@@ -123,7 +123,7 @@ Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const Pro
 
 Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Progress& progress)
 {
-    const std::vector<std::string> remarks = std::move(findings.remarks);
+    const std::vector<Message> remarks = std::move(findings.remarks);
     auto dataset = findings.kind == VtkDataKind::Cells    ? cellsDataset(findings, source, progress)
                    : findings.kind == VtkDataKind::Points ? pointsDataset(findings, source)
                                                           : gridDataset(findings, progress);

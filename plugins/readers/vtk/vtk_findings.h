@@ -45,7 +45,7 @@ struct VtkFindings {
     std::vector<std::uint64_t> corners{};
     std::vector<std::uint8_t> blanked{};
     std::string arrayName{};
-    std::vector<std::string> remarks{};
+    std::vector<Message> remarks{};
 };
 
 } // namespace tetra

@@ -4,48 +4,51 @@
 namespace tetra {
 namespace {
 
-Parameter textParameter(std::string id, std::string label, std::string explanation, std::string defaultText)
+Parameter textParameter(std::string id, MarkedText label, MarkedText explanation, std::string defaultText)
 {
     Parameter parameter;
     parameter.id = std::move(id);
-    parameter.label = std::move(label);
-    parameter.explanation = std::move(explanation);
+    parameter.label = label;
+    parameter.explanation = explanation;
     parameter.defaultValue = std::move(defaultText);
     return parameter;
 }
 
 /// Empty if the text can be a component: "magnitude" or a whole number from 0.
-std::string componentMistake(const std::string& text)
+Message componentMistake(const std::string& text)
 {
     const bool isNumber = !text.empty() && text.size() < 9 && text.find_first_not_of("0123456789") == std::string::npos;
-    return text == "magnitude" || isNumber ? "" : "Give 'magnitude', or the number of a component from 0.";
+    return text == "magnitude" || isNumber
+               ? Message()
+               : Message::say("Give '%1', or the number of a component from 0.", "magnitude");
 }
 
 } // namespace
 
 std::vector<Parameter> vtkParameters()
 {
-    Parameter array =
-        textParameter("array", "Values",
-                      "The values to take, by name or number; 'automatic' takes the first there are.", "automatic");
-    Parameter component =
-        textParameter("component", "Component",
-                      "Of arrays with several components: the number of one, from 0, or 'magnitude'.", "magnitude");
+    Parameter array = textParameter(
+        "array", Message::marked("Values"),
+        Message::marked("The values to take, by name or number; 'automatic' takes the first there are."), "automatic");
+    Parameter component = textParameter(
+        "component", Message::marked("Component"),
+        Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'."), "magnitude");
     component.mistake = componentMistake;
     Parameter time;
     time.id = "time";
-    time.label = "Time step";
-    time.explanation = "Of files with several time steps: which one, from 1.";
+    time.label = Message::marked("Time step");
+    time.explanation = Message::marked("Of files with several time steps: which one, from 1.");
     time.defaultValue = std::int64_t(1);
     time.minimum = 1;
     time.maximum = 1e9;
-    Parameter part = textParameter("part", "Part",
-                                   "Of files with several blocks or parts: one, by name or number from 1; without it "
-                                   "all irregular meshes that have the values, or the first grid.",
-                                   "");
-    Parameter solution =
-        textParameter("solution", "Solution file",
-                      "The PLOT3D solution of the grid; without it the one beside it with a fitting name.", "");
+    Parameter part = textParameter(
+        "part", Message::marked("Part"),
+        Message::marked("Of files with several blocks or parts: one, by name or number from 1; without it all "
+                        "irregular meshes that have the values, or the first grid."),
+        "");
+    Parameter solution = textParameter(
+        "solution", Message::marked("Solution file"),
+        Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name."), "");
     return {array, component, time, part, solution};
 }
 

@@ -37,7 +37,7 @@ Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const Prog
     auto dataset = datasetOf(std::move(findings), source, progress);
     if (!dataset)
         return dataset.error();
-    progress.report(1, "Reading");
+    progress.report(1, Message::marked("Reading"));
     return dataset;
 }
 

@@ -11,16 +11,17 @@ namespace {
 using namespace tetra;
 
 constexpr const char* orderId = "order";
-constexpr const char* exact = "exact";
-constexpr const char* withCell = "with-cell";
+constexpr const char* exact = Message::marked("exact").text;
+constexpr const char* withCell = Message::marked("with-cell").text;
 
 Parameter orderParameter()
 {
     Parameter parameter;
     parameter.id = orderId;
-    parameter.label = "Order";
-    parameter.explanation = "How surfaces and volume are put in order: 'exact', or as the paper did 'with-cell', where "
-                            "the part of a surface in a cell is drawn before the cell.";
+    parameter.label = Message::marked("Order");
+    parameter.explanation =
+        Message::marked("How surfaces and volume are put in order: 'exact', or as the paper did 'with-cell', where "
+                        "the part of a surface in a cell is drawn before the cell.");
     parameter.defaultValue = std::string(exact);
     parameter.choices = {exact, withCell};
     return parameter;

@@ -15,7 +15,7 @@ class CsvWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Dataset, "Tables of points", {".csv"}}};
+        return {{WrittenContent::Dataset, Message::marked("Tables of points"), {".csv"}}};
     }
 
     Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& /*values*/) const override

@@ -188,7 +188,7 @@ class GlbWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Surface, "Binary glTF files", {".glb"}}};
+        return {{WrittenContent::Surface, Message::marked("Binary glTF files"), {".glb"}}};
     }
 
     Status writeSurface(const SurfaceContent& content, OutputFile& file,

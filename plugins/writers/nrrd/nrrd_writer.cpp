@@ -97,18 +97,21 @@ class NrrdWriter : public QObject, public Writer {
     Q_INTERFACES(tetra::Writer)
 
 public:
-    std::vector<FileFormat> formats() const override { return {{WrittenContent::Dataset, "NRRD volumes", {".nrrd"}}}; }
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Dataset, Message::marked("NRRD volumes"), {".nrrd"}}};
+    }
 
     std::vector<Parameter> parameters() const override
     {
         return {{"encoding",
-                 "Encoding",
-                 "raw is quick to write and to read, gzip is smaller.",
+                 Message::marked("Encoding"),
+                 Message::marked("raw is quick to write and to read, gzip is smaller."),
                  "",
                  std::string("raw"),
                  0,
                  0,
-                 {"raw", "gzip"}}};
+                 {Message::marked("raw"), Message::marked("gzip")}}};
     }
 
     Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& values) const override
@@ -122,7 +125,7 @@ public:
             return Error{ErrorKind::WrongUsage,
                          Message::say("NRRD files hold regular lattices, and '%1' is %2. Give the file another ending: "
                                       ".xyz for curvilinear grids, .csv for scattered points.",
-                                      dataset.source.name, domainClassName(dataset.domain))};
+                                      dataset.source.name, domainClassText(dataset.domain))};
         const auto samples = dataset.values.bytes();
         file.expect(samples.size());
         if (const Status written = file.text(headerText(dataset, encoding)); !written)

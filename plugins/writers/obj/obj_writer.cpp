@@ -101,7 +101,7 @@ class ObjWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Surface, "Wavefront OBJ files", {".obj"}}};
+        return {{WrittenContent::Surface, Message::marked("Wavefront OBJ files"), {".obj"}}};
     }
 
     Status writeSurface(const SurfaceContent& content, OutputFile& file,

@@ -80,7 +80,7 @@ class Plot3dWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Dataset, "PLOT3D grids with a solution file", {".xyz"}}};
+        return {{WrittenContent::Dataset, Message::marked("PLOT3D grids with a solution file"), {".xyz"}}};
     }
 
     Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& /*values*/) const override

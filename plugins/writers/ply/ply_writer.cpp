@@ -138,7 +138,8 @@ class PlyWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Mesh, "PLY files", {".ply"}}, {WrittenContent::Surface, "PLY files", {".ply"}}};
+        return {{WrittenContent::Mesh, Message::marked("PLY files"), {".ply"}},
+                {WrittenContent::Surface, Message::marked("PLY files"), {".ply"}}};
     }
 
     Status writeMesh(const MeshContent& content, OutputFile& file, const ParameterValues& /*values*/) const override

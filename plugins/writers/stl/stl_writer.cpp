@@ -54,7 +54,10 @@ class StlWriter : public QObject, public Writer {
     Q_INTERFACES(tetra::Writer)
 
 public:
-    std::vector<FileFormat> formats() const override { return {{WrittenContent::Surface, "STL files", {".stl"}}}; }
+    std::vector<FileFormat> formats() const override
+    {
+        return {{WrittenContent::Surface, Message::marked("STL files"), {".stl"}}};
+    }
 
     Status writeSurface(const SurfaceContent& content, OutputFile& file,
                         const ParameterValues& /*values*/) const override

@@ -226,8 +226,8 @@ class VtkLegacyWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Mesh, "VTK legacy files", {".vtk"}},
-                {WrittenContent::Surface, "VTK legacy files", {".vtk"}}};
+        return {{WrittenContent::Mesh, Message::marked("VTK legacy files"), {".vtk"}},
+                {WrittenContent::Surface, Message::marked("VTK legacy files"), {".vtk"}}};
     }
 
     Status writeMesh(const MeshContent& content, OutputFile& file, const ParameterValues& /*values*/) const override

@@ -323,10 +323,10 @@ class VtkXmlWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Dataset, "VTK XML unstructured grids", {".vtu"}},
-                {WrittenContent::Mesh, "VTK XML unstructured grids", {".vtu"}},
-                {WrittenContent::Surface, "VTK XML polydata", {".vtp"}},
-                {WrittenContent::Surface, "VTK XML unstructured grids", {".vtu"}}};
+        return {{WrittenContent::Dataset, Message::marked("VTK XML unstructured grids"), {".vtu"}},
+                {WrittenContent::Mesh, Message::marked("VTK XML unstructured grids"), {".vtu"}},
+                {WrittenContent::Surface, Message::marked("VTK XML polydata"), {".vtp"}},
+                {WrittenContent::Surface, Message::marked("VTK XML unstructured grids"), {".vtu"}}};
     }
 
     Status writeDataset(const Dataset& dataset, OutputFile& file, const ParameterValues& /*values*/) const override

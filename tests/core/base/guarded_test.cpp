@@ -19,11 +19,11 @@ private slots:
                 return Error{ErrorKind::WrongUsage, "odd"};
             return number / 2;
         };
-        QCOMPARE(*guarded("No memory.", [&] { return half(6); }), 3);
-        const Result<int> odd = guarded("No memory.", [&] { return half(5); });
+        QCOMPARE(*guarded(Message::marked("No memory."), [&] { return half(6); }), 3);
+        const Result<int> odd = guarded(Message::marked("No memory."), [&] { return half(5); });
         QVERIFY(!odd && odd.error().kind == ErrorKind::WrongUsage);
         QCOMPARE(odd.error().text(), std::string("odd"));
-        QVERIFY(guarded("No memory.", [] { return Status(); }));
+        QVERIFY(guarded(Message::marked("No memory."), [] { return Status(); }));
     }
 
     /// As a sentence with places, which can be translated.
@@ -31,7 +31,8 @@ private slots:
     {
         const std::string name = "a.tan";
         const Status status = guarded(
-            "No memory for '%1' after %2 sites.", []() -> Status { throw std::bad_alloc(); }, name, 7u);
+            Message::marked("No memory for '%1' after %2 sites."), []() -> Status { throw std::bad_alloc(); }, name,
+            7u);
         QVERIFY(!status && status.error().kind == ErrorKind::OutOfResource);
         QCOMPARE(status.error().text(), std::string("No memory for 'a.tan' after 7 sites."));
         QCOMPARE(status.error().message.sentence(), std::string("No memory for '%1' after %2 sites."));
@@ -40,8 +41,9 @@ private slots:
 
     void othersPass()
     {
-        QVERIFY_EXCEPTION_THROWN((void)guarded("No memory.", []() -> Status { throw std::logic_error("a mistake"); }),
-                                 std::logic_error);
+        QVERIFY_EXCEPTION_THROWN(
+            (void)guarded(Message::marked("No memory."), []() -> Status { throw std::logic_error("a mistake"); }),
+            std::logic_error);
     }
 };
 

@@ -16,7 +16,7 @@ private slots:
     void partsOfPartsCoverTheWhole()
     {
         std::vector<double> told;
-        const Progress whole({}, [&](double fraction, std::string_view) { told.push_back(fraction); });
+        const Progress whole({}, [&](double fraction, const Message&) { told.push_back(fraction); });
         const Progress part = whole.part(0.5, 1).part(0, 0.5);
         part.report(0, "Working");
         part.report(1, "Working");
@@ -56,7 +56,7 @@ private slots:
     void sharedPiecesAddUp()
     {
         std::vector<double> told;
-        const Progress whole({}, [&](double fraction, std::string_view) { told.push_back(fraction); });
+        const Progress whole({}, [&](double fraction, const Message&) { told.push_back(fraction); });
         SharedProgress shared(whole, 4, "Working");
         const auto first = shared.piece(1), second = shared.piece(3);
         first(0.5, "");

@@ -16,7 +16,7 @@ private slots:
     void isZeroAndHoldsWhatIsWritten()
     {
         ReservedArray<std::uint32_t> array;
-        QVERIFY(array.reserve(1'000'000, "a test").ok());
+        QVERIFY(array.reserve(1'000'000, MarkedText{"a test"}).ok());
         QCOMPARE(array.capacity(), std::uint64_t(1'000'000));
         QCOMPARE(array[999'999], 0u);
         for (std::uint32_t i = 0; i < array.capacity(); ++i)
@@ -28,7 +28,7 @@ private slots:
     void whatTheMachineCannotGiveIsAnError()
     {
         ReservedArray<std::uint64_t> array;
-        const Status refused = array.reserve(std::uint64_t(1) << 50, "the tetrahedra");
+        const Status refused = array.reserve(std::uint64_t(1) << 50, MarkedText{"the tetrahedra"});
         QVERIFY(!refused.ok());
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
         QVERIFY(QString::fromStdString(refused.error().text()).contains("for the tetrahedra"));

@@ -91,7 +91,7 @@ private slots:
         QTest::newRow("a scratch file") << textOfError(ScratchFile::create(missing, 1)) << noSuchFile;
         SpoolFile spool(missing);
         QTest::newRow("a spool file") << textOfError(spool.append(std::array{std::byte(0)})) << noSuchFile;
-        QTest::newRow("memory") << textOfError(reserveMemory(std::size_t(1) << 60, "a test"))
+        QTest::newRow("memory") << textOfError(reserveMemory(std::size_t(1) << 60, MarkedText{"a test"}))
                                 << "Cannot allocate memory";
     }
     void reasonsAreEnglish()
@@ -103,9 +103,9 @@ private slots:
 
     void everyErrorHasAText()
     {
-        QCOMPARE(systemErrorText(ENOENT), std::string("No such file or directory"));
-        QCOMPARE(systemErrorText(ENOSPC), std::string("No space left on device"));
-        QCOMPARE(systemErrorText(123456), std::string("system error 123456"));
+        QCOMPARE(systemErrorText(ENOENT).text(), std::string("No such file or directory"));
+        QCOMPARE(systemErrorText(ENOSPC).text(), std::string("No space left on device"));
+        QCOMPARE(systemErrorText(123456).text(), std::string("system error 123456"));
     }
 
 private:

@@ -185,7 +185,7 @@ void ScalarFieldTest::scanningTellsHowFarItIsAndStops()
     samples->get()[0] = std::byte(2);
     samples->get()[count - 1] = std::byte(200);
     std::vector<double> fractions;
-    const Progress telling({}, [&](double fraction, std::string_view) { fractions.push_back(fraction); });
+    const Progress telling({}, [&](double fraction, const Message&) { fractions.push_back(fraction); });
     const auto whole = ScalarField::scanned(SampleType::UInt8, count, *samples, telling);
     QVERIFY(whole.ok());
     QCOMPARE(whole->range().minimum, 2.0);
@@ -194,7 +194,7 @@ void ScalarFieldTest::scanningTellsHowFarItIsAndStops()
     QCOMPARE(fractions.back(), 1.0);
 
     std::stop_source stop;
-    const Progress stopping(stop.get_token(), [&](double, std::string_view) { stop.request_stop(); });
+    const Progress stopping(stop.get_token(), [&](double, const Message&) { stop.request_stop(); });
     const auto stopped = ScalarField::scanned(SampleType::UInt8, count, *samples, stopping);
     QVERIFY(!stopped.ok());
     QCOMPARE(stopped.error().kind, ErrorKind::Cancelled);

@@ -153,7 +153,7 @@ void DecimationTest::isCancelled()
         std::stop_source stop;
         double last = 0;
         bool falling = false;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             falling |= fraction < last;
             last = fraction;
             stop.request_stop();

@@ -148,7 +148,7 @@ private slots:
     void tellsHowFarItIs()
     {
         double last = -1;
-        QVERIFY(extractPrefix(*model_, someSites(), Progress({}, [&last](double fraction, std::string_view) {
+        QVERIFY(extractPrefix(*model_, someSites(), Progress({}, [&last](double fraction, const Message&) {
                     QVERIFY(fraction >= last && fraction <= 1);
                     last = fraction;
                 })).ok());

@@ -316,9 +316,9 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "codec", [](FileParts& f) { f.section(SectionId::OwnErrors).codec = 3; }, "packs its own errors with codec 3");
     row(
-        "misaligned", [](FileParts& f) { f.section(SectionId::OwnErrors).offset += 4; }, "begins where it cannot");
+        "misaligned", [](FileParts& f) { f.section(SectionId::OwnErrors).offset += 4; }, "cannot begin at byte");
     row(
-        "overlap", [](FileParts& f) { f.section(SectionId::Destroyers).offset -= 64; }, "begins where it cannot");
+        "overlap", [](FileParts& f) { f.section(SectionId::Destroyers).offset -= 64; }, "cannot begin at byte");
     row(
         "far", [](FileParts& f) { f.section(SectionId::ChunkSums).offset += 64; }, "reaches beyond the end");
     row(

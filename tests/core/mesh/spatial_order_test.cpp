@@ -199,7 +199,7 @@ private slots:
         TetrahedralMesh mesh = shuffledMesh(3, 2);
         std::stop_source stop;
         double last = -1;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             QVERIFY(fraction >= last && fraction <= 1);
             last = fraction;
         });

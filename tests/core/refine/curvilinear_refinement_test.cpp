@@ -224,14 +224,14 @@ private slots:
         RecordedHistory whole, part;
         double last = 0;
         bool rising = true;
-        const Progress watch({}, [&](double fraction, std::string_view) {
+        const Progress watch({}, [&](double fraction, const Message&) {
             rising = rising && fraction >= last - 1e-12 && fraction <= 1;
             last = fraction;
         });
         QVERIFY(grid.refine(grid.options(), whole, watch).ok());
         QVERIFY(rising && last > 0.5);
         std::stop_source stop;
-        const Progress cancelling(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress cancelling(stop.get_token(), [&](double fraction, const Message&) {
             if (fraction > 0.2)
                 stop.request_stop();
         });

@@ -195,7 +195,7 @@ private slots:
         double last = 0;
         bool rising = true;
         RecordedHistory whole;
-        const Progress watch({}, [&](double fraction, std::string_view) {
+        const Progress watch({}, [&](double fraction, const Message&) {
             rising = rising && fraction >= last - 1e-12 && fraction <= 1;
             last = fraction;
         });
@@ -205,7 +205,7 @@ private slots:
 
         std::stop_source stop;
         RecordedHistory part;
-        const Progress cancelling(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress cancelling(stop.get_token(), [&](double fraction, const Message&) {
             if (fraction > 0.2)
                 stop.request_stop();
         });

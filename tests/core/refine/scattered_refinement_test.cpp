@@ -251,7 +251,7 @@ private slots:
         const Cloud cloud = ball(3000, 7);
         std::stop_source stop;
         Replay replay;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             if (fraction > 0)
                 stop.request_stop();
         });

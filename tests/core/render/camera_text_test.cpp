@@ -72,7 +72,7 @@ private slots:
         QTest::newRow("unknown key") << R"({"zoom": 1})"
                                      << "\"zoom\" of the camera is not known (line 1";
         QTest::newRow("no number") << R"({"azimuth": "north"})"
-                                   << "\"azimuth\" of the camera is no number";
+                                   << "\"azimuth\" of the camera is not a number";
         QTest::newRow("out of bounds") << R"({"elevation": 91})"
                                        << "from -90 to 90";
         QTest::newRow("no truth") << R"({"perspective": 1})"
@@ -87,20 +87,20 @@ private slots:
         row("cut short", "{\"azimuth\": 3", "no camera");
         row("no axis", R"({"up": "w"})", "\"up\" of the camera is none of x, -x, y, -y, z and -z");
         row("an axis as a number", R"({"up": 2})", "\"up\" of the camera is none of");
-        row("no roll", R"({"roll": "left"})", "\"roll\" of the camera is no number");
+        row("no roll", R"({"roll": "left"})", "\"roll\" of the camera is not a number");
         row("no trackball", R"({"trackball": 1})", "neither true nor false");
         row("twice", R"({"azimuth": 3, "azimuth": 4})", "twice");
         row("NaN", R"({"azimuth": NaN})", "no camera");
-        row("larger than any number", R"({"azimuth": 1e999})", "\"azimuth\" of the camera is no number");
-        row("negative distance", R"({"distance": -1})", "\"distance\" of the camera is no number");
-        row("no field of view", R"({"fieldOfView": 0})", "\"fieldOfView\" of the camera is no number");
+        row("larger than any number", R"({"azimuth": 1e999})", "\"azimuth\" of the camera is not a number");
+        row("negative distance", R"({"distance": -1})", "\"distance\" of the camera is not a number");
+        row("no field of view", R"({"fieldOfView": 0})", "\"fieldOfView\" of the camera is not a number");
         row("null", R"({"target": null})", "list of three numbers");
         row("four numbers", R"({"target": [1, 2, 3, 4]})", "list of three numbers");
         row("a text in the list", R"({"target": [1, 2, "3"]})", "list of three numbers");
         row("too deep", QString(100000, '['), "levels");
         row("a key that controls terminals", "{\"\\u001b[2J\": 1}", "\"?[2J\" of the camera is not known");
         QTest::newRow("no distance") << R"({"distance": 0})"
-                                     << "\"distance\" of the camera is no number";
+                                     << "\"distance\" of the camera is not a number";
     }
 
     void mistakesAreNamed()

@@ -142,7 +142,7 @@ private slots:
         IsosurfaceCache set(cone());
         double last = 0;
         bool failed = false;
-        const Progress progress({}, [&](double fraction, std::string_view) {
+        const Progress progress({}, [&](double fraction, const Message&) {
             last = fraction;
             if (fraction > 0.35 && !std::exchange(failed, true)) // in the midst of a surface
                 throw std::bad_alloc();
@@ -162,7 +162,7 @@ private slots:
         std::stop_source stop;
         double last = 0;
         bool falls = false;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             falls |= fraction < last;
             last = fraction;
         });

@@ -379,7 +379,7 @@ private slots:
         const auto gradients = vertexGradients(mesh);
         std::stop_source stop;
         double last = -1;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             QVERIFY(fraction >= last && fraction <= 1);
             last = fraction;
         });

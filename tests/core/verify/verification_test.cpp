@@ -152,7 +152,7 @@ private slots:
         const auto model = Model::open(path());
         double last = 0;
         bool grows = true;
-        const Progress progress({}, [&](double fraction, std::string_view) {
+        const Progress progress({}, [&](double fraction, const Message&) {
             grows = grows && fraction >= last && fraction <= 1.0000001;
             last = fraction;
         });

@@ -94,8 +94,8 @@ private slots:
 
     void domainsAreSaidInWords()
     {
-        QCOMPARE(parameterDomain(described(5.0, 0, 10)), std::string("a number from 0 to 10, in %"));
-        QCOMPARE(parameterDomain(described(true)), std::string("true or false, in %"));
+        QCOMPARE(parameterDomain(described(5.0, 0, 10)).text(), std::string("a number from 0 to 10, in %"));
+        QCOMPARE(parameterDomain(described(true)).text(), std::string("true or false, in %"));
     }
 
     void typesHaveNames()

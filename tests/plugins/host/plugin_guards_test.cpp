@@ -174,7 +174,7 @@ private slots:
         QVERIFY2(!read && read.error().text().find(word.toStdString()) != std::string::npos,
                  read.error().text().c_str());
         QVERIFY(!readerGuard->probe(path("a.some"), {}, {}));
-        auto file = SafeOutput::create(path("new.some"), "Writing", {});
+        auto file = SafeOutput::create(path("new.some"), Message::marked("Writing"), {});
         QVERIFY(file);
         QVERIFY(!writerGuard->writeSurface({}, **file, {}));
         *file = nullptr;
@@ -200,7 +200,7 @@ private slots:
     {
         const SomeReader reader;
         const SomeWriter writer;
-        auto file = SafeOutput::create(path("large.some"), "Writing", {});
+        auto file = SafeOutput::create(path("large.some"), Message::marked("Writing"), {});
         QVERIFY(file);
         thrown = Thrown::OutOfMemory;
         const auto read = guarded(reader, target())->read("large.some", {}, {});
@@ -242,7 +242,7 @@ private slots:
 
     void severalFilesAppearTogether()
     {
-        auto file = SafeOutput::create(path("grid.some"), "Writing", {});
+        auto file = SafeOutput::create(path("grid.some"), Message::marked("Writing"), {});
         QVERIFY(file);
         const auto other = (*file)->another(path("grid.other"));
         QVERIFY(other);
@@ -252,7 +252,7 @@ private slots:
         QVERIFY((*file)->commit());
         QCOMPARE(fs::file_size(path("grid.some")), std::uintmax_t(3));
         QCOMPARE(fs::file_size(path("grid.other")), std::uintmax_t(3));
-        auto given = SafeOutput::create(path("half.some"), "Writing", {});
+        auto given = SafeOutput::create(path("half.some"), Message::marked("Writing"), {});
         QVERIFY((*given)->another(path("half.other")));
         *given = nullptr;
         QVERIFY(!fs::exists(path("half.some")) && !fs::exists(path("half.other")));

@@ -101,7 +101,7 @@ private slots:
             folder.add(fixture.toStdString(), fixture.toStdString());
         PluginHost host({.folders = {folder.path()}});
         COMPARE_STATE(host, id.toStdString(), "refused");
-        const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error);
+        const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error.text());
         for (const QString& word : words)
             QVERIFY2(error.contains(word), qPrintable(error));
         QCOMPARE(host.readers().size(), std::size_t(1));
@@ -135,7 +135,7 @@ private slots:
         QCOMPARE(host.builders().size(), std::size_t(0));
         QCOMPARE(host.readers().size(), std::size_t(1));
         COMPARE_STATE(host, id.toStdString(), "refused");
-        const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error);
+        const QString error = QString::fromStdString(statusOf(host, id.toStdString()).error.text());
         for (const QString& word : words)
             QVERIFY2(error.contains(word), qPrintable(error));
     }
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(plugins[0].path.parent_path(), first.path());
         QCOMPARE(plugins[0].state, PluginState::Found);
         QCOMPARE(plugins[1].state, PluginState::Refused);
-        QVERIFY(plugins[1].error.find(plugins[0].path.string()) != std::string::npos);
+        QVERIFY(plugins[1].error.text().find(plugins[0].path.string()) != std::string::npos);
         QCOMPARE(host.readers().size(), std::size_t(1));
     }
 
@@ -193,8 +193,8 @@ private slots:
         PluginHost host({.folders = {folder.path()}});
         for (const char* id : {"empty", "text", "truncated", "dangling", "ordinary"}) {
             COMPARE_STATE(host, id, "refused");
-            QVERIFY2(statusOf(host, id).error.find("not a plugin") != std::string::npos,
-                     statusOf(host, id).error.c_str());
+            QVERIFY2(statusOf(host, id).error.text().find("not a plugin") != std::string::npos,
+                     statusOf(host, id).error.text().c_str());
         }
         QCOMPARE(host.plugins().size(), std::size_t(6));
         QCOMPARE(host.readers().size(), std::size_t(1));

@@ -219,14 +219,27 @@ private slots:
     {
         const std::string missing =
             "Cannot load library /p/x.so: (libvtk9.so.1: cannot open shared object file: No such file or directory)";
-        QCOMPARE(explainLoadError(missing, "Install libvtk9.1."),
+        QCOMPARE(explainLoadError(missing, "Install libvtk9.1.").text(),
                  std::string("The library libvtk9.so.1 is missing. Install libvtk9.1."));
-        QVERIFY(explainLoadError(missing, "").find("apt-file search libvtk9.so.1") != std::string::npos);
+        QVERIFY(explainLoadError(missing, "").text().find("apt-file search libvtk9.so.1") != std::string::npos);
         const std::string symbol =
-            explainLoadError("Cannot load library /p/x.so: (/p/x.so: undefined symbol: _Zabc)", "");
+            explainLoadError("Cannot load library /p/x.so: (/p/x.so: undefined symbol: _Zabc)", "").text();
         QVERIFY2(symbol.starts_with("It needs the function _Zabc,"), symbol.c_str());
-        QVERIFY(explainLoadError("file too short", "").find("file too short") != std::string::npos);
+        QVERIFY(explainLoadError("file too short", "").text().find("file too short") != std::string::npos);
         QVERIFY(!explainLoadError("", "").empty());
+    }
+
+    void namesAndDescriptionsComeInOtherLanguages()
+    {
+        QJsonObject metadata = own();
+        metadata["name[de]"] = "Leser";
+        metadata["name[pt_BR]"] = "Leitor";
+        metadata["description[de]"] = "Liest.";
+        metadata["named"] = "no translation";
+        const auto parsed = parsePluginMetadata(whole(metadata));
+        QVERIFY(parsed);
+        QCOMPARE(parsed->names, (std::map<std::string, std::string>{{"de", "Leser"}, {"pt_BR", "Leitor"}}));
+        QCOMPARE(parsed->descriptions, (std::map<std::string, std::string>{{"de", "Liest."}}));
     }
 };
 

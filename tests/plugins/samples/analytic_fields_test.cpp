@@ -209,7 +209,7 @@ void AnalyticFieldsTest::reportsAndCancels()
     std::stop_source stop;
     double last = 0;
     bool monotonic = true;
-    const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+    const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
         monotonic = monotonic && fraction >= last;
         last = fraction;
     });

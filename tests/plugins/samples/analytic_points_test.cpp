@@ -99,7 +99,7 @@ void AnalyticPointsTest::cancels()
 {
     std::stop_source stop;
     double last = 0;
-    const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+    const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
         last = fraction;
         stop.request_stop();
     });

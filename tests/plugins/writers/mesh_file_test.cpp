@@ -271,7 +271,7 @@ private slots:
         const QTemporaryDir folder;
         const std::filesystem::path path = folder.filePath(name).toStdString();
         std::vector<double> fractions;
-        const auto note = [&](double fraction, std::string_view) { fractions.push_back(fraction); };
+        const auto note = [&](double fraction, const Message&) { fractions.push_back(fraction); };
         QVERIFY(writeMesh(path, mesh.content(), Progress({}, note)));
         QVERIFY(fractions.size() > 10);
         QVERIFY(std::ranges::is_sorted(fractions));
@@ -280,7 +280,7 @@ private slots:
         QVERIFY(std::filesystem::remove(path));
         std::stop_source source;
         int calls = 0;
-        const auto stop = [&](double fraction, std::string_view) {
+        const auto stop = [&](double fraction, const Message&) {
             ++calls;
             if (fraction > 0.5 && !source.stop_requested()) {
                 source.request_stop();

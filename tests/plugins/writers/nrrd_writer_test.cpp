@@ -146,7 +146,7 @@ void NrrdWriterTest::overwritesAtTheEndOnly()
     const Dataset dataset = volume(SampleType::Float64, 100);
     for (const char* encoding : {"raw", "gzip"}) {
         std::stop_source stop;
-        const Progress cancelling(stop.get_token(), [&](double, std::string_view) { stop.request_stop(); });
+        const Progress cancelling(stop.get_token(), [&](double, const Message&) { stop.request_stop(); });
         const Status cancelled = saveNrrd(dataset, path, encoded(encoding), cancelling);
         QVERIFY(!cancelled.ok());
         QCOMPARE(cancelled.error().kind, ErrorKind::Cancelled);

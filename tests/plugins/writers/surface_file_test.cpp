@@ -308,13 +308,13 @@ private slots:
             const QTemporaryDir folder;
             const std::filesystem::path path = folder.filePath("surface." + ending).toStdString();
             std::vector<double> fractions;
-            const auto note = [&](double fraction, std::string_view) { fractions.push_back(fraction); };
+            const auto note = [&](double fraction, const Message&) { fractions.push_back(fraction); };
             QVERIFY(writeSurface(path, content, Progress({}, note)));
             QVERIFY(fractions.size() > 10 && std::ranges::is_sorted(fractions));
             QVERIFY2(fractions.back() > 0.8 && fractions.back() <= 1, qPrintable(ending));
             QVERIFY(std::filesystem::remove(path));
             std::stop_source source;
-            const auto stop = [&](double fraction, std::string_view) {
+            const auto stop = [&](double fraction, const Message&) {
                 if (fraction > 0.5)
                     source.request_stop();
             };

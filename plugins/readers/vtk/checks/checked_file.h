@@ -15,7 +15,7 @@ namespace tetra {
 struct CheckedFile {
     std::uint64_t bytes = 0;         ///< of all files that belong to it
     std::uint64_t unpackedBytes = 0; ///< what they unpack to, as far as headers tell; less than `bytes`: not packed
-    std::vector<std::string> remarks{};
+    std::vector<Message> remarks{};
 };
 
 /// How many times more packed data become where nothing tells, at most.

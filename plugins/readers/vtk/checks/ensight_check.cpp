@@ -69,7 +69,7 @@ std::size_t countIntegers(std::string_view text)
 
 /// What a refusal inside of the walk through a file carries out of it. (It does not leave this file.)
 struct EnSightProblem {
-    std::string text;
+    Message text;
 };
 
 /// The lines of a file as VTK sees them.
@@ -104,33 +104,34 @@ public:
     std::string_view line() const { return line_; }
     bool startsWith(std::string_view word) const { return line_.starts_with(word); }
 
-    void needNext(const char* what)
+    void needNext(MarkedText what)
     {
         if (!next())
             endsBefore(what);
     }
-    void needData(const char* what)
+    void needData(MarkedText what)
     {
         if (!nextData())
             endsBefore(what);
     }
 
     /// This line must begin with so many numbers.
-    template <class Number> void numbers(std::size_t count, const char* what)
+    template <class Number> void numbers(std::size_t count, MarkedText what)
     {
         constexpr bool whole = std::is_integral_v<Number>;
         std::string_view rest = line_;
         for (std::size_t i = 0; i < count; ++i)
             if (!takeNumber<Number>(rest, whole || count == 1 ? std::string_view::npos : valueWidth))
-                refuse(std::string("has no ") + what + " in line " + std::to_string(number_) + ", but '" +
-                       printable(line_) + "'. It is damaged, or of another version of the format: export it again.");
+                refuse(Message::say("has no %1 in line %2, but '%3'. It is damaged, or of another version of the "
+                                    "format: export it again.",
+                                    what, number_, printable(line_)));
         // A number that nothing ends may be a part of one. The format gives each a width.
         if (!ends_ && rest.empty() && line_.size() < count * (whole ? indexWidth : valueWidth))
             endsBefore(what);
     }
 
     /// The next `count` values, so many in each line.
-    void values(std::uint64_t count, std::uint64_t perLine, const char* what)
+    void values(std::uint64_t count, std::uint64_t perLine, MarkedText what)
     {
         for (; count > 0; count -= std::min(count, perLine)) {
             needData(what);
@@ -138,27 +139,28 @@ public:
         }
     }
 
-    std::uint64_t size(const char* what)
+    std::uint64_t size(MarkedText what)
     {
         needData(what);
         const auto number = leadingInteger(line_);
         if (!number || *number < 0)
-            refuse(std::string("has no ") + what + " in line " + std::to_string(number_) + ", but '" +
-                   printable(line_) + "'. It is damaged: export it again.");
+            refuse(Message::say("has no %1 in line %2, but '%3'. It is damaged: export it again.", what, number_,
+                                printable(line_)));
         // Each of them takes two bytes at least.
         if (static_cast<std::uint64_t>(*number) > text_.size())
             endsBefore(what);
         return static_cast<std::uint64_t>(*number);
     }
 
-    [[noreturn]] void endsBefore(const char* what) const
+    [[noreturn]] void endsBefore(MarkedText what) const
     {
-        refuse("ends in line " + std::to_string(number_) + ", before the last " + what +
-               ". It is cut short: copy the file again.");
+        refuse(
+            Message::say("ends in line %1, before the last %2. It is cut short: copy the file again.", number_, what));
     }
-    [[noreturn]] void refuse(const std::string& what) const
+    /// `what` goes on behind the file's name.
+    [[noreturn]] void refuse(const Message& what) const
     {
-        throw EnSightProblem{"its file '" + name_ + "' " + what};
+        throw EnSightProblem{Message::say("its file '%1' %2", name_, what)};
     }
 
 private:
@@ -256,10 +258,10 @@ public:
 
     EnSightCase read()
     {
-        lines_.needData("line 'FORMAT'");
+        lines_.needData(Message::marked("line 'FORMAT'"));
         if (!lines_.startsWith("FORMAT"))
-            lines_.refuse("does not begin with FORMAT. It is no EnSight case, or damaged.");
-        lines_.needData("line 'type:'");
+            lines_.refuse(Message::say("does not begin with FORMAT. It is no EnSight case, or damaged."));
+        lines_.needData(Message::marked("line 'type:'"));
         const auto type = enSightWords(lines_.line());
         case_.gold = type.size() > 2 && type[2] == "gold";
         for (bool more = lines_.nextData(); more;) {
@@ -272,11 +274,12 @@ public:
             else if (lines_.startsWith("FILE"))
                 more = files();
             else // VTK would look at this line for ever
-                lines_.refuse("has a section '" + printable(lines_.line()) +
-                              "', which VTK cannot pass over. Take it out, or put it behind the variables.");
+                lines_.refuse(Message::say(
+                    "has a section '%1', which VTK cannot pass over. Take it out, or put it behind the variables.",
+                    printable(lines_.line())));
         }
         if (case_.geometry.files.empty())
-            lines_.refuse("names no geometry ('model:'). It is cut short or damaged.");
+            lines_.refuse(Message::say("names no geometry ('model:'). It is cut short or damaged."));
         return std::move(case_);
     }
 
@@ -381,13 +384,13 @@ private:
         return numbers;
     }
 
-    std::int64_t behindColon(const char* what)
+    std::int64_t behindColon(MarkedText what)
     {
         const auto place = lines_.line().find(':');
         const auto number =
             place == std::string_view::npos ? std::nullopt : leadingInteger(lines_.line().substr(place + 1));
         if (!number)
-            lines_.refuse(std::string("has no ") + what + ". It is cut short or damaged.");
+            lines_.refuse(Message::say("has no %1. It is cut short or damaged.", what));
         return *number;
     }
 
@@ -396,28 +399,28 @@ private:
         constexpr std::int64_t most = 10'000'000;
         bool more = lines_.nextData();
         while (more && !atSection()) {
-            EnSightTimeSet& set = case_.timeSets[behindColon("number of a time set")];
-            lines_.needData("line 'number of steps:'");
-            const std::int64_t steps = behindColon("number of time steps");
+            EnSightTimeSet& set = case_.timeSets[behindColon(Message::marked("number of a time set"))];
+            lines_.needData(Message::marked("line 'number of steps:'"));
+            const std::int64_t steps = behindColon(Message::marked("number of time steps"));
             if (steps < 1 || steps > most)
-                lines_.refuse("says that there are " + std::to_string(steps) + " time steps.");
+                lines_.refuse(Message::say("says that there are %1 time steps.", steps));
             const auto count = static_cast<std::uint64_t>(steps);
-            lines_.needData("line 'time values:'");
+            lines_.needData(Message::marked("line 'time values:'"));
             if (lines_.startsWith("filename numbers"))
                 set.fileNumbers = list<std::int64_t>(count);
             else if (lines_.startsWith("filename start")) {
-                const std::int64_t first = behindColon("first number of its files");
-                lines_.needData("line 'filename increment:'");
-                const std::int64_t step = behindColon("increment of its files' numbers");
+                const std::int64_t first = behindColon(Message::marked("first number of its files"));
+                lines_.needData(Message::marked("line 'filename increment:'"));
+                const std::int64_t step = behindColon(Message::marked("increment of its files' numbers"));
                 for (std::int64_t i = 0; i < steps; ++i)
                     set.fileNumbers.push_back(first + i * step);
             }
             while (!lines_.startsWith("time values"))
-                lines_.needData("line 'time values:'");
+                lines_.needData(Message::marked("line 'time values:'"));
             set.times = list<float>(count);
             if (set.times.size() < count)
-                lines_.refuse("has " + std::to_string(set.times.size()) + " of " + std::to_string(count) +
-                              " time values. It is cut short or damaged.");
+                lines_.refuse(
+                    Message::say("has %1 of %2 time values. It is cut short or damaged.", set.times.size(), count));
             do
                 more = lines_.nextData();
             while (more && !lines_.startsWith("time set") && !atSection());
@@ -429,17 +432,17 @@ private:
     {
         bool more = lines_.nextData();
         while (more && !atSection()) {
-            EnSightFileSet& set = case_.fileSets[behindColon("number of a file set")];
-            lines_.needData("line 'number of steps:'");
+            EnSightFileSet& set = case_.fileSets[behindColon(Message::marked("number of a file set"))];
+            lines_.needData(Message::marked("line 'number of steps:'"));
             if (!lines_.startsWith("filename")) {
-                set.steps.push_back(behindColon("number of time steps in a file"));
+                set.steps.push_back(behindColon(Message::marked("number of time steps in a file")));
                 more = lines_.nextData();
                 continue;
             }
             for (more = true; more && lines_.startsWith("filename"); more = lines_.nextData()) {
-                set.fileNumbers.push_back(behindColon("number of a file"));
-                lines_.needData("line 'number of steps:'");
-                set.steps.push_back(behindColon("number of time steps in a file"));
+                set.fileNumbers.push_back(behindColon(Message::marked("number of a file")));
+                lines_.needData(Message::marked("line 'number of steps:'"));
+                set.steps.push_back(behindColon(Message::marked("number of time steps in a file")));
             }
         }
         return more;
@@ -462,21 +465,21 @@ public:
     {
         constexpr const char* mark = "BEGIN TIME STEP";
         for (std::int64_t found = 0; found < step;) {
-            lines_.needNext("time step");
+            lines_.needNext(Message::marked("time step"));
             found += withoutLeadingBlanks(lines_.line()).starts_with(mark) ? 1 : 0;
         }
     }
 
     void geometryFile()
     {
-        lines_.needNext("line of its description"); // the second one
-        const auto id = [&](const char* what) {
+        lines_.needNext(Message::marked("line of its description")); // the second one
+        const auto id = [&](MarkedText what) {
             lines_.needData(what);
             const auto words = enSightWords(lines_.line());
             return words.size() > 2 && (words[2].starts_with("given") || words[2].starts_with("ignore"));
         };
-        const bool nodeIds = id("line 'node id'");
-        elementIds_ = id("line 'element id'");
+        const bool nodeIds = id(Message::marked("line 'node id'"));
+        elementIds_ = id(Message::marked("line 'element id'"));
         if (!gold_)
             globalPoints(nodeIds);
         more_ = lines_.nextData();
@@ -486,19 +489,19 @@ public:
         while (more_ && !atStepEnd())
             gold_ ? goldPart() : oldPart();
         if (geometry_.parts.empty())
-            lines_.endsBefore("part");
+            lines_.endsBefore(Message::marked("part"));
     }
 
     void measuredFile()
     {
-        lines_.needNext("line 'particle coordinates'");
-        lines_.needNext("number of points");
+        lines_.needNext(Message::marked("line 'particle coordinates'"));
+        lines_.needNext(Message::marked("number of points"));
         const auto count = leadingInteger(lines_.line());
         if (!count || *count < 0)
-            lines_.refuse("does not say how many measured points it has. It is damaged.");
+            lines_.refuse(Message::say("does not say how many measured points it has. It is damaged."));
         geometry_.measuredPoints = static_cast<std::uint64_t>(*count);
         for (std::uint64_t i = 0; i < geometry_.measuredPoints; ++i) {
-            lines_.needNext("measured point");
+            lines_.needNext(Message::marked("measured point"));
             pointWithId();
         }
     }
@@ -506,17 +509,17 @@ public:
     void variableFile(const EnSightVariable& variable)
     {
         if (gold_)
-            lines_.needData("line of its description");
+            lines_.needData(Message::marked("line of its description"));
         else
-            lines_.needNext("line of its description");
+            lines_.needNext(Message::marked("line of its description"));
         const auto components = static_cast<std::uint64_t>(variable.components);
         if (variable.measured) {
-            lines_.values(geometry_.measuredPoints * components, 6, "value");
+            lines_.values(geometry_.measuredPoints * components, 6, Message::marked("value"));
             return;
         }
         more_ = lines_.nextData();
         if (!more_ || atStepEnd())
-            lines_.endsBefore("value");
+            lines_.endsBefore(Message::marked("value"));
         if (!gold_ && !variable.perElement && !atPart())
             globalValues(components);
         while (more_ && !atStepEnd()) {
@@ -536,20 +539,21 @@ private:
         for (int axis = 0; good && axis < 3; ++axis)
             good = takeNumber<double>(rest, valueWidth).has_value();
         if (!good)
-            lines_.refuse("has no point in the line '" + printable(lines_.line()) + "'. It is cut short or damaged.");
-        lines_.numbers<double>(1, "position"); // and is it whole
+            lines_.refuse(
+                Message::say("has no point in the line '%1'. It is cut short or damaged.", printable(lines_.line())));
+        lines_.numbers<double>(1, Message::marked("position")); // and is it whole
     }
 
     void globalPoints(bool withIds)
     {
-        lines_.needData("line 'coordinates'");
-        geometry_.globalPoints = lines_.size("number of points");
+        lines_.needData(Message::marked("line 'coordinates'"));
+        geometry_.globalPoints = lines_.size(Message::marked("number of points"));
         for (std::uint64_t i = 0; i < geometry_.globalPoints; ++i) {
-            lines_.needData("position");
+            lines_.needData(Message::marked("position"));
             if (withIds)
                 pointWithId();
             else
-                lines_.numbers<double>(3, "position");
+                lines_.numbers<double>(3, Message::marked("position"));
         }
     }
 
@@ -559,29 +563,30 @@ private:
     {
         const auto number = leadingInteger(text);
         if (!number)
-            lines_.refuse("has a part without a number, in the line '" + printable(lines_.line()) +
-                          "'. It is damaged.");
+            lines_.refuse(Message::say("has a part without a number, in the line '%1'. It is damaged.",
+                                       printable(lines_.line())));
         return *number;
     }
 
     void needPart()
     {
         if (!atPart())
-            lines_.refuse("has '" + printable(lines_.line()) +
-                          "' where a part should begin, which VTK passes over with "
-                          "all that follows. It is damaged, or of another version of the format: export it again.");
+            lines_.refuse(
+                Message::say("has '%1' where a part should begin, which VTK passes over with all that follows. It is "
+                             "damaged, or of another version of the format: export it again.",
+                             printable(lines_.line())));
     }
 
     std::array<std::uint64_t, 3> dimensions()
     {
-        lines_.needData("size of a block");
-        lines_.numbers<std::int64_t>(3, "size of a block");
+        lines_.needData(Message::marked("size of a block"));
+        lines_.numbers<std::int64_t>(3, Message::marked("size of a block"));
         std::array<std::uint64_t, 3> size{};
         std::string_view rest = lines_.line();
         for (std::uint64_t& points : size) {
             const std::int64_t number = takeNumber<std::int64_t>(rest, std::string_view::npos).value_or(0);
             if (number < 1)
-                lines_.refuse("has a block of the size '" + printable(lines_.line()) + "'. It is damaged.");
+                lines_.refuse(Message::say("has a block of the size '%1'. It is damaged.", printable(lines_.line())));
             points = static_cast<std::uint64_t>(number);
         }
         return size;
@@ -602,12 +607,12 @@ private:
         const bool uniform = gold_ && word(1).starts_with("uniform");
         const std::uint64_t perLine = gold_ ? 1 : 6;
         if (rectilinear)
-            lines_.values(boundedSum(size[0] + size[1], size[2]), 1, "coordinate of a block");
+            lines_.values(boundedSum(size[0] + size[1], size[2]), 1, Message::marked("coordinate of a block"));
         else if (uniform)
-            lines_.values(6, 1, "origin or spacing of a block");
+            lines_.values(6, 1, Message::marked("origin or spacing of a block"));
         else
             for (int axis = 0; axis < 3; ++axis)
-                lines_.values(part.points, perLine, "position");
+                lines_.values(part.points, perLine, Message::marked("position"));
         if (word(rectilinear || uniform ? 2 : 1).starts_with("iblanked"))
             blanking(part.points);
         more_ = lines_.nextData();
@@ -617,13 +622,13 @@ private:
     {
         const std::uint64_t perLine = gold_ ? 1 : 10;
         for (; points > 0; points -= std::min(points, perLine)) {
-            lines_.needData("mark of a blanked point");
+            lines_.needData(Message::marked("mark of a blanked point"));
             lines_.numbers<std::int64_t>(static_cast<std::size_t>(std::min(points, perLine)),
-                                         "mark of a blanked point");
+                                         Message::marked("mark of a blanked point"));
         }
     }
 
-    void integers(std::uint64_t count, const char* what)
+    void integers(std::uint64_t count, MarkedText what)
     {
         for (; count > 0; --count) {
             lines_.needData(what);
@@ -634,17 +639,17 @@ private:
     void goldPart()
     {
         needPart();
-        lines_.needData("number of a part");
+        lines_.needData(Message::marked("number of a part"));
         EnSightPart& part = newPart(partNumber(lines_.line()));
-        lines_.needData("name of a part");
-        lines_.needData("kind of a part");
+        lines_.needData(Message::marked("name of a part"));
+        lines_.needData(Message::marked("kind of a part"));
         if (lines_.startsWith("block"))
             return block(part);
         more_ = true;
         while (more_ && !atPart() && !atStepEnd())
             goldSection(part);
         if (part.elements.empty())
-            lines_.endsBefore("element");
+            lines_.endsBefore(Message::marked("element"));
     }
 
     void goldSection(EnSightPart& part)
@@ -655,11 +660,11 @@ private:
             return goldCoordinates(part);
         const std::string_view name = elementName(line);
         if (name.empty())
-            lines_.refuse("has '" + printable(lines_.line()) +
-                          "' where elements should begin. It is damaged, or of "
-                          "another version of the format: export it again.");
+            lines_.refuse(Message::say("has '%1' where elements should begin. It is damaged, or of another version of "
+                                       "the format: export it again.",
+                                       printable(lines_.line())));
         const ElementKind* kind = elementKindOf(name);
-        const std::uint64_t count = lines_.size("number of elements");
+        const std::uint64_t count = lines_.size(Message::marked("number of elements"));
         if (kind != nullptr)
             goldElements(count, kind->nodes);
         else if (name == "point")
@@ -674,13 +679,13 @@ private:
 
     void goldCoordinates(EnSightPart& part)
     {
-        part.points = lines_.size("number of points");
-        lines_.values(boundedProduct(3, part.points), 1, "position");
+        part.points = lines_.size(Message::marked("number of points"));
+        lines_.values(boundedProduct(3, part.points), 1, Message::marked("position"));
         more_ = lines_.nextData();
         std::string_view probe = lines_.line();
         if (more_ && part.points > 0 &&
             takeNumber<double>(probe, std::string_view::npos)) { // the numbers of the nodes came first
-            lines_.values(part.points - 1, 1, "position");
+            lines_.values(part.points - 1, 1, Message::marked("position"));
             more_ = lines_.nextData();
         }
     }
@@ -691,24 +696,24 @@ private:
         if (count == 0)
             return;
         if (more_ && countIntegers(lines_.line()) < nodes) { // their numbers come first
-            lines_.numbers<std::int64_t>(1, "element");
-            integers(count - 1, "element");
+            lines_.numbers<std::int64_t>(1, Message::marked("element"));
+            integers(count - 1, Message::marked("element"));
             more_ = lines_.nextData();
         }
         for (std::uint64_t i = 0; i < count; ++i, more_ = lines_.nextData()) {
             if (!more_)
-                lines_.endsBefore("element");
-            lines_.numbers<std::int64_t>(nodes, "element");
+                lines_.endsBefore(Message::marked("element"));
+            lines_.numbers<std::int64_t>(nodes, Message::marked("element"));
         }
     }
 
     void goldPoints(std::uint64_t count)
     {
-        integers(count, "element");
+        integers(count, Message::marked("element"));
         more_ = lines_.nextData();
         if (count == 0 || !more_ || !leadingInteger(lines_.line()))
             return;
-        integers(count - 1, "element");
+        integers(count - 1, Message::marked("element"));
         more_ = lines_.nextData();
     }
 
@@ -716,21 +721,21 @@ private:
     void goldPolygons(std::uint64_t count, bool solid)
     {
         if (elementIds_)
-            integers(count, "element");
+            integers(count, Message::marked("element"));
         std::uint64_t polygons = count;
         if (solid)
-            polygons = sizes(count, "number of faces", nullptr);
+            polygons = sizes(count, Message::marked("number of faces"), nullptr);
         std::vector<std::uint32_t> corners;
-        sizes(polygons, "number of corners", &corners);
+        sizes(polygons, Message::marked("number of corners"), &corners);
         for (const std::uint32_t nodes : corners) {
-            lines_.needData("element");
-            lines_.numbers<std::int64_t>(nodes, "element");
+            lines_.needData(Message::marked("element"));
+            lines_.numbers<std::int64_t>(nodes, Message::marked("element"));
         }
         more_ = lines_.nextData();
     }
 
     /// The sum of so many numbers, a line each.
-    std::uint64_t sizes(std::uint64_t count, const char* what, std::vector<std::uint32_t>* kept)
+    std::uint64_t sizes(std::uint64_t count, MarkedText what, std::vector<std::uint32_t>* kept)
     {
         std::uint64_t sum = 0;
         for (; count > 0; --count) {
@@ -746,8 +751,8 @@ private:
     {
         needPart();
         EnSightPart& part = newPart(partNumber(withoutLeadingBlanks(lines_.line()).substr(4)));
-        lines_.needNext("name of a part");
-        lines_.needData("kind of a part");
+        lines_.needNext(Message::marked("name of a part"));
+        lines_.needData(Message::marked("kind of a part"));
         if (withoutLeadingBlanks(lines_.line()).starts_with("block"))
             return block(part);
         part.points = geometry_.globalPoints;
@@ -757,36 +762,37 @@ private:
             const std::string_view name = elementName(line);
             const ElementKind* kind = elementKindOf(line);
             if (name.empty() || (kind == nullptr && name != "point")) // VTK would look at this line for ever
-                lines_.refuse("has '" + printable(line) +
-                              "' where elements should begin, which VTK does not know. It "
-                              "is damaged, or of another version of the format: export it again.");
-            const std::uint64_t count = lines_.size("number of elements");
+                lines_.refuse(
+                    Message::say("has '%1' where elements should begin, which VTK does not know. It is damaged, or of "
+                                 "another version of the format: export it again.",
+                                 printable(line)));
+            const std::uint64_t count = lines_.size(Message::marked("number of elements"));
             for (std::uint64_t i = 0; i < count; ++i) {
-                lines_.needData("element");
-                lines_.numbers<std::int64_t>(kind == nullptr ? 1 : kind->corners, "element");
+                lines_.needData(Message::marked("element"));
+                lines_.numbers<std::int64_t>(kind == nullptr ? 1 : kind->corners, Message::marked("element"));
                 if (kind != nullptr && countIntegers(lines_.line()) < kind->nodes)
-                    lines_.refuse("has an element with too few corners: '" + printable(lines_.line()) +
-                                  "'. It is cut short or damaged.");
+                    lines_.refuse(Message::say("has an element with too few corners: '%1'. It is cut short or damaged.",
+                                               printable(lines_.line())));
             }
             part.elements[name] += count;
             part.cells += count;
             more_ = lines_.nextData();
         }
         if (part.elements.empty())
-            lines_.endsBefore("element");
+            lines_.endsBefore(Message::marked("element"));
     }
 
     const EnSightPart& variablePart()
     {
         needPart();
         if (gold_)
-            lines_.needData("number of a part");
+            lines_.needData(Message::marked("number of a part"));
         const std::string_view line = withoutLeadingBlanks(lines_.line());
         const auto found = geometry_.parts.find(partNumber(gold_ ? line : line.substr(4)));
         if (found == geometry_.parts.end())
-            lines_.refuse("has values of part '" + printable(line) +
-                          "', which the geometry does not have. One of the "
-                          "two is cut short, or they do not belong together.");
+            lines_.refuse(Message::say("has values of part '%1', which the geometry does not have. One of the two is "
+                                       "cut short, or they do not belong together.",
+                                       printable(line)));
         return found->second;
     }
 
@@ -795,13 +801,13 @@ private:
         std::uint64_t left = geometry_.globalPoints * components;
         const auto line = [&] {
             const std::uint64_t here = std::min<std::uint64_t>(left, 6);
-            lines_.numbers<double>(static_cast<std::size_t>(here), "value");
+            lines_.numbers<double>(static_cast<std::size_t>(here), Message::marked("value"));
             left -= here;
         };
         if (left > 0)
             line();
         while (left > 0) {
-            lines_.needData("value");
+            lines_.needData(Message::marked("value"));
             line();
         }
         more_ = lines_.nextData();
@@ -815,11 +821,11 @@ private:
         if (words.size() < 2)
             return all;
         if (words[1] == "undef")
-            lines_.values(1, 1, "value");
+            lines_.values(1, 1, Message::marked("value"));
         if (words[1] != "partial")
             return all;
-        const std::uint64_t some = lines_.size("number of values");
-        integers(some, "place of a value");
+        const std::uint64_t some = lines_.size(Message::marked("number of values"));
+        integers(some, Message::marked("place of a value"));
         return some;
     }
 
@@ -831,8 +837,9 @@ private:
             const std::string_view name = elementName(lines_.line());
             const auto found = part.elements.find(name);
             if (found == part.elements.end())
-                lines_.refuse("has values of '" + printable(lines_.line()) +
-                              "', which the part does not have. It is damaged, or does not belong to the geometry.");
+                lines_.refuse(Message::say("has values of '%1', which the part does not have. It is damaged, or does "
+                                           "not belong to the geometry.",
+                                           printable(lines_.line())));
             read(found->second);
             missing.erase(name);
             more_ = lines_.nextData();
@@ -840,8 +847,9 @@ private:
         // VTK leaves what was in memory in the place of those.
         for (const auto& [name, count] : missing)
             if (count > 0)
-                lines_.refuse("has no values of the elements '" + std::string(name) +
-                              "' of a part. It is cut short, or incomplete: export it again.");
+                lines_.refuse(Message::say("has no values of the elements '%1' of a part. It is cut short, or "
+                                           "incomplete: export it again.",
+                                           name));
     }
 
     void goldValues(const EnSightVariable& variable, const EnSightPart& part, std::uint64_t components)
@@ -850,32 +858,34 @@ private:
         if ((variable.perElement ? part.cells : part.points) == 0)
             return;
         if (!more_)
-            lines_.endsBefore("value");
+            lines_.endsBefore(Message::marked("value"));
         if (!variable.perElement || lines_.startsWith("block")) {
             const std::uint64_t count = valuesBehindKeyword(variable.perElement ? part.cells : part.points);
-            lines_.values(boundedProduct(count, components), 1, "value");
+            lines_.values(boundedProduct(count, components), 1, Message::marked("value"));
             more_ = lines_.nextData();
             return;
         }
         valuesOfElements(part, [&](std::uint64_t all) {
-            lines_.values(boundedProduct(valuesBehindKeyword(all), components), 1, "value");
+            lines_.values(boundedProduct(valuesBehindKeyword(all), components), 1, Message::marked("value"));
         });
     }
 
     void oldValues(const EnSightVariable& variable, const EnSightPart& part, std::uint64_t components)
     {
-        lines_.needData("value");
+        lines_.needData(Message::marked("value"));
         if (part.isBlock && components > 1 && !variable.perElement)
-            lines_.refuse("has vectors of a block in the text format of EnSight 6, which VTK reads wrongly. Write the "
-                          "case as EnSight Gold, or the data as .vts.");
+            lines_.refuse(Message::say("has vectors of a block in the text format of EnSight 6, which VTK reads "
+                                       "wrongly. Write the case as EnSight Gold, or the data as .vts."));
         if (part.isBlock || !variable.perElement) {
             for (std::uint64_t component = 0; component < components; ++component)
-                lines_.values(variable.perElement ? part.cells : part.points, 6, "value");
+                lines_.values(variable.perElement ? part.cells : part.points, 6, Message::marked("value"));
             more_ = lines_.nextData();
             return;
         }
         more_ = true;
-        valuesOfElements(part, [&](std::uint64_t all) { lines_.values(boundedProduct(all, components), 6, "value"); });
+        valuesOfElements(part, [&](std::uint64_t all) {
+            lines_.values(boundedProduct(all, components), 6, Message::marked("value"));
+        });
     }
 
     EnSightLines& lines_;
@@ -986,11 +996,12 @@ private:
             const fs::path path = path_.parent_path() / name;
             std::error_code ignored;
             if (!fs::exists(path, ignored))
-                throw EnSightProblem{"its file '" + printable(name) +
-                                     "' is missing. Copy it into the folder of this one: they belong together."};
+                throw EnSightProblem{
+                    Message::say("its file '%1' is missing. Copy it into the folder of this one: they belong together.",
+                                 printable(name))};
             const auto file = MappedFile::open(path);
             if (!file)
-                throw EnSightProblem{file.error().text()};
+                throw EnSightProblem{file.error().message};
             const std::string_view text = asText(**file);
             checked_.bytes = boundedSum(checked_.bytes, text.size());
             if (&variable == &case_.geometry)
@@ -1001,7 +1012,7 @@ private:
             EnSightWalk walk(lines, geometry, case_.gold);
             walk.moveToStep(place->step);
             if (isGeometry)
-                lines.needNext("line of its description");
+                lines.needNext(Message::marked("line of its description"));
             work(walk);
         }
     }

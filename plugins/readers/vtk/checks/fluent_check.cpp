@@ -62,9 +62,9 @@ Result<CheckedFile> checkFluent(const fs::path& path)
         if (text.find('(') == std::string_view::npos)
             return Error{ErrorKind::BadInput,
                          Message::say("%1 has no section. It is cut short, or of another format.",
-                                      isCase ? Message("it") : Message::say("its file %1", nameOf(data)))};
-        const Status ends =
-            checkSections(isCase ? Message("it") : Message::say("its file %1", nameOf(data)), text, isCase ? 2 : 3);
+                                      isCase ? Message::say("it") : Message::say("its file %1", nameOf(data)))};
+        const Status ends = checkSections(isCase ? Message::say("it") : Message::say("its file %1", nameOf(data)), text,
+                                          isCase ? 2 : 3);
         if (!ends)
             return ends.error();
         checked.bytes = boundedSum(checked.bytes, text.size());

@@ -30,10 +30,12 @@ Result<CheckedFile> checkVtkHdf(const std::filesystem::path& path)
         if (names.find(type) != std::string_view::npos &&
             (type != "PolyData"sv || names.find("UnstructuredGrid"sv) == std::string_view::npos))
             return Error{ErrorKind::BadInput,
-                         type == "NSteps"sv ? "it is a VTK HDF file of several time steps, a kind that came after "
-                                              "VTK 9.1. Write one time step as .vti or .vtu."
-                                            : "it is a VTK HDF file of the type " + std::string(type) +
-                                                  ", which came after VTK 9.1. Write it as .vti or .vtu."};
+                         type == "NSteps"sv
+                             ? Message::say("it is a VTK HDF file of several time steps, a kind that came after VTK "
+                                            "9.1. Write one time step as .vti or .vtu.")
+                             : Message::say("it is a VTK HDF file of the type %1, which came after VTK 9.1. Write it "
+                                            "as .vti or .vtu.",
+                                            type)};
     return CheckedFile{.bytes = bytes.size(), .unpackedBytes = boundedProduct(usualPacking, bytes.size())};
 }
 

@@ -57,8 +57,8 @@ Result<CheckedFile> checkLegacy(const std::filesystem::path& path)
                                   "should stand. It is damaged, or written by a faulty program.",
                                   shown)};
     if (isText && !text.empty() && static_cast<unsigned char>(text.back()) > ' ')
-        checked.remarks.emplace_back("The file ends without an end of line: if it was cut short there, its last number "
-                                     "is wrong.");
+        checked.remarks.push_back(
+            Message::say("The file ends without an end of line: if it was cut short there, its last number is wrong."));
     return checked;
 }
 

@@ -115,9 +115,11 @@ Result<std::uint64_t> typeBytes(std::string_view type)
         return entry->second;
     // For VTK a long has 64 bits, for the files 32: half of the samples would be what was in memory.
     return Error{ErrorKind::BadInput,
-                 type.empty() ? "its header does not say its ElementType. It is cut short: copy the file again."
-                              : "its samples are of the type '" + printable(type) +
-                                    "', which is not read. Write them as MET_INT, MET_FLOAT or MET_DOUBLE."};
+                 type.empty()
+                     ? Message::say("its header does not say its ElementType. It is cut short: copy the file again.")
+                     : Message::say("its samples are of the type '%1', which is not read. Write them as "
+                                    "MET_INT, MET_FLOAT or MET_DOUBLE.",
+                                    printable(type))};
 }
 
 Result<MetaLayout> layoutOf(const MetaHeader& header)
@@ -216,7 +218,7 @@ bool hasNumbers(std::string_view text, std::uint64_t wanted)
 }
 
 /// Whether `bytes`, from `begin` on, hold so many samples; `what` is what they are called in an error.
-Status checkSamples(const std::string& what, std::string_view bytes, std::size_t begin, const MetaLayout& layout,
+Status checkSamples(const Message& what, std::string_view bytes, std::size_t begin, const MetaLayout& layout,
                     std::uint64_t samples)
 {
     const std::uint64_t needed = boundedProduct(samples, layout.sampleBytes);
@@ -306,7 +308,7 @@ private:
         if (name == "LOCAL" || name == "Local" || name == "local") {
             if (layout_.isPacked && layout_.packedSize == 0)
                 return wrongHeader(Message::say("its header does not say the CompressedDataSize."));
-            return checkSamples("it", bytes, header.end, layout_, samples);
+            return checkSamples(Message::say("it"), bytes, header.end, layout_, samples);
         }
         if (name.starts_with("LIST"))
             return checkList(name, bytes.substr(header.end));
@@ -335,7 +337,7 @@ private:
         const auto file = MappedFile::open(path);
         if (!file)
             return file.error();
-        return checkSamples("its data file " + nameOf(path),
+        return checkSamples(Message::say("its data file %1", nameOf(path)),
                             {reinterpret_cast<const char*>((*file)->bytes().data()), (*file)->bytes().size()}, 0,
                             layout, samples);
     }

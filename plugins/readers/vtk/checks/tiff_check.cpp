@@ -96,7 +96,7 @@ private:
 
     Result<TiffPage> pageAt(std::uint64_t place, std::uint64_t pageNumber)
     {
-        const std::string name = "page " + std::to_string(pageNumber);
+        const Message name = Message::say("page %1", pageNumber);
         const std::uint64_t countSize = big_ ? 8 : 2;
         const std::uint64_t entrySize = big_ ? 20 : 12;
         const auto entries = number(place, countSize);
@@ -120,7 +120,7 @@ private:
         return page;
     }
 
-    Status entryAt(std::uint64_t place, const std::string& page)
+    Status entryAt(std::uint64_t place, const Message& page)
     {
         constexpr std::array<std::uint64_t, 19> sizes = {0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
         const std::uint64_t tag = *number(place, 2);
@@ -147,7 +147,7 @@ private:
     }
 
     /// Each strip or tile must lie in the file, and have all its bytes if it is not packed.
-    Status checkPixels(const TiffPage& page, const std::string& name) const
+    Status checkPixels(const TiffPage& page, const Message& name) const
     {
         const auto [width, height, samples, bits, format] = page.shape;
         if (width == 0 || height == 0 || samples == 0 || bits == 0)
@@ -225,19 +225,22 @@ Result<CheckedFile> checkTiff(const std::vector<fs::path>& paths)
         const auto file = MappedFile::open(path);
         if (!file)
             return file.error();
-        const std::string which = paths.size() > 1 ? "its file " + nameOf(path) + ": " : "";
+        const auto inFile = [&](const Error& error) {
+            return paths.size() > 1 ? Error{error.kind, Message::say("its file %1: %2", nameOf(path), error.message)}
+                                    : error;
+        };
         const auto pages = TiffFile((*file)->bytes()).pages();
         if (!pages)
-            return Error{pages.error().kind, which + pages.error().text()};
+            return inFile(pages.error());
         if (const Status together = checkTogether(*pages); !together)
-            return Error{together.error().kind, which + together.error().text()};
+            return inFile(together.error());
         if (first.empty())
             first = *pages;
         else if (pages->front().shape != first.front().shape)
-            return Error{ErrorKind::BadInput,
-                         Message::say("%1it is of another size or type than the first file of its stack, '%2'. Put the "
-                                      "layers of one volume alone into a folder.",
-                                      which, printable(paths.front().filename().string()))};
+            return inFile({ErrorKind::BadInput,
+                           Message::say("it is of another size or type than the first file of its stack, '%1'. Put "
+                                        "the layers of one volume alone into a folder.",
+                                        printable(paths.front().filename().string()))});
         const auto& shape = pages->front().shape;
         const std::uint64_t unpacked =
             boundedProduct(boundedProduct(shape[0], shape[1]),

@@ -266,7 +266,8 @@ private:
                              printable(name))};
         const auto checked = XmlCheck(path, filesWithin_ - 1).run();
         if (!checked)
-            return Error{checked.error().kind, "its file '" + printable(name) + "': " + checked.error().text()};
+            return Error{checked.error().kind,
+                         Message::say("its file '%1': %2", printable(name), checked.error().message)};
         checked_.bytes = boundedSum(checked_.bytes, checked->bytes);
         checked_.unpackedBytes = boundedSum(checked_.unpackedBytes, checked->unpackedBytes);
         return {};

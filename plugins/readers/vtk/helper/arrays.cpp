@@ -41,11 +41,14 @@ bool isConstant(const VtkArray& entry)
     return !(range[0] < range[1]);
 }
 
-std::string namesText(const std::vector<VtkArray>& arrays)
+Message namesText(const std::vector<VtkArray>& arrays)
 {
-    std::string text;
-    for (const VtkArray& entry : arrays)
-        text += (text.empty() ? "'" : ", '") + printable(entry.name) + "'" + (entry.perCell ? " (of cells)" : "");
+    Message text;
+    for (const VtkArray& entry : arrays) {
+        const Message name = entry.perCell ? Message::say("'%1' (of cells)", printable(entry.name))
+                                           : Message("'" + printable(entry.name) + "'");
+        text = text.empty() ? name : Message::say("%1, %2", text, name);
+    }
     return text;
 }
 
@@ -115,7 +118,7 @@ VtkSamples componentSamples(vtkDataArray& array, int component)
     const SampleType type = known ? *known : typeOf64Bits(array, component);
     VtkSamples result = filled(array, type, [&](vtkIdType i) { return array.GetComponent(i, component); });
     if (!known && type == SampleType::Float64)
-        result.remarks.emplace_back("Its 64-bit integers became floating-point numbers of 53 bits.");
+        result.remarks.push_back(Message::say("Its 64-bit integers became floating-point numbers of 53 bits."));
     return result;
 }
 

@@ -33,8 +33,8 @@ Result<VtkArray> chooseArray(const std::vector<VtkArray>& arrays, const std::str
 struct VtkSamples {
     SampleType type = SampleType::Float32;
     Buffer<std::byte> samples;
-    std::string name;                   ///< the array's and the component's
-    std::vector<std::string> remarks{}; ///< if they are not what stands in the file
+    std::string name;               ///< the array's and the component's
+    std::vector<Message> remarks{}; ///< if they are not what stands in the file
 };
 
 /// `component` is a number from 0 or "magnitude", which counts for several components only. Types that TAn does not

@@ -123,12 +123,12 @@ Status addCells(vtkUnstructuredGrid& mesh, const VtkArray& array, const VtkSampl
         found.offsets.push_back(found.corners.size());
     }
     if (wronglyLinear == 1)
-        found.remarks.emplace_back(
-            "1 cell is called linear and has the corners of a quadratic one: it was taken as such.");
+        found.remarks.push_back(
+            Message::say("1 cell is called linear and has the corners of a quadratic one: it was taken as such."));
     else if (wronglyLinear > 1)
         found.remarks.push_back(
-            std::to_string(wronglyLinear) +
-            " cells are called linear and have the corners of quadratic ones: they were taken as such.");
+            Message::say("%1 cells are called linear and have the corners of quadratic ones: they were taken as such.",
+                         wronglyLinear));
     appendPositions(mesh, found);
     appendDoubles(samples, found);
     appendBlanked(mesh, cellsBefore, found);

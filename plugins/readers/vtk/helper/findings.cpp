@@ -57,7 +57,8 @@ Result<VtkFindings> findingsOfOne(vtkDataSet& data, const VtkRequest& request)
     auto found = pointFindings(data, chosen->array, chosen->samples);
     const vtkIdType cells = data.GetNumberOfCells();
     if (found && cells > 0 && data.GetCellType(0) != VTK_VERTEX && data.GetCellType(0) != VTK_POLY_VERTEX)
-        found->remarks.emplace_back("What joins its points (lines, polygons) was left out: they are scattered points.");
+        found->remarks.push_back(
+            Message::say("What joins its points (lines, polygons) was left out: they are scattered points."));
     return found;
 }
 
@@ -95,8 +96,8 @@ Result<VtkFindings> findingsOfMeshes(const std::vector<VtkLeaf>& meshes, const V
     }
     found.remarks.insert(found.remarks.begin(), first->samples.remarks.begin(), first->samples.remarks.end());
     if (without > 0)
-        found.remarks.push_back(std::to_string(without) + " of its parts have no '" + printable(first->array.name) +
-                                "' and were left out.");
+        found.remarks.push_back(
+            Message::say("%1 of its parts have no '%2' and were left out.", without, printable(first->array.name)));
     return found;
 }
 
@@ -124,11 +125,12 @@ Result<VtkFindings> findingsOf(const std::vector<VtkLeaf>& leaves, const VtkRequ
     const bool asMeshes = !meshes.empty() && meshes.front().data == first.data;
     auto found = asMeshes ? findingsOfMeshes(meshes, request) : findingsOfOne(*first.data, request);
     if (found && !asMeshes)
-        found->remarks.push_back("It contains " + std::to_string(leaves.size()) + " parts; this is the one called '" +
-                                 printable(first.name) + "'. Choose another one with 'part'.");
+        found->remarks.push_back(
+            Message::say("It contains %1 parts; this is the one called '%2'. Choose another one with 'part'.",
+                         leaves.size(), printable(first.name)));
     else if (found && meshes.size() < leaves.size())
-        found->remarks.push_back(std::to_string(leaves.size() - meshes.size()) +
-                                 " of its parts are no irregular meshes and were left out.");
+        found->remarks.push_back(
+            Message::say("%1 of its parts are no irregular meshes and were left out.", leaves.size() - meshes.size()));
     return found;
 }
 

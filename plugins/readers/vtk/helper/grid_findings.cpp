@@ -55,7 +55,8 @@ VtkSamples meansAtPoints(const Size& size, const VtkSamples& cells)
     VtkSamples points;
     points.name = cells.name;
     points.remarks = cells.remarks;
-    points.remarks.emplace_back("The values of the cells were brought to the points, as the mean of the cells around.");
+    points.remarks.push_back(
+        Message::say("The values of the cells were brought to the points, as the mean of the cells around."));
     points.type =
         cells.type == SampleType::Float64 || cells.type == SampleType::Int32 || cells.type == SampleType::UInt32
             ? SampleType::Float64
@@ -133,8 +134,8 @@ Result<VtkFindings> asCells(vtkDataSet& data, const VtkGrid& grid, bool perCell,
     found.type = samples.type;
     found.arrayName = samples.name;
     found.remarks = samples.remarks;
-    found.remarks.emplace_back("A grid with cells that are blanked out, or whose values are no numbers: an irregular "
-                               "mesh without them.");
+    found.remarks.push_back(Message::say(
+        "A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them."));
     found.perCell = perCell;
     found.positions = positionsOf(data);
     const std::vector<double> values = toDoubles(samples);

@@ -58,7 +58,7 @@ void rescale(VtkFindings& found, double slope, double intercept)
                 reinterpret_cast<float*>(found.samples.data())[i] = static_cast<float>(value);
         }
     });
-    found.remarks.emplace_back("The samples were multiplied and shifted as the header of the file asks.");
+    found.remarks.push_back(Message::say("The samples were multiplied and shifted as the header of the file asks."));
 }
 
 Result<VtkSource> niftiSource(const std::string& path)

@@ -84,10 +84,10 @@ Result<VtkFindings> find(const VtkSource& source, const VtkRequest& request, con
         return done.error();
     source.finish(*found);
     for (std::size_t warning = 0; warning < std::min<std::size_t>(2, log.warnings.size()); ++warning)
-        found->remarks.push_back("VTK says: " + log.warnings[warning]);
+        found->remarks.push_back(Message::say("VTK says: %1", log.warnings[warning]));
     if (const std::size_t steps = timesOf(*source.reader).size(); steps > 1)
-        found->remarks.push_back("Time step " + std::to_string(request.timeStep) + " of " + std::to_string(steps) +
-                                 ". Choose another one with 'time'.");
+        found->remarks.push_back(
+            Message::say("Time step %1 of %2. Choose another one with 'time'.", request.timeStep, steps));
     return found;
 }
 

@@ -15,7 +15,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::string_view failure = "It could not be read.";
+constexpr std::string_view failure = Message::marked("It could not be read.");
 constexpr std::size_t most = 8; ///< messages of each kind; a damaged file can make millions
 
 /// What VTK calls a warning though values are missing after it: "Error reading ascii data. Possible mismatch ...".
@@ -135,9 +135,10 @@ Status statusOf(const VtkLog& log)
                 return memoryLimitMet();
     const auto reason = std::ranges::find_if(log.errors, [](const std::string& e) { return e != failure; });
     const std::string& said = reason == log.errors.end() ? log.errors.front() : *reason;
+    const Message message = said == failure ? Message::of(said, {}) : Message(said.ends_with('.') ? said : said + ".");
     return Error{ErrorKind::BadInput, Message::say("VTK says: %1 The file is damaged, incomplete, or of a kind that "
                                                    "VTK does not know: copy or export it again.",
-                                                   said.ends_with('.') ? said : said + ".")};
+                                                   message)};
 }
 
 } // namespace tetra

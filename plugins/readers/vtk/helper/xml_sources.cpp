@@ -66,9 +66,11 @@ Result<VtkSource> makeXmlSource(const VtkRequest& request)
     const auto found = readers.find(type);
     if (found == readers.end())
         return Error{ErrorKind::BadInput,
-                     type.empty() ? "it is no VTK file: its beginning does not say a type of data. Write it anew."
-                                  : "it holds data of the type '" + printable(type) +
-                                        "', which are no volume. Write them as a grid, a mesh or points."};
+                     type.empty()
+                         ? Message::say("it is no VTK file: its beginning does not say a type of data. Write it anew.")
+                         : Message::say("it holds data of the type '%1', which are no volume. Write them as "
+                                        "a grid, a mesh or points.",
+                                        printable(type))};
     const vtkSmartPointer<vtkXMLReader> reader = found->second();
     reader->SetFileName(request.path.c_str());
     VtkSource source{.reader = reader, .knowsContents = type != "vtkMultiBlockDataSet" && !type.starts_with('P')};

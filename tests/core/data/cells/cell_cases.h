@@ -41,8 +41,8 @@ inline Result<Dataset> datasetOf(const CellComplex& complex, const ComplexValues
 inline QString remarksOf(const Dataset& dataset)
 {
     QString text;
-    for (const std::string& remark : dataset.remarks)
-        text += QString::fromStdString(remark) + " ";
+    for (const Message& remark : dataset.remarks)
+        text += QString::fromStdString(remark.text()) + " ";
     return text;
 }
 

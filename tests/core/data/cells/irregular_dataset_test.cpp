@@ -205,7 +205,7 @@ private slots:
             if (place[0] == 1 && place[1] == 0)
                 QCOMPARE(dataset->values.at(point), 1.5);
         }
-        QVERIFY(remarksOf(*dataset).contains("9 points are of no cell"));
+        QVERIFY(remarksOf(*dataset).contains("9 points belong to no cell"));
     }
 
     void seamsAreWelded()
@@ -261,7 +261,7 @@ private slots:
         QVERIFY(remarksOf(*dataset).contains("1 cell is a vertex"));
         QVERIFY(remarksOf(*dataset).contains("2 cells name a corner twice"));
         QVERIFY(remarksOf(*dataset).contains("1 cell without volume was"));
-        QVERIFY(remarksOf(*dataset).contains("2 points are of no cell"));
+        QVERIFY(remarksOf(*dataset).contains("2 points belong to no cell"));
     }
 
     void blankedAndRepeatedCells()
@@ -295,7 +295,7 @@ private slots:
         masked.blanked = {0, 1, 1, 0, 0, 1, 1, 0};
         const auto dataset = datasetOf(masked, linearValues(masked));
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
-        QVERIFY(remarksOf(*dataset).contains("touched in an edge"));
+        QVERIFY(remarksOf(*dataset).contains("touched only in an edge"));
         QVERIFY(totalVolume6(*dataset) < 6.0 * 4);
     }
 
@@ -315,7 +315,7 @@ private slots:
         QTest::newRow("three at a face") << complex << "3 tetrahedra at faces";
         complex = singleCell(CellShape::Hexahedron);
         complex.corners[3] = 8;
-        QTest::newRow("range") << complex << "1 cell name points that do not exist, the first is cell 0";
+        QTest::newRow("range") << complex << "Cells name points that do not exist (1 in all, the first is cell 0)";
         complex = singleCell(CellShape::Hexahedron);
         complex.shapes[0] = CellShape::Polyhedron;
         QTest::newRow("polyhedron") << complex << "polyhedra";
@@ -354,7 +354,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const auto dataset = irregularDataset(complex, linearValues(complex), {.name = "cells", .path = {}, .hash = 0},
-                                              Progress(stop.get_token(), [](double, std::string_view) {}));
+                                              Progress(stop.get_token(), [](double, const Message&) {}));
         QVERIFY(!dataset.ok());
         QCOMPARE(dataset.error().kind, ErrorKind::Cancelled);
     }

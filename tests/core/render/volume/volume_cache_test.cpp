@@ -67,7 +67,7 @@ private slots:
         std::stop_source stop;
         double last = 0;
         bool falls = false;
-        const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
             falls |= fraction < last;
             last = fraction;
         });

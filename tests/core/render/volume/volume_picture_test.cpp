@@ -377,7 +377,7 @@ void VolumePictureTest::canBeCancelled()
     const auto order = orderForCamera(volume, camera, {600, 600}).value();
     std::stop_source stop;
     double last = 0;
-    const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+    const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
         last = fraction;
         if (fraction > 0.5)
             stop.request_stop();

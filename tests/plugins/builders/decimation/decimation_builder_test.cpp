@@ -83,14 +83,15 @@ private slots:
         for (const char* kind : {"lattice", "grid"}) {
             const Acceptance acceptance = builder.accepts(dataOf(kind));
             QVERIFY(acceptance.score > 0 && acceptance.score < 1);
-            QVERIFY2(acceptance.reason.find("memory") != std::string::npos, acceptance.reason.c_str());
+            const std::string& reason = acceptance.reason.text();
+            QVERIFY2(reason.find("memory") != std::string::npos, reason.c_str());
         }
         Dataset points = dataOf("irregular");
         points.domain = DomainClass::Scattered;
         QCOMPARE(builder.accepts(points).score, 0.0);
         const Acceptance flat = builder.accepts(latticeData({4, 1, 4}));
         QCOMPARE(flat.score, 0.0);
-        QVERIFY(flat.reason.find("cell") != std::string::npos);
+        QVERIFY(flat.reason.text().find("cell") != std::string::npos);
     }
 
     void memoryIsSaidAndRefusedBeforehand()

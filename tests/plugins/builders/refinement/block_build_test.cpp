@@ -155,7 +155,7 @@ private slots:
     {
         double last = 0;
         bool grows = true;
-        const Progress progress({}, [&](double fraction, std::string_view) {
+        const Progress progress({}, [&](double fraction, const Message&) {
             grows = grows && fraction >= last - 1e-12 && fraction <= 1 + 1e-12;
             last = fraction;
         });
@@ -169,10 +169,10 @@ private slots:
     {
         std::string told;
         double toldAt = 1;
-        const Progress progress({}, [&](double fraction, std::string_view activity) {
-            if (!told.empty() || activity.find("model about") == std::string_view::npos)
+        const Progress progress({}, [&](double fraction, const Message& activity) {
+            if (!told.empty() || activity.text().find("model about") == std::string::npos)
                 return;
-            told = activity;
+            told = activity.text();
             toldAt = fraction;
         });
         QVERIFY(build(smoothDataset(31), "5", 0, false, 2, &progress).ok());
@@ -201,7 +201,7 @@ private slots:
         std::filesystem::remove(path());
 
         const Dataset mapped = mappedCopy(whole);
-        const Progress cutting({}, [&](double fraction, std::string_view) {
+        const Progress cutting({}, [&](double fraction, const Message&) {
             if (fraction >= when)
                 std::filesystem::resize_file(mapped.mappedFile->path(), 100);
         });
@@ -284,7 +284,7 @@ private:
             return file.error();
         BuildTarget target = (*file)->target((*file)->writer());
         std::stop_source source;
-        const Progress cancelling(source.get_token(), [&](double fraction, std::string_view) {
+        const Progress cancelling(source.get_token(), [&](double fraction, const Message&) {
             if (fraction >= cancelAt)
                 source.request_stop();
         });

@@ -55,7 +55,7 @@ private slots:
         large.lattice.size = {4000, 4000, 4000};
         const Acceptance refused = builder.accepts(large);
         QCOMPARE(refused.score, 0.0);
-        QVERIFY(QString::fromStdString(refused.reason).contains("4000 x 4000 x 4000"));
+        QVERIFY(QString::fromStdString(refused.reason.text()).contains("4000 x 4000 x 4000"));
     }
 
     void everyLevelIsProved_data()
@@ -120,7 +120,7 @@ private slots:
         {
             auto writer = ModelWriter::create(path, dataset, {});
             QVERIFY(writer.ok());
-            const Progress progress(stop.get_token(), [&](double fraction, std::string_view) {
+            const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
                 if (fraction > 0.1)
                     stop.request_stop();
             });

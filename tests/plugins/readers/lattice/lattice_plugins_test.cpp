@@ -18,7 +18,7 @@ private slots:
     void areLoaded()
     {
         for (const PluginStatus& plugin : host_.plugins())
-            QVERIFY2(plugin.error.empty(), plugin.error.c_str());
+            QVERIFY2(plugin.error.empty(), plugin.error.text().c_str());
         const auto has = [](const auto& plugins, const char* id) {
             return std::ranges::any_of(plugins, [&](const auto& provided) { return provided.id == id; });
         };

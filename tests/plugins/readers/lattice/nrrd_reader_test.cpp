@@ -337,7 +337,7 @@ void NrrdReaderTest::reportsProgressAndCancels()
         double last = 0;
         int reports = 0;
         bool monotonic = true;
-        const auto watch = [&](double fraction, std::string_view activity) {
+        const auto watch = [&](double fraction, const Message& activity) {
             monotonic = monotonic && fraction >= last && fraction <= 1 && !activity.empty();
             last = fraction;
             ++reports;
@@ -347,7 +347,7 @@ void NrrdReaderTest::reportsProgressAndCancels()
         QCOMPARE(last, 1.0);
 
         std::stop_source stop;
-        const auto stopAfterTheFirst = [&](double, std::string_view) { stop.request_stop(); };
+        const auto stopAfterTheFirst = [&](double, const Message&) { stop.request_stop(); };
         const Result<Dataset> stopped = readFile(path, Progress(stop.get_token(), stopAfterTheFirst));
         QVERIFY(!stopped.ok());
         QCOMPARE(stopped.error().kind, ErrorKind::Cancelled);

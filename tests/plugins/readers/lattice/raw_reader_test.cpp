@@ -183,7 +183,7 @@ void RawReaderTest::refuses_data()
     const auto wrongUsage = ErrorKind::WrongUsage;
     const auto badInput = ErrorKind::BadInput;
     row("empty", "", {size}, badInput, {"empty"});
-    row("nothing described", samples, {}, wrongUsage, {"60 bytes", "size and type", "in the manner of --size"});
+    row("nothing described", samples, {}, wrongUsage, {"60 bytes", "size and type", "for example --size"});
     row("a cube", QByteArray(32768, 1), {}, wrongUsage, {"32768 bytes", "--size 32x32x32 --type uint8"});
     row("a cube after a header", QByteArray(32768 + 10, 1), {{"skip", std::int64_t(10)}}, wrongUsage,
         {"--size 32x32x32 --type uint8"});
@@ -197,7 +197,7 @@ void RawReaderTest::refuses_data()
     row("unknown type", samples, {size, text("type", "number")}, wrongUsage, {"'number'", "uint8"});
     row("int64", samples, {size, text("type", "int64")}, wrongUsage, {"int64", "double"});
     row("unknown order", samples, {size, text("byte-order", "both")}, wrongUsage, {"'both'"});
-    row("spacing not understood", samples, {size, text("spacing", "1")}, wrongUsage, {"spacing '1'"});
+    row("spacing not understood", samples, {size, text("spacing", "1")}, wrongUsage, {"'1' for 'spacing'"});
     row("spacing zero", samples, {size, text("spacing", "1x1x0")}, badInput, {"positive"});
     row("spacing NaN", samples, {size, text("spacing", "1 1 nan")}, badInput, {"positive"});
     row("origin infinite", samples, {size, text("origin", "0,0,inf")}, badInput, {"finite"});

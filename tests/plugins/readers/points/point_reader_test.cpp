@@ -159,7 +159,8 @@ private slots:
         const auto dataset = read("x,y,z,v\n1,2,3,NA\n4,5,6,7\n,,,\n", {{"skip-incomplete", true}});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->pointCount(), std::uint64_t(1));
-        QCOMPARE(dataset->remarks, std::vector<std::string>{"2 incomplete rows were skipped."});
+        QCOMPARE(dataset->remarks.size(), std::size_t(1));
+        QCOMPARE(dataset->remarks[0].text(), std::string("2 incomplete rows were skipped."));
     }
 
     void pointsOnOnePlaceAreMergedAndTold()
@@ -169,9 +170,9 @@ private slots:
         QCOMPARE(dataset->pointCount(), std::uint64_t(3));
         QCOMPARE(dataset->values.at(0), 10.0);
         QCOMPARE(dataset->values.at(1), 8.0);
-        QCOMPARE(dataset->remarks,
-                 std::vector<std::string>{"4 points on the place of another one were merged with it; 1 place had "
-                                          "different values and got their mean."});
+        QCOMPARE(dataset->remarks.size(), std::size_t(1));
+        QCOMPARE(dataset->remarks[0].text(), std::string("4 points on the place of another one were merged with it. 1 "
+                                                         "place had different values and got their mean."));
     }
 
     void numbersDoNotFollowTheLocale()

@@ -77,7 +77,7 @@ private slots:
     {
         double last = 0;
         bool falls = false;
-        const Progress progress({}, [&](double fraction, std::string_view) {
+        const Progress progress({}, [&](double fraction, const Message&) {
             falls |= fraction < last;
             last = fraction;
         });
