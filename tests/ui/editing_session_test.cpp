@@ -78,6 +78,13 @@ public:
     }
     void edited() { waiting_.push_back(clock_.nsecsElapsed()); }
     bool isShown() const { return waiting_.empty(); }
+    /// No picture is to come any more: it is shown, or there was nothing else to be seen.
+    bool isOver()
+    {
+        if (window_.settled())
+            waiting_.clear();
+        return isShown();
+    }
     /// Seconds, ascending.
     std::vector<double> sorted()
     {
@@ -200,11 +207,12 @@ void EditingSessionTest::anHourOfEditing()
                 latencies.edited();
             followFor(isMeasured ? betweenMoves : 0, latencies);
         }
-        QVERIFY(waitFor([&] { return latencies.isShown(); }));
         session.endGesture();
+        QVERIFY(waitFor([&] { return latencies.isOver(); }));
         if (++gestures % gesturesBetweenOthers == 0)
             some.editOnce();
         some.finish();
+        session.setMode("volume");
         if (gestures % gesturesBetweenRests == 0)
             waitForRest(*window);
         if (!warm && now >= warmUp)
