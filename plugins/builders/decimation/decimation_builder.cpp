@@ -49,12 +49,12 @@ Message reasonFor(const Dataset& dataset)
     return {};
 }
 
-/// Of a grid as many as if it had a cell for each point.
+/// Of a grid as many as if it had a cell for each point, cut as decimation cuts it.
 double tetrahedraOf(const BuildSize& size)
 {
     if (size.domain == DomainClass::Irregular)
         return static_cast<double>(size.tetrahedra);
-    return static_cast<double>(size.points) * (gridCut(size.domain) == LatticeCut::Five ? 5 : 6);
+    return static_cast<double>(size.points) * (size.domain == DomainClass::Curvilinear ? 6 : 5);
 }
 
 /// What decimating data of this size to the coarsest mesh takes, with a model that leaves out meshes finer than
