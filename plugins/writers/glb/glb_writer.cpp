@@ -92,8 +92,8 @@ private:
         append(views_, R"({"buffer":0,"byteOffset":)" + std::to_string(offset_) + R"(,"byteLength":)" +
                            std::to_string(bytes) + R"(,"target":)" + std::to_string(target) + "}");
         append(accessors_, R"({"bufferView":)" + std::to_string(views_count_) + R"(,"componentType":)" +
-                               std::to_string(type) + R"(,"count":)" + std::to_string(count) + R"(,"type":")" +
-                               (components == 3 ? "VEC3" : "SCALAR") + "\"" + more + "}");
+                               std::to_string(type) + R"(,"count":)" + std::to_string(count) + R"(,"type":)" +
+                               (components == 3 ? "\"VEC3\"" : "\"SCALAR\"") + more + "}");
         offset_ += bytes;
         return std::to_string(views_count_++);
     }
