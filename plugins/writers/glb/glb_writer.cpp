@@ -178,9 +178,13 @@ Error tooLarge(const OutputFile& file)
 }
 
 } // namespace
+} // namespace tetra
 
-/// `.glb`, glTF 2.0 in one binary file: a mesh with a material for each part.
-class GlbWriter : public QObject, public Writer {
+using namespace tetra;
+
+/// `.glb`, glTF 2.0 in one binary file: a mesh with a material for each part. In no namespace: moc loses count of those
+/// over texts with braces.
+class GlbWriter : public QObject, public tetra::Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "glb_writer.json")
     Q_INTERFACES(tetra::Writer)
@@ -221,7 +225,5 @@ public:
         return {};
     }
 };
-
-} // namespace tetra
 
 #include "glb_writer.moc"

@@ -33,8 +33,8 @@ public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
         Parameter band{.id = "band", .label = "Band", .explanation = "Which values are seen.", .unit = ""};
-        band.defaultValue = OwnValue{"example.band", R"({"low": )" + formatNumber(field.range.minimum) +
-                                                         R"(, "high": )" + formatNumber(field.range.maximum) + "}"};
+        band.defaultValue = OwnValue{"example.band", "{\"low\": " + formatNumber(field.range.minimum) +
+                                                         ", \"high\": " + formatNumber(field.range.maximum) + "}"};
         Parameter colour{.id = "paint", .label = "Paint", .explanation = "In which colour.", .unit = ""};
         colour.defaultValue = Colour{1, 0, 0};
         Parameter light{.id = "light", .label = "Light", .explanation = "Where from.", .unit = ""};
