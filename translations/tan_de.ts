@@ -5605,8 +5605,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Zahl der zu überspringenden Bytes darf nicht negativ sein.</translation>
     </message>
     <message>
-        <source>%1 samples of type %2, %3 bytes</source>
-        <translation>%1 Abtastwerte vom Typ %2, %3 Bytes</translation>
+        <source>%1 x %2 x %3 samples of type %4, %5 bytes</source>
+        <translation>%1 × %2 × %3 Abtastwerte vom Typ %4, %5 Bytes</translation>
     </message>
     <message>
         <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>

@@ -5605,8 +5605,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il numero di byte da saltare non può essere negativo.</translation>
     </message>
     <message>
-        <source>%1 samples of type %2, %3 bytes</source>
-        <translation>%1 campioni di tipo %2, %3 byte</translation>
+        <source>%1 x %2 x %3 samples of type %4, %5 bytes</source>
+        <translation>%1 × %2 × %3 campioni di tipo %4, %5 byte</translation>
     </message>
     <message>
         <source>it should hold %1, but there are only %2. It is cut short, or its description (sizes, type, bytes to skip) is wrong.</source>

@@ -22,7 +22,7 @@ std::string_view sampleText(std::span<const std::byte> bytes)
 Message described(const SampleLayout& layout)
 {
     const auto& size = layout.lattice.size;
-    return Message::say("%1 × %2 × %3 samples of type %4, %5 bytes", size[0], size[1], size[2],
+    return Message::say("%1 x %2 x %3 samples of type %4, %5 bytes", size[0], size[1], size[2],
                         sampleTypeName(layout.type), layout.sampleBytes());
 }
 
