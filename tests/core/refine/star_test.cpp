@@ -32,7 +32,7 @@ bool readingTakesMemory()
 {
     constexpr std::uint64_t bytes = 256 << 20, page = 4096;
     ReservedArray<char> untouched;
-    if (!untouched.reserve(bytes, "a trial"))
+    if (!untouched.reserve(bytes, MarkedText{"a trial"}))
         return true;
     const std::uint64_t before = residentBytes();
     volatile char sum = 0;
