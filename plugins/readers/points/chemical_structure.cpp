@@ -3,6 +3,8 @@
 
 #include "plugins/readers/points/delimited_text.h"
 
+#include <tan/base.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
