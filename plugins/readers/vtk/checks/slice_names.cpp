@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/checks/slice_names.h"
 
+#include <tan/base.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
