@@ -265,6 +265,15 @@ std::string firstLine(std::string_view text)
     return std::string(text.substr(0, text.find_last_not_of(" \r\t") + 1));
 }
 
+/// Whether the system's loader says that memory or descriptors were lacking, and not a library.
+bool isLoadersLack(std::string_view reason)
+{
+    constexpr std::array<std::string_view, 4> lacks = {"annot allocate memory", "failed to map segment",
+                                                       "oo many open files", "cannot create shared object"};
+    return std::ranges::any_of(lacks,
+                               [&](std::string_view lack) { return reason.find(lack) != std::string_view::npos; });
+}
+
 /// What the system's loader says of libraries that it could not load; nothing if it said nothing.
 std::optional<Error> loaderError(std::string_view said)
 {
@@ -273,7 +282,7 @@ std::optional<Error> loaderError(std::string_view said)
     if (place == std::string_view::npos)
         return std::nullopt;
     const std::string reason = firstLine(said.substr(place + start.size()));
-    if (namesLackOfResources(reason))
+    if (isLoadersLack(reason))
         return notEnoughToStart(reason);
     const bool missing = reason.find("cannot open shared object") != std::string::npos;
     return Error{ErrorKind::BadInput,
