@@ -137,7 +137,7 @@ private slots:
         const SomeBuilder builder;
         const auto guard = guarded(builder, target());
         QCOMPARE(guard->accepts(zeros()).score, 1.0);
-        QCOMPARE(guard->parameters().front().mistake("x"), std::string("wrong: x"));
+        QCOMPARE(guard->parameters().front().mistake("x").text(), std::string("wrong: x"));
         QVERIFY(guard->abilities(zeros(), {}).resumes);
         QVERIFY(guard->estimate({}, {}, 1));
         QCOMPARE(guard->detail(1, DomainClass::Scattered).size(), std::size_t(1));
@@ -169,7 +169,8 @@ private slots:
 
         const Acceptance acceptance = builderGuard->accepts(zeros());
         QCOMPARE(acceptance.score, 0.0);
-        QVERIFY2(acceptance.reason.find(word.toStdString()) != std::string::npos, acceptance.reason.c_str());
+        QVERIFY2(acceptance.reason.text().find(word.toStdString()) != std::string::npos,
+                 acceptance.reason.text().c_str());
         const auto read = readerGuard->read(path("a.some"), {}, {});
         QVERIFY2(!read && read.error().text().find(word.toStdString()) != std::string::npos,
                  read.error().text().c_str());
