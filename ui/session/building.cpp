@@ -75,14 +75,14 @@ void Building::lookAtBuild()
     looker_.start([this, live = live_, path = lookPath_, target = buildTarget_,
                    isFirst = look_ == nullptr](const Progress&) -> std::function<void()> {
         const auto model = live->look(path);
-        Result<OpenedModel> look = OpenedModel{.becomes = target};
-        if (!model) {
-            look = model.error();
-        } else if (*model) {
-            look->model = *model;
-            look->field = extentOf(**model);
-            look->view = isFirst ? opening_.views().find(target) : std::nullopt;
+        OpenedModel opened;
+        opened.becomes = target;
+        if (model && *model) {
+            opened.model = *model;
+            opened.field = extentOf(**model);
+            opened.view = isFirst ? opening_.views().find(target) : std::nullopt;
         }
+        const Result<OpenedModel> look = model ? Result<OpenedModel>(std::move(opened)) : model.error();
         return [this, live, look] {
             if (running() && live == live_)
                 showLook(look);

@@ -13,8 +13,7 @@
 #include <optional>
 
 using namespace tetra;
-using tetra::testing::latticeMesh;
-using tetra::testing::Split;
+using namespace tetra::testing;
 
 /// What is seen along a line of sight: compared with sums of many small steps.
 class SeenPlaceTest : public QObject {
