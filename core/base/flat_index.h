@@ -65,6 +65,9 @@ public:
         return number;
     }
 
+    /// The first key that equals this one, itself if it is new. Valid until another one comes.
+    const Key& firstLike(const Key& key) { return keys_[numberOf(key)]; }
+
     /// Calls take(i, number) for the number of each keys[i], in order: sooner done than one by one. Makes slots for all
     /// of them. `take` does not look at this index.
     template <class Take> void numberAll(std::span<const Key> keys, Take&& take)
@@ -88,7 +91,7 @@ public:
     }
     bool contains(const Key& key) const noexcept { return find(key) != none; }
 
-    /// The different keys, each under its number.
+    /// The different keys, each under its number. Valid until another one comes.
     std::span<const Key> keys() const noexcept { return {keys_.data(), count_}; }
     std::size_t size() const noexcept { return count_; }
 

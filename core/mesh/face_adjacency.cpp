@@ -179,7 +179,7 @@ private:
         const auto sideOf = [&](std::uint32_t name) -> std::uint32_t& { return neighbours[name >> 2][name & 3]; };
         index.clear(faces.size());
         for (const OpenFace& face : faces) {
-            const std::uint32_t other = index.keys()[index.numberOf(face)].name;
+            const std::uint32_t other = index.firstLike(face).name;
             if (other == face.name || sideOf(other) != FaceAdjacency::none) // the first side, or a third one
                 continue;
             sideOf(face.name) = other;

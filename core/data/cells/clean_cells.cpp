@@ -97,7 +97,7 @@ std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positio
     FlatIndex<std::uint32_t, PlaceHash, SamePlace> places({positions}, {positions}); // by the first point on each
     places.clear(positions.size());
     for (std::uint32_t point = 0; point < positions.size(); ++point)
-        first[point] = used[point] ? places.keys()[places.numberOf(point)] : point;
+        first[point] = used[point] ? places.firstLike(point) : point;
     return first;
 }
 
