@@ -26,7 +26,7 @@ private slots:
         QVERIFY(place(order, 2) < place(order, 1));
         QVERIFY(place(order, 1) < place(order, 0));
         QVERIFY(place(order, 0) < place(order, 3));
-        QVERIFY(std::ranges::all_of(order.errors, &std::string::empty));
+        QVERIFY(std::ranges::all_of(order.errors, &Message::empty));
     }
 
     void aMissingNeedIsNamedThroughTheChain()

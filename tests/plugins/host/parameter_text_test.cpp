@@ -77,7 +77,7 @@ private slots:
         Parameter choice = described(std::string("one"));
         choice.choices = {"one", "two"};
         Parameter own = described(OwnValue{"example.band", ""});
-        own.mistake = [](const std::string& text) { return text == "refused" ? "It is no band." : ""; };
+        own.mistake = [](const std::string& given) { return given == "refused" ? "It is no band." : ""; };
         const QHash<QString, Parameter> parameters = {{"bool", described(true)},
                                                       {"whole", described(std::int64_t(5), 0, 10)},
                                                       {"number", described(5.0, 0, 10)},
