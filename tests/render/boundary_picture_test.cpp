@@ -139,7 +139,7 @@ private slots:
                 mesh->colours.clear();
                 mesh->values = {1, 2};
             }
-            const auto picture = cpu_->render({{{mesh, {}, 1}}, {}, cube(1)}, {}, {});
+            const auto picture = cpu_->render(SceneParts{{{mesh, {}, 1}}, {}, cube(1)}, {}, {});
             QVERIFY(!picture && picture.error().kind == ErrorKind::WrongUsage);
         }
     }

@@ -156,7 +156,7 @@ private slots:
     {
         auto mesh = std::make_shared<TriangleMesh>(*quad({0, 0, 0}, {1, 0, 0}, {0, 0, 1}));
         mesh->triangles.push_back({0, 1, 4});
-        QCOMPARE(gl_->render({{{mesh, {}, 1}}, {}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
+        QCOMPARE(gl_->render(SceneParts{{{mesh, {}, 1}}, {}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
         const LineSet line{{Eigen::Vector3f(0, 0, 0)}, {{0, 1}}, {}, 1};
         QCOMPARE(gl_->render({{}, {line}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
         QCOMPARE(gl_->render({}, {}, {.width = 0}).error().kind, ErrorKind::WrongUsage);
