@@ -158,7 +158,7 @@ private slots:
         mesh->triangles.push_back({0, 1, 4});
         QCOMPARE(gl_->render(SceneParts{{{mesh, {}, 1}}, {}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
         const LineSet line{{Eigen::Vector3f(0, 0, 0)}, {{0, 1}}, {}, 1};
-        QCOMPARE(gl_->render({{}, {line}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
+        QCOMPARE(gl_->render(SceneParts{{}, {line}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
         QCOMPARE(gl_->render({}, {}, {.width = 0}).error().kind, ErrorKind::WrongUsage);
         const auto tooLarge = gl_->render({}, {}, {.width = largestPictureSide, .height = 1, .samplesPerAxis = 4});
         QCOMPARE(tooLarge.error().kind, ErrorKind::OutOfResource);
