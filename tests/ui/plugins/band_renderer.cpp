@@ -32,12 +32,21 @@ class BandRenderer : public QObject, public Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        Parameter band{.id = "band", .label = "Band", .explanation = "Which values are seen.", .unit = ""};
+        Parameter band;
+        band.id = "band";
+        band.label = "Band";
+        band.explanation = "Which values are seen.";
         band.defaultValue = OwnValue{"example.band", "{\"low\": " + formatNumber(field.range.minimum) +
                                                          ", \"high\": " + formatNumber(field.range.maximum) + "}"};
-        Parameter colour{.id = "paint", .label = "Paint", .explanation = "In which colour.", .unit = ""};
+        Parameter colour;
+        colour.id = "paint";
+        colour.label = "Paint";
+        colour.explanation = "In which colour.";
         colour.defaultValue = Colour{1, 0, 0};
-        Parameter light{.id = "light", .label = "Light", .explanation = "Where from.", .unit = ""};
+        Parameter light;
+        light.id = "light";
+        light.label = "Light";
+        light.explanation = "Where from.";
         light.defaultValue = Eigen::Vector3d(1, 2, 3);
         return {band, colour, light};
     }
