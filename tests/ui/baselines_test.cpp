@@ -300,7 +300,7 @@ void BaselinesTest::waysToDraw()
     Session shown; // of a picture without the window's tools
     Viewport viewport(shown, BackendChoice::Cpu);
     viewport.resize(size);
-    viewport.show();
+    viewport.setVisible(true);
     const auto compareAs = [&](const char* name) {
         QTRY_VERIFY(window.settled());
         ViewValue view = session.view();
