@@ -155,8 +155,8 @@ void IncludeDirectionTest::findsTheBreach_data()
     row("host sees plugin", "plugins/host/bad.h", "#include \"plugins/readers/lattice/nrrd.h\"",
         "may not include plugins/readers/lattice/nrrd.h");
     row("plugin sees host", lattice, "#include \"plugins/host/host.h\"", "may not include plugins/host/host.h");
-    row("renderer sees the inside", "plugins/renderers/volume/bad.cpp", "#include \"core/render/tiles.h\"",
-        "may not include core/render/tiles.h");
+    row("renderer sees the inside", "plugins/renderers/volume/bad.cpp", "#include \"core/render/scene.h\"",
+        "may not include core/render/scene.h");
     row("plugin sees plugin of its kind", "plugins/builders/refinement/bad.h",
         "#include \"plugins/builders/decimation/heap.h\"", "may not include plugins/builders/decimation/heap.h");
     for (const char* kind : {"builders", "renderers", "readers", "writers", "editors"})
