@@ -564,7 +564,7 @@ void KeepSessionTest::theViewIsResetByOneStep()
     QVERIFY(session().view() == start);
     startAnew();
     open(model_);
-    QVERIFY(session().view().appearance == look);
+    QVERIFY(session().view().appearance == start.appearance);
 }
 
 void KeepSessionTest::aPictureWhoseSessionIsDamagedIsNamed()
