@@ -23,10 +23,11 @@ std::shared_ptr<const OpticalModel> brightestValue(const ValueRange& range)
             pieces.transmittance[i] = 1 - share;
         }
     };
-    model.shader = "const float least = float(" + std::to_string(least) + "), extent = float(" +
-                   std::to_string(extent) + ");\n" + R"(
+    model.shader = R"(
 vec4 lightOfPiece(float entry, float exit, float way, float gradient)
 {
+    float least = float()" +
+                   std::to_string(least) + "), extent = float(" + std::to_string(extent) + R"();
     float share = clamp((max(entry, exit) - least) / extent, 0.0, 1.0);
     return vec4(share * share, share * share, share, share);
 }

@@ -95,7 +95,7 @@ private slots:
         SceneParts scene =
             linearCube(isSum ? xRay(0, largestValue, opaqueLength, colour) : maximumIntensity(0, largestValue, colour));
         if (end < side)
-            scene.surfaces.push_back({wallAt(end), {0, 0, 0}, 1}); // black, as what is behind
+            scene.surfaces.push_back({.mesh = wallAt(end), .colour = {0, 0, 0}, .lit = false}); // as what is behind
         const Camera camera = beforeCube();
         const Picture picture = rendered(scene, camera);
         int drawn = 0;
@@ -166,7 +166,7 @@ private slots:
     {
         SceneParts scene = linearCube(maximumIntensity(0, largestValue, {1, 1, 1}));
         const Picture alone = rendered(scene, beforeCube());
-        scene.surfaces.push_back({wallAt(-1), {1, 0, 0}, 0.5f}); // in front of it, as far as light goes
+        scene.surfaces.push_back({.mesh = wallAt(1), .colour = {1, 0, 0}, .opacity = 0.5f, .lit = false});
         const Picture picture = rendered(scene, beforeCube());
         const int x = usual.width / 2, y = usual.height / 2;
         const float before = pixelAt(alone, x, y)[0] / 255.0f;

@@ -28,16 +28,18 @@ struct ModelNumbers {
         pieces.transmittance[i] = 1 - opacity;
     }
 
-    /// A shader that gives this opacity; a number of the text is `float(...)`, as GLSL reads 1 as a whole number.
+    /// A shader that gives this opacity, an expression in which `least` and `perValue` stand for themselves. Its names
+    /// are inside of the function: others would meet those of the back end.
     std::string shader(const std::string& opacity) const
     {
-        const auto number = [](float value) { return "float(" + formatNumber(value) + ")"; };
-        return "const float least = " + number(least) + ", perValue = " + number(perValue) +
-               ";\n"
-               "vec4 lightOfPiece(float entry, float exit, float way, float gradient)\n{\n    float opacity = " +
-               opacity + ";\n    return vec4(vec3(" + number(colour.red) + ", " + number(colour.green) + ", " +
-               number(colour.blue) + ") * opacity, opacity);\n}\n";
+        return "vec4 lightOfPiece(float entry, float exit, float way, float gradient)\n{\n    float least = " +
+               inGlsl(least) + ", perValue = " + inGlsl(perValue) + ";\n    float opacity = " + opacity +
+               ";\n    return vec4(vec3(" + inGlsl(colour.red) + ", " + inGlsl(colour.green) + ", " +
+               inGlsl(colour.blue) + ") * opacity, opacity);\n}\n";
     }
+
+    /// 1 by itself is a whole number there.
+    static std::string inGlsl(float number) { return "float(" + formatNumber(number) + ")"; }
 };
 
 } // namespace
@@ -70,8 +72,8 @@ std::shared_ptr<const OpticalModel> xRay(double least, double largest, double op
             numbers.set(pieces, i, std::min(share * pieces.length[i] * perLength, 1.0f));
         }
     };
-    model.shader = numbers.shader("min(clamp(((entry + exit) * 0.5 - least) * perValue, 0.0, 1.0) * way * float(" +
-                                  formatNumber(perLength) + "), 1.0)");
+    model.shader = numbers.shader("min(clamp(((entry + exit) * 0.5 - least) * perValue, 0.0, 1.0) * way * " +
+                                  ModelNumbers::inGlsl(perLength) + ", 1.0)");
     return std::make_shared<const OpticalModel>(std::move(model));
 }
 
