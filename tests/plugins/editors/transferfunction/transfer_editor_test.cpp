@@ -140,7 +140,7 @@ void TransferEditorTest::withoutThePluginTheDockSaysWhy()
                          std::make_unique<PluginHost>(PluginHostOptions{.folders = {empty.path().toStdString()}}));
     window.window.show();
     window.find<QAction>("action.dock.transfer").trigger();
-    QVERIFY(window.find<QLabel>("transfer.missing").text().contains("transferfunction"));
+    QVERIFY(window.find<QLabel>("transfer.missing").text().contains("\"transfer\""));
 }
 
 QTEST_MAIN(TransferEditorTest)
