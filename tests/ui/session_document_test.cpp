@@ -269,7 +269,7 @@ void SessionDocumentTest::twoProgramsKeepTheViewOfOneModel()
     QTRY_VERIFY(one->idle());
     other->keep("/a.tan", theirs);
     QTRY_VERIFY(other->idle());
-    QCOMPARE(one->find("/a.tan")->query, theirs.query);
+    QCOMPARE(one->find("/a.tan")->view.query, theirs.view.query);
     QVERIFY(KeptViews(folder).lost().empty());
     other.reset();
     QVERIFY(KeptViews(folder).lost().empty()); // one still has it
