@@ -69,7 +69,8 @@ QString untranslated(const Message& message)
     if (sentence.isEmpty())
         return englishWord(QString::fromStdString(message.text()));
     static const QRegularExpression places("%[1-9]|[^\\p{L}]");
-    if (!QString(sentence).remove(places).isEmpty() && translatedText(message.sentence()) == sentence)
+    constexpr int shortWord = 2; // "in", which German and Italian have as well
+    if (QString(sentence).remove(places).size() > shortWord && translatedText(message.sentence()) == sentence)
         return sentence;
     for (const Message& argument : message.arguments())
         if (const QString left = untranslated(argument); !left.isEmpty())
@@ -136,7 +137,7 @@ private:
         refused("NRRD, flat", "flat.nrrd", nrrd("type: uint8\nsizes: 2 4 1\nencoding: raw\n"));
         refused("NRRD, unknown encoding", "bzip.nrrd", nrrd("type: uint8\nsizes: 2 2 2\nencoding: bzip2\n"));
         refused("NRRD, no data file", "detached.nhdr", nrrd(raw + "data file: missing.raw\n"));
-        refused("NRRD, damaged header", "header.nrrd", nrrd(raw + "what is this\n"));
+        refused("NRRD, damaged header", "header.nrrd", nrrd(raw + "no such field\n"));
         refused("NRRD, NaN", "nan.nrrd", nrrd("type: float\nsizes: 2 2 2\nencoding: ascii\n", "1 2 3 nan 5 6 7 8"));
         refused("raw, nothing said", "data.raw", std::string(60, '\1'));
         refused("raw, size not understood", "size.raw", std::string(60, '\1'), {{"size", std::string("3x4")}});
@@ -347,21 +348,26 @@ void SentencesTest::commonMistakes()
     QVERIFY(mistakes.size() >= 60);
     const QString place = QRegularExpression::escape(folder.path());
     std::map<QString, QStringList> told;
+    QStringList english;
     for (const char* language : {"en", "de", "it"}) {
         const Speaking speaking(language);
         for (const auto& [name, message] : mistakes) {
-            QVERIFY2(!message.empty(), qPrintable(name + " is no mistake"));
             told[name] << translatedMessage(message).remove(QRegularExpression(place + "/?"));
             if (QString(language) == "en")
                 continue;
-            QVERIFY2(untranslated(message).isEmpty(), qPrintable(name + ": " + untranslated(message)));
-            QVERIFY2(told[name].last() != told[name].first(), qPrintable(told[name].last()));
+            if (const QString left = untranslated(message); !left.isEmpty())
+                english << name + ": " + left;
+            if (told[name].last() == told[name].first())
+                english << name + ": " + told[name].last();
         }
     }
     QFile table("mistakes.md");
     QVERIFY(table.open(QIODevice::WriteOnly));
-    for (const auto& [name, message] : mistakes)
+    for (const auto& [name, message] : mistakes) {
+        QVERIFY2(!message.empty(), qPrintable(name + " is no mistake"));
         table.write(("## " + name + "\n\n- " + told[name].join("\n- ") + "\n\n").toUtf8());
+    }
+    QVERIFY2(english.isEmpty(), qPrintable(english.join('\n')));
 }
 
 void SentencesTest::whatReadersRemark()
@@ -389,7 +395,7 @@ void SentencesTest::aPluginBringsItsTranslations()
 {
     const PluginHost host({.folders = {TAN_CHOICES}});
     QCOMPARE(host.plugins().size(), std::size_t(1));
-    const auto& names = host.plugins()[0].metadata.names;
+    const auto names = host.plugins()[0].metadata.names;
     QVERIFY(pluginTranslators(host, QLocale("it")).empty());
     const auto theirs = pluginTranslators(host, QLocale("de"));
     QCOMPARE(theirs.size(), std::size_t(1));
