@@ -4790,7 +4790,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin&apos;s author for a fixed version.</source>
-        <translation>Seine Metadaten nennen eine Art (%1), aber es implementiert %2 statt %3. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
+        <translation>Seine Metadaten nennen es einen %1, aber es implementiert %2 statt %3. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
     </message>
     <message>
         <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
@@ -4992,7 +4992,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>The %1 knows no parameter &apos;%2&apos;. %3</source>
-        <translation>%1 kennt keinen Parameter „%2“. %3</translation>
+        <translation>Der %1 kennt keinen Parameter „%2“. %3</translation>
     </message>
     <message>
         <source>It has none.</source>
@@ -5012,7 +5012,7 @@ Verwerfung %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is for %2 data only, and %3. Leave it out.</source>
-        <translation>„%1“ ist nur für Daten einer Art (%2), und %3. Lassen Sie es weg.</translation>
+        <translation>„%1“ gilt nur für diese Art von Daten: %2; doch %3. Lassen Sie es weg.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is of use only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
@@ -5050,15 +5050,15 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>The %1 &quot;%2&quot; cannot be used. %3</source>
-        <translation>„%2“ (%1) kann nicht benutzt werden. %3</translation>
+        <translation>Der %1 „%2“ kann nicht benutzt werden. %3</translation>
     </message>
     <message>
         <source>There is no %1 &quot;%2&quot;. %3</source>
-        <translation>„%2“ (%1) gibt es nicht. %3</translation>
+        <translation>Einen %1 „%2“ gibt es nicht. %3</translation>
     </message>
     <message>
         <source>None is installed.</source>
-        <translation>Es ist keines installiert.</translation>
+        <translation>Es ist keiner installiert.</translation>
     </message>
     <message>
         <source>There is: %1.</source>
@@ -5074,7 +5074,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>Its metadata call it a %1, but it does not implement %2. Ask the plugin&apos;s author for a fixed version.</source>
-        <translation>Seine Metadaten nennen eine Art (%1), aber es implementiert %2 nicht. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
+        <translation>Seine Metadaten nennen es einen %1, aber es implementiert %2 nicht. Bitten Sie den Autor des Plugins um eine berichtigte Version.</translation>
     </message>
     <message>
         <source>builder</source>
@@ -7118,19 +7118,19 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would hold more than the 4 GiB that a .glb file can. Write a .vtp file, or a surface of a larger error.</source>
-        <translation>„%1“ hätte mehr als die 4 GiB, die eine .glb-Datei fasst. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+        <translation>„%1“ hätte mehr als die 4 GiB, die eine .glb-Datei fasst. Schreiben Sie eine .vtp-Datei oder eine Fläche mit größerem Fehler.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would hold more than the 2147483647 vertices that a PLY file can number. Write a .vtp file, or a surface of a larger error.</source>
-        <translation>„%1“ hätte mehr als die 2147483647 Knoten, die eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+        <translation>„%1“ hätte mehr als die 2147483647 Knoten, die eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Fläche mit größerem Fehler.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would hold more than the 4294967295 triangles that an STL file can count. Write a .vtp file, or a surface of a larger error.</source>
-        <translation>„%1“ hätte mehr als die 4294967295 Dreiecke, die eine STL-Datei zählen kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+        <translation>„%1“ hätte mehr als die 4294967295 Dreiecke, die eine STL-Datei zählen kann. Schreiben Sie eine .vtp-Datei oder eine Fläche mit größerem Fehler.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
-        <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Oberfläche mit größerem Fehler.</translation>
+        <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Fläche mit größerem Fehler.</translation>
     </message>
     <message>
         <source>It makes no widget. Tell its author.</source>
@@ -7234,7 +7234,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>A scene can have one volume, or one blend of two, and this one has %1. Show the others as surfaces, or in a picture of their own.</source>
-        <translation>Eine Szene kann ein Volumen haben oder eine Überblendung von zweien, und diese hat %1. Zeigen Sie die anderen als Oberflächen oder in einem eigenen Bild.</translation>
+        <translation>Eine Szene kann ein Volumen haben oder eine Überblendung von zweien, und diese hat %1. Zeigen Sie die anderen als Flächen oder in einem eigenen Bild.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; failed without saying why. This is a mistake in the plugin; tell its author.</source>

@@ -2782,79 +2782,79 @@ deformazione %2</translation>
     </message>
     <message>
         <source>No such file or directory</source>
-        <translation>File o cartella inesistente</translation>
+        <translation>file o cartella inesistente</translation>
     </message>
     <message>
         <source>Permission denied</source>
-        <translation>Permesso negato</translation>
+        <translation>permesso negato</translation>
     </message>
     <message>
         <source>Operation not permitted</source>
-        <translation>Operazione non permessa</translation>
+        <translation>operazione non permessa</translation>
     </message>
     <message>
         <source>Input/output error</source>
-        <translation>Errore di input/output</translation>
+        <translation>errore di input/output</translation>
     </message>
     <message>
         <source>Cannot allocate memory</source>
-        <translation>Memoria insufficiente</translation>
+        <translation>memoria insufficiente</translation>
     </message>
     <message>
         <source>Resource temporarily unavailable</source>
-        <translation>Risorsa temporaneamente non disponibile</translation>
+        <translation>risorsa temporaneamente non disponibile</translation>
     </message>
     <message>
         <source>Device or resource busy</source>
-        <translation>Dispositivo o risorsa occupati</translation>
+        <translation>dispositivo o risorsa occupati</translation>
     </message>
     <message>
         <source>Invalid cross-device link</source>
-        <translation>Su un altro dispositivo</translation>
+        <translation>su un altro dispositivo</translation>
     </message>
     <message>
         <source>Not a directory</source>
-        <translation>Non è una cartella</translation>
+        <translation>non è una cartella</translation>
     </message>
     <message>
         <source>Is a directory</source>
-        <translation>È una cartella</translation>
+        <translation>è una cartella</translation>
     </message>
     <message>
         <source>Invalid argument</source>
-        <translation>Argomento non valido</translation>
+        <translation>argomento non valido</translation>
     </message>
     <message>
         <source>Too many open files</source>
-        <translation>Troppi file aperti</translation>
+        <translation>troppi file aperti</translation>
     </message>
     <message>
         <source>Too many open files in system</source>
-        <translation>Troppi file aperti nel sistema</translation>
+        <translation>troppi file aperti nel sistema</translation>
     </message>
     <message>
         <source>File too large</source>
-        <translation>File troppo grande</translation>
+        <translation>file troppo grande</translation>
     </message>
     <message>
         <source>No space left on device</source>
-        <translation>Spazio esaurito sul disco</translation>
+        <translation>spazio esaurito sul disco</translation>
     </message>
     <message>
         <source>Read-only file system</source>
-        <translation>File system in sola lettura</translation>
+        <translation>file system in sola lettura</translation>
     </message>
     <message>
         <source>File name too long</source>
-        <translation>Nome del file troppo lungo</translation>
+        <translation>nome del file troppo lungo</translation>
     </message>
     <message>
         <source>Too many levels of symbolic links</source>
-        <translation>Troppi livelli di collegamenti simbolici</translation>
+        <translation>troppi livelli di collegamenti simbolici</translation>
     </message>
     <message>
         <source>Disk quota exceeded</source>
-        <translation>Quota disco superata</translation>
+        <translation>quota disco superata</translation>
     </message>
     <message>
         <source>Stale file handle</source>
@@ -3806,7 +3806,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>The coarsest mesh of &apos;%1&apos; has %2 tetrahedra, more than the budget of %3. Allow at least as many.</source>
-        <translation>La mesh più grossolana di «%1» ha %2 tetraedri, più del limite di %3. Permetterne almeno altrettanti.</translation>
+        <translation>La mesh più grossolana di «%1» ha %2 tetraedri, più del budget di %3. Permetterne almeno altrettanti.</translation>
     </message>
     <message>
         <source>its running errors do not bound the tetrahedra&apos;s own ones</source>
@@ -3926,7 +3926,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
-        <translation>La mesh più grossolana ha %1 tetraedri, più del limite di %2. Permetterne almeno altrettanti.</translation>
+        <translation>La mesh più grossolana ha %1 tetraedri, più del budget di %2. Permetterne almeno altrettanti.</translation>
     </message>
     <message>
         <source>%1. Use a closed set, or the automatic choice.</source>
@@ -4790,7 +4790,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Its metadata call it a %1, but it implements %2 instead of %3. Ask the plugin&apos;s author for a fixed version.</source>
-        <translation>I suoi metadati indicano un tipo (%1), ma implementa %2 invece di %3. Chiedere all&apos;autore del plugin una versione corretta.</translation>
+        <translation>I suoi metadati lo dicono un plugin di %1, ma implementa %2 invece di %3. Chiedere all&apos;autore del plugin una versione corretta.</translation>
     </message>
     <message>
         <source>It was built with Qt %1, and this program runs with Qt %2. Install a build of the plugin for this Qt.</source>
@@ -4992,7 +4992,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>The %1 knows no parameter &apos;%2&apos;. %3</source>
-        <translation>%1 non conosce un parametro «%2». %3</translation>
+        <translation>Il plugin di %1 non conosce il parametro «%2». %3</translation>
     </message>
     <message>
         <source>It has none.</source>
@@ -5012,7 +5012,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is for %2 data only, and %3. Leave it out.</source>
-        <translation>«%1» è solo per dati di un tipo (%2), e %3. Ometterlo.</translation>
+        <translation>«%1» vale solo per questo tipo di dati: %2; ma %3. Ometterlo.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is of use only if &apos;%2&apos; is %3. Leave it out, or choose that.</source>
@@ -5050,11 +5050,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The %1 &quot;%2&quot; cannot be used. %3</source>
-        <translation>«%2» (%1) non si può usare. %3</translation>
+        <translation>Il plugin di %1 «%2» non si può usare. %3</translation>
     </message>
     <message>
         <source>There is no %1 &quot;%2&quot;. %3</source>
-        <translation>«%2» (%1) non esiste. %3</translation>
+        <translation>Un plugin di %1 «%2» non esiste. %3</translation>
     </message>
     <message>
         <source>None is installed.</source>
@@ -5074,7 +5074,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Its metadata call it a %1, but it does not implement %2. Ask the plugin&apos;s author for a fixed version.</source>
-        <translation>I suoi metadati indicano un tipo (%1), ma non implementa %2. Chiedere all&apos;autore del plugin una versione corretta.</translation>
+        <translation>I suoi metadati lo dicono un plugin di %1, ma non implementa %2. Chiedere all&apos;autore del plugin una versione corretta.</translation>
     </message>
     <message>
         <source>builder</source>
@@ -5870,7 +5870,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>%1 has %2 columns, and those before have %3.</source>
-        <translation>%1 ha %2 colonne, e quelle prima ne hanno %3.</translation>
+        <translation>la %1 ha %2 colonne, e quelle prima ne hanno %3.</translation>
     </message>
     <message>
         <source>%1, %2: %3 is too large for a position.</source>
@@ -7066,7 +7066,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>A dataset cannot be written as &apos;%1&apos;. %2</source>
-        <translation>Un dataset non può essere scritto come «%1». %2</translation>
+        <translation>Un insieme di dati non può essere scritto come «%1». %2</translation>
     </message>
     <message>
         <source>A mesh cannot be written as &apos;%1&apos;. %2</source>
