@@ -2497,8 +2497,8 @@ Verwerfung %2</translation>
         <translation>„%1“ ist kein Ordner: Wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <source>It is a folder: name a file in it.</source>
-        <translation>Das ist ein Ordner: Nennen Sie eine Datei darin.</translation>
+        <source>Name a file in it.</source>
+        <translation>Nennen Sie eine Datei darin.</translation>
     </message>
     <message>
         <source>Choose another folder, or change the permissions of this one.</source>

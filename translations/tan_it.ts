@@ -2497,8 +2497,8 @@ deformazione %2</translation>
         <translation>«%1» non è una cartella: sceglierne un&apos;altra.</translation>
     </message>
     <message>
-        <source>It is a folder: name a file in it.</source>
-        <translation>È una cartella: indicare un file al suo interno.</translation>
+        <source>Name a file in it.</source>
+        <translation>Indicare un file al suo interno.</translation>
     </message>
     <message>
         <source>Choose another folder, or change the permissions of this one.</source>

@@ -30,7 +30,7 @@ Message remedy(int systemError, const std::filesystem::path& folder)
     switch (systemError) {
     case ENOENT: return Message::say("The folder '%1' does not exist: create it or choose another.", folder.string());
     case ENOTDIR: return Message::say("'%1' is not a folder: choose another.", folder.string());
-    case EISDIR: return Message::say("It is a folder: name a file in it.");
+    case EISDIR: return Message::say("Name a file in it.");
     case EACCES:
     case EPERM: return Message::say("Choose another folder, or change the permissions of this one.");
     case EROFS: return Message::say("Choose a folder on a disk that can be written.");
