@@ -267,7 +267,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "byte order", [](FileParts& f) { f.header().byteOrderMark = 0x04030201; }, "the other byte order");
     row(
-        "domain", [](FileParts& f) { f.header().domainClass = 2; }, "a lattice of 4 x 3 x 5 points cannot be");
+        "domain", [](FileParts& f) { f.header().domainClass = 2; }, "a lattice of 4 x 3 x 5 points is impossible");
     row(
         "far domain", [](FileParts& f) { f.header().domainClass = 77; }, "domain class 77, which this version cannot");
     row(
@@ -279,7 +279,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
         },
         "1 x 4 x 4 points cannot be");
     row(
-        "overflow", [](FileParts& f) { f.header().latticeSize.fill(0xffffffff); }, "points cannot be");
+        "overflow", [](FileParts& f) { f.header().latticeSize.fill(0xffffffff); }, "points is impossible");
     row(
         "spacing", [](FileParts& f) { f.header().spacing[1] = -1; }, "the spacing or the origin");
     row(
@@ -314,7 +314,8 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
         "missing", [](FileParts& f) { f.section(SectionId::Destroyers).id = 999, f.section(SectionId(999)).flags = 0; },
         "section 'destroyers' is missing");
     row(
-        "codec", [](FileParts& f) { f.section(SectionId::OwnErrors).codec = 3; }, "packs its own errors with codec 3");
+        "codec", [](FileParts& f) { f.section(SectionId::OwnErrors).codec = 3; },
+        "packs its section 'own errors' with codec 3");
     row(
         "misaligned", [](FileParts& f) { f.section(SectionId::OwnErrors).offset += 4; }, "cannot begin at byte");
     row(

@@ -106,7 +106,7 @@ private slots:
         row(
             "left-handed", [](FileParts& p) { p.header().leftHanded = 1; }, "handedness");
         row(
-            "a lattice", [](FileParts& p) { p.header().latticeSize[1] = 2; }, "points cannot be");
+            "a lattice", [](FileParts& p) { p.header().latticeSize[1] = 2; }, "points is impossible");
         row(
             "three sites", [](FileParts& p) { p.header().siteCount = 3; }, "cannot have 3 sites");
         row(
