@@ -277,7 +277,7 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
         [](FileParts& f) {
             f.header().latticeSize = {1, 4, 4};
         },
-        "1 x 4 x 4 points cannot be");
+        "1 x 4 x 4 points is impossible");
     row(
         "overflow", [](FileParts& f) { f.header().latticeSize.fill(0xffffffff); }, "points is impossible");
     row(
