@@ -230,10 +230,11 @@ bool LimitsTest::isRefused(const QStringList& words, const std::function<void()>
     const bool isDone = run.exitCode == 0;
     const bool isNotLoaded = run.exitCode == 127 && run.messages.contains("shared librar"); // the system's own words
     const auto isSaid = [&](const QByteArray& reason) { return run.messages.contains(reason); };
-    const bool isTold = run.exitCode == 4 && run.messages.contains("tan: ") && std::ranges::any_of(reasons, isSaid) &&
-                        (run.messages.contains("ulimit") || run.messages.contains("Close other programs") ||
-                         run.messages.contains("Choose a") || run.messages.contains("Ask for") ||
-                         run.messages.contains("Show fewer") || run.messages.contains("Take a region"));
+    const bool isTold =
+        run.exitCode == 4 && run.messages.contains("tan: ") && std::ranges::any_of(reasons, isSaid) &&
+        (run.messages.contains("ulimit") || run.messages.contains("Close other programs") ||
+         run.messages.contains("Choose a") || run.messages.contains("Ask for") || run.messages.contains("Show fewer") ||
+         run.messages.contains("Take a region") || run.messages.contains("Make the picture smaller"));
     const bool isTidy = isDone || made.isEmpty();
     const QString said = QString("under %1: exit code %2, %3 left, %4");
     if (!isTidy || (!isDone && !isNotLoaded && !isTold))
