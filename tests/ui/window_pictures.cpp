@@ -51,6 +51,7 @@ public:
     }
     void settle()
     {
+        QTest::qWait(200); // what is hidden or shown makes room for the picture, which is drawn anew
         waitUntil([this] { return session().model() && session().showsQuery() && fixture_.settled(); },
                   "it was not drawn in time");
         QTest::qWait(200); // panels that follow a little later: histograms, curves
