@@ -96,6 +96,33 @@ void DrivenWindow::startAnew()
     remember();
 }
 
+void DrivenWindow::remember()
+{
+    before_ = now();
+    stepsBefore_ = undoSteps();
+}
+
+void DrivenWindow::press(const QString& control, Qt::Key key, Qt::KeyboardModifiers modifiers) const
+{
+    auto& widget = find<QWidget>(control);
+    widget.setFocus();
+    QTest::keyClick(&widget, key, modifiers);
+}
+
+void DrivenWindow::raise(const QString& dock) const
+{
+    auto& found = find<QDockWidget>(dock);
+    found.show();
+    found.raise();
+    QCoreApplication::processEvents();
+}
+
+void DrivenWindow::addTransferPoint() const
+{
+    raise("dock.transfer");
+    press("transfer.canvas", Qt::Key_Insert);
+}
+
 std::size_t DrivenWindow::addedPoint() const
 {
     const std::vector<TransferPoint> points = transferPoints(before_.appearance.transfer);
