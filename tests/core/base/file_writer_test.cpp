@@ -260,7 +260,7 @@ private slots:
         QTest::newRow("file as folder") << "read-only/file"
                                         << "is not a folder";
         QTest::newRow("folder") << "folder"
-                                << "name a file in it";
+                                << "Name a file in it";
         QTest::newRow("folder with slash") << "folder/"
                                            << "Name a file";
         QTest::newRow("read-only file") << "read-only"
