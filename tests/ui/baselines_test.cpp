@@ -205,7 +205,6 @@ private slots:
     void icons_data() { addLightAndDark(); }
     void icons();
     void presets();
-    void waysToDraw();
 
 private:
     QTemporaryDir folder_;
@@ -290,46 +289,6 @@ void BaselinesTest::presets()
         painter.drawPixmap(0, size.height() * static_cast<int>(i), presetIcon(all[i], size).pixmap(size));
     painter.end();
     compare(image, "presets", paintedTolerance);
-}
-
-void BaselinesTest::waysToDraw()
-{
-    constexpr QSize size(96, 80);
-    const EditorFixture window(model_);
-    Session& session = window.session();
-    Session shown; // of a picture without the window's tools
-    Viewport viewport(shown, BackendChoice::Cpu);
-    viewport.resize(size);
-    viewport.setVisible(true);
-    const auto compareAs = [&](const char* name) {
-        QTRY_VERIFY(window.settled());
-        ViewValue view = session.view();
-        view.camera = fitted(Camera(), session.model()->description().bounds, double(size.width()) / size.height());
-        view.background = view.background.value_or(Colour{1, 1, 1});
-        shown.restore(session.model(), view);
-        viewport.setScene(window.viewport().scene());
-        QTRY_VERIFY(viewport.settled() && viewport.picture().size() == size);
-        compare(viewport.picture(), name, renderedTolerance);
-    };
-    session.setTransfer(uneven(session.range()));
-    compareAs("drawn-volume");
-    session.setSetting("shaded", true);
-    compareAs("drawn-volume-shaded");
-    session.setMode("isosurface");
-    compareAs("drawn-isosurface");
-    session.setSetting("clip", std::string("1,0,0,5"));
-    compareAs("drawn-isosurface-clipped");
-    session.setSetting("boundary", std::string("values"));
-    compareAs("drawn-boundary");
-    session.setMode("hybrid");
-    compareAs("drawn-hybrid");
-    session.setBackground(Colour{0.1F, 0.1F, 0.12F});
-    session.setMode("focus");
-    FocusState focus = session.view().query.focus;
-    focus.shape = FocusState::Shape::Sphere;
-    session.setFocus(focus);
-    session.setError(4);
-    compareAs("drawn-focus");
 }
 
 QTEST_MAIN(BaselinesTest)
