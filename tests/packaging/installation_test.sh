@@ -22,7 +22,7 @@ for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins inclu
 done
 if [ -e "$build/share/doc/tan/manual" ]; then
     installed share/doc/tan/manual/index.html
-    installed share/doc/tan/manual/images/performance/refinement.svg
+    installed share/doc/tan/manual/_images/window.png
 fi
 # Headers of sources that are not interfaces stay at home, and so does what belongs to the VTK readers.
 check test "$(ls "$place/include/tan" | tr '\n' ' ')" = \
