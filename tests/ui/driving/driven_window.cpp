@@ -119,6 +119,13 @@ void DrivenWindow::raise(const QString& dock) const
 
 void DrivenWindow::addTransferPoint() const
 {
+    // The model's own function has one in the middle, which another one there would make a step.
+    const TransferFunction& function = now().appearance.transfer;
+    std::vector<TransferPoint> points = transferPoints(function);
+    std::erase_if(points, [this](const TransferPoint& point) {
+        return std::abs(point.value - middleOfRange()) < session().range().extent() / 10;
+    });
+    session().setTransfer(transferFunctionFromPoints(points, function.unitDistance));
     raise("dock.transfer");
     press("transfer.canvas", Qt::Key_Insert);
 }
@@ -126,9 +133,13 @@ void DrivenWindow::addTransferPoint() const
 std::size_t DrivenWindow::addedPoint() const
 {
     const std::vector<TransferPoint> points = transferPoints(before_.appearance.transfer);
-    const double middle = session().range().minimum + session().range().extent() / 2;
-    const auto distance = [middle](const TransferPoint& point) { return std::abs(point.value - middle); };
+    const auto distance = [this](const TransferPoint& point) { return std::abs(point.value - middleOfRange()); };
     return static_cast<std::size_t>(std::ranges::min_element(points, {}, distance) - points.begin());
+}
+
+double DrivenWindow::middleOfRange() const
+{
+    return session().range().minimum + session().range().extent() / 2;
 }
 
 void DrivenWindow::waitForPicture() const

@@ -33,7 +33,7 @@ public:
     void press(const QString& control, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) const;
     void raise(const QString& dock) const;
     void choose(const QString& mode) const { trigger("action.mode." + mode); }
-    /// Another point of the transfer function, in the middle of what is seen or after the last one: it is selected.
+    /// Another point of the transfer function, in the middle of the values, with no other near: it is selected.
     void addTransferPoint() const;
     /// Where that is among the function's points.
     std::size_t addedPoint() const;
@@ -45,6 +45,7 @@ public:
 private:
     void openAnew();
     void resetLayout();
+    double middleOfRange() const;
 
     QString model_;
     QString volume_;

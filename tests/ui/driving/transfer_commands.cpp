@@ -51,7 +51,9 @@ void selectNothing(DrivenWindow& window)
     auto& shown = window.find<QAbstractButton>("transfer.table.show");
     if (!shown.isChecked())
         shown.click();
-    window.find<QTableView>("transfer.table").selectionModel()->clear();
+    auto& table = window.find<QTableView>("transfer.table");
+    table.setFocus(); // which makes the first row the current one, if none is; so before that is cleared
+    table.selectionModel()->clear();
 }
 
 const TransferSelection twoSelected{2, 3};
