@@ -41,7 +41,8 @@ Drivers regionAndHelpCommands()
 {
     const Drivers help{
         // A page in the browser; where there is no manual yet the window says so.
-        showing("action.manual", [](const DrivenWindow& window) { return !window.messages().isEmpty(); }),
+        // The message takes height from the picture, which a camera that nobody has moved then fits.
+        {"action.manual", fitView, [](const DrivenWindow& window) { return !window.messages().isEmpty(); }},
         showing(
             "action.help",
             [](const DrivenWindow& window) {
