@@ -93,17 +93,24 @@ Status Star::attach(const PackedLattice& lattice)
                          Message::marked("the marks of the refinement's points"));
 }
 
+/// After two thousand million link vertices. Memory that was never written is not even read: some kernels give memory
+/// to huge pages that are only read.
+void Star::beginStampsAnew()
+{
+    marks_.forEachTouched([](std::span<Mark> marks) {
+        for (Mark& mark : marks)
+            if (mark.stamp != 0)
+                mark.stamp = 0;
+    });
+    linkStart_ = 0;
+}
+
 /// Finds the distinct vertices of the faces. Without a branch on whether one is new, which nobody could predict.
 TETRA_SIMD_INLINE void Star::numberLink(std::span<const std::array<PackedPoint, 3>> faces)
 {
     linkStart_ += linkCount_;
-    // After two thousand million link vertices the stamps begin anew. Memory that was never written stays untaken.
-    if (linkStart_ > std::numeric_limits<std::uint32_t>::max() / 2) {
-        for (std::uint64_t i = 0; i < marks_.capacity(); ++i)
-            if (marks_[i].stamp != 0)
-                marks_[i].stamp = 0;
-        linkStart_ = 0;
-    }
+    if (linkStart_ > std::numeric_limits<std::uint32_t>::max() / 2)
+        beginStampsAnew();
     link_.resize(3 * faces.size() + linkLanes);
     labels_.resize(link_.size());
     corners_.resize(faces.size());

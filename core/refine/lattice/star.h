@@ -60,6 +60,7 @@ public:
 
 private:
     template <class Stride> void linkFaces(std::span<const std::uint32_t> names, Stride stride);
+    void beginStampsAnew();
     // Called by dispatch().
     inline void numberLink(std::span<const std::array<PackedPoint, 3>> faces);
     inline void findPartners(std::span<const std::uint32_t> names, std::uint32_t absent);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
-#include "core/base/reserved_array.h"
 #include "core/refine/lattice/star.h"
 #include "tests/waiting.h"
 
@@ -27,20 +26,6 @@ void setOctahedron(Star& star, const PackedLattice& lattice, std::uint32_t origi
     star.set(at(1, 1, 1), faces, {1, 1, 1});
 }
 
-/// Whether memory that was reserved and never written becomes resident by reading it: then forgetting cannot be free.
-bool readingTakesMemory()
-{
-    constexpr std::uint64_t bytes = 256 << 20, page = 4096;
-    ReservedArray<char> untouched;
-    if (!untouched.reserve(bytes, MarkedText{"a trial"}))
-        return true;
-    const std::uint64_t before = residentBytes();
-    volatile char sum = 0;
-    for (std::uint64_t i = 0; i < bytes; i += page)
-        sum = static_cast<char>(sum + untouched[i]);
-    return residentBytes() > before + bytes / 2;
-}
-
 } // namespace
 
 class StarTest : public QObject {
@@ -65,8 +50,6 @@ private slots:
         }
         if (isInstrumented)
             return; // what a sanitizer notes of the places is memory, too
-        if (readingTakesMemory())
-            QSKIP("This kernel gives memory to huge pages that are only read.");
         const std::uint64_t taken = residentBytes() - std::min(before, residentBytes());
         QVERIFY2(taken < 256 << 20, qPrintable(QString("%1 MiB").arg(taken >> 20)));
     }
