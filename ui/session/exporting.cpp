@@ -63,7 +63,8 @@ void Exporting::saveFilm(const FilmOrder& order)
     });
 }
 
-/// What is asked for now; of the mesh that is seen where that is the one. Of two meshes that are blended neither is.
+/// The mesh of the present query. If it is the one on the screen, that is used; where two meshes are blended it is
+/// extracted.
 MeshOrder Exporting::meshOrder(const std::filesystem::path& target) const
 {
     MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query, *session_.model()), target};

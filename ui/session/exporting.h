@@ -14,7 +14,7 @@ namespace tetra {
 class Exporting : public QObject {
     Q_OBJECT
 public:
-    /// Both outlive it.
+    /// All three outlive it.
     Exporting(PluginHost& host, Session& session, SceneService& scenes);
 
     /// Saves a picture, or copies it.
@@ -24,9 +24,9 @@ public:
     void saveFilm(const FilmOrder& order);
     /// Of the last film that was ordered.
     const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
-    /// Saves the mesh that is asked for now, whether the picture shows it already or not. There must be a model.
+    /// Saves the mesh of the present query, even if the picture does not show it yet. There must be a model.
     void saveMesh(const std::filesystem::path& target);
-    /// Saves the surfaces that the scene of that mesh says can be saved, likewise.
+    /// Saves those surfaces of its scene that can be saved (Drawable::saved), likewise.
     void saveSurfaces(const std::filesystem::path& target);
     /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
     void saveStatistics(const std::filesystem::path& target);
