@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/mapped_file.h"
+#include <tan/base.h>
 
 #include "core/base/memory.h"
 #include "core/base/system_error.h"

@@ -6,9 +6,9 @@
 #include "core/base/system_error.h"
 #include "core/base/text.h"
 #include "core/build/decimation_build.h"
-#include "core/build/refinement_build.h"
 #include "core/history/format.h"
 #include "core/history/model_writer.h"
+#include <tan/build.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/build/refinement_build.h"
+#include <tan/build.h>
 
 #include "core/base/checksum.h"
 #include "core/base/memory.h"

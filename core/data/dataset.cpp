@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
-#include "core/base/mapped_file.h"
+#include <tan/base.h>
 
 #include <tan/data.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
-#include "core/base/mapped_file.h"
 #include "core/base/rounding.h"
 #include "core/history/file_layout.h"
 #include "core/history/section_checks.h"
+#include <tan/base.h>
 
 #include <tan/model.h>
 

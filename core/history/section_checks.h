@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/checksum.h"
-#include "core/base/mapped_file.h"
 #include "core/history/file_layout.h"
 #include "core/history/format.h"
 

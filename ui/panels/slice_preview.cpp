@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/slice_preview.h"
 
-#include "core/base/mapped_file.h"
+#include <tan/base.h>
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mapped file may be cut, rewritten or fail while it is read: the program lives on and knows.
-#include "core/base/mapped_file.h"
+#include <tan/base.h>
 
 #include "core/base/memory.h"
 

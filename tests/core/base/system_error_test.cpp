@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The system's reasons in errors are English under every locale: the texts around them are, and the window translates.
 #include "core/base/file_writer.h"
-#include "core/base/mapped_file.h"
 #include "core/base/reserved_array.h"
 #include "core/base/scratch_file.h"
 #include "core/base/system_error.h"

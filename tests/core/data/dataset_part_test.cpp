@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Regions and strides of datasets against the plain definition, on random parts.
-#include "core/base/mapped_file.h"
 #include "core/data/dataset_part.h"
 #include "core/mesh/manifold.h"
 #include "plugins/samples/samples.h"
+#include <tan/base.h>
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -2,14 +2,14 @@
 // Lattices refined in blocks are models like any others (R10, S3): proved on random ones, the same for any number of
 // threads, complete after an interruption, and refused where they cannot be.
 #include "core/base/checksum.h"
-#include "core/base/mapped_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
-#include "core/build/refinement_build.h"
 #include "core/history/model_writer.h"
 #include "plugins/builders/refinement/refinement_builder.h"
 #include "plugins/samples/samples.h"
 #include "tests/plugins/builders/refinement/random_dataset.h"
+#include <tan/base.h>
+#include <tan/build.h>
 
 #include <tan/verify.h>
 
