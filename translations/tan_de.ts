@@ -4713,8 +4713,8 @@ Verwerfung %2</translation>
         <translation>Ein regelmäßiges Gitter: Die Vergröberung braucht für dieselbe Genauigkeit weniger Punkte, aber mehr Zeit und Speicher.</translation>
     </message>
     <message>
-        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
-        <translation>Der Fehler, bei dem aufgehört wird; 0 geht bis zum gröbsten Netz.</translation>
+        <source>Decimation stops at this error; 0 goes on to the coarsest mesh.</source>
+        <translation>Die Dezimierung hält bei diesem Fehler an; 0 geht bis zum gröbsten Netz.</translation>
     </message>
     <message>
         <source>Finest error</source>
@@ -4761,8 +4761,8 @@ Verwerfung %2</translation>
         <translation>Verstreute Punkte: die Verfeinerung füllt ihre konvexe Hülle.</translation>
     </message>
     <message>
-        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
-        <translation>Der Fehler, bei dem aufgehört wird; 0 behält alles, sodass später jede Genauigkeit gezeigt werden kann.</translation>
+        <source>Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.</source>
+        <translation>Die Verfeinerung hält bei diesem Fehler an; 0 behält alles, sodass später jede Genauigkeit gezeigt werden kann.</translation>
     </message>
     <message>
         <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>

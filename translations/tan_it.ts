@@ -4713,8 +4713,8 @@ deformazione %2</translation>
         <translation>Un reticolo regolare: la decimazione richiede meno punti a pari accuratezza, ma più tempo e memoria.</translation>
     </message>
     <message>
-        <source>The error at which to stop; 0 goes on to the coarsest mesh.</source>
-        <translation>L&apos;errore a cui fermarsi; 0 prosegue fino alla mesh più grossolana.</translation>
+        <source>Decimation stops at this error; 0 goes on to the coarsest mesh.</source>
+        <translation>La decimazione si ferma a questo errore; 0 prosegue fino alla mesh più grossolana.</translation>
     </message>
     <message>
         <source>Finest error</source>
@@ -4761,8 +4761,8 @@ deformazione %2</translation>
         <translation>Punti sparsi: il raffinamento riempie il loro inviluppo convesso.</translation>
     </message>
     <message>
-        <source>The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.</source>
-        <translation>L&apos;errore a cui fermarsi; 0 conserva tutto, così poi si può mostrare qualsiasi accuratezza.</translation>
+        <source>Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.</source>
+        <translation>Il raffinamento si ferma a questo errore; 0 conserva tutto, così che in seguito si possa mostrare ogni accuratezza.</translation>
     </message>
     <message>
         <source>The preset &apos;%1&apos; cannot be changed: %2. Check the rights of its folder, and that there is space.</source>

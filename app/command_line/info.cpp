@@ -163,8 +163,9 @@ void addEstimates(PluginHost& host, const Dataset& dataset, Outcome& outcome)
                                 {"disk_bytes", static_cast<qint64>(estimate->diskBytes)},
                                 {"model_bytes", static_cast<qint64>(estimate->modelBytes)},
                                 {"seconds", estimate->seconds}});
-        outcome.text += "built by " + builder.id + ": about " + byteText(estimate->memoryBytes) + " of memory, " +
-                        byteText(estimate->diskBytes) + " of disk and " + rounded(estimate->seconds, 2) + " s\n";
+        outcome.text += "a build by " + builder.id + " would take about " + byteText(estimate->memoryBytes) +
+                        " of memory, " + byteText(estimate->diskBytes) + " of disk and " +
+                        rounded(estimate->seconds, 2) + " s\n";
     }
     outcome.figures["estimates"] = list;
 }
@@ -197,7 +198,7 @@ Syntax infoSyntax(PluginHost& host)
     for (const std::string& filter : readableFiles(host))
         readable += (readable.empty() ? "" : ", ") + filter;
     Syntax syntax{
-        .purpose = "say what a model or a dataset holds",
+        .purpose = "show what a model or a dataset holds",
         .explanation =
             "Of a model: its domain, how it was made, and the size of the mesh at each level of "
             "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "

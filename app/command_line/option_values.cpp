@@ -76,8 +76,9 @@ Option warpingOption()
 {
     return {.name = "warping",
             .placeholder = "PERCENT",
-            .explanation = "For models of curvilinear data: the largest warping that the mesh may have, in % of the "
-                           "diagonal of the data's bounding box; 100 sets no limit.",
+            .explanation =
+                "For models of curvilinear and irregular data: the largest warping that the mesh may have, in "
+                "% of the diagonal of the data's bounding box; 100 sets no limit.",
             .byDefault = "the same number as the error"};
 }
 

@@ -82,7 +82,7 @@ Option optionOf(const Parameter& parameter)
     if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (isTransferFunction(parameter)) {
-        option.explanation += " A file of ours or a preset of ParaView (docs/formats.md).";
+        option.explanation += " A file that TAn saved, or a preset of ParaView (the manual, 'Files').";
         option.byDefault = "one that fits the data";
     } else if (!isSwitch(parameter) && !isList(parameter))
         option.byDefault = parameterText(parameter.defaultValue);
@@ -133,9 +133,14 @@ Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& 
 
 void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
 {
-    for (const Parameter& parameter : parameters)
-        if (std::ranges::find(syntax.options, optionName(parameter), &Option::name) == syntax.options.end())
-            syntax.options.push_back(optionOf(parameter));
+    for (const Parameter& parameter : parameters) {
+        const Option option = optionOf(parameter);
+        const auto same = std::ranges::find(syntax.options, option.name, &Option::name);
+        if (same == syntax.options.end())
+            syntax.options.push_back(option);
+        else if (same->explanation.find(option.explanation) == std::string::npos)
+            same->explanation += " " + option.explanation; // of another plugin, which says so
+    }
 }
 
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters)

@@ -92,12 +92,14 @@ std::vector<Option> fieldOptions()
     error.byDefault += ", or with --budget and without a focus 0";
     std::vector<Option> options = {error, warpingOption()};
     std::ranges::move(focusOptions(), std::back_inserter(options));
-    options.push_back({.name = "field",
-                       .placeholder = "TEXT",
-                       .explanation = "In place of --error and --focus, the largest error at each place as an "
-                                      "expression, such as 'min(sphere(5,5,5, 2; 0.5, 4, 1), isovalues(100; 0.1, 4, "
-                                      "20))'; docs/command-line.md explains it. Unless --warping is given, the warping "
-                                      "is limited by the same numbers."});
+    options.push_back(
+        {.name = "field",
+         .placeholder = "TEXT",
+         .explanation =
+             "In place of --error and --focus, the largest error at each place as an "
+             "expression, such as 'min(sphere(5,5,5, 2; 0.5, 4, 1), isovalues(100; 0.1, 4, "
+             "20))'; the manual explains it under 'The command line'. Unless --warping is given, the warping "
+             "is limited by the same numbers."});
     options.push_back({.name = "budget",
                        .placeholder = "N",
                        .explanation = "At most so many tetrahedra: errors and warpings that are asked for are all "

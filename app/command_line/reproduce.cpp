@@ -121,7 +121,7 @@ Result<std::vector<std::filesystem::path>> writeAll(const Reproduced& made, cons
 Syntax reproduceSyntax(PluginHost&)
 {
     return {
-        .purpose = "make the tables of the paper again",
+        .purpose = "recreate the tables of the paper",
         .explanation =
             "Builds the models of the paper (Cignoni and others, Multiresolution Representation and Visualization "
             "of Volume Data, 1997) from their datasets, and prints the sizes of their meshes beside the paper's. "

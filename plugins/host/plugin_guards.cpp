@@ -2,10 +2,11 @@
 #include "plugins/host/plugin_guards.h"
 
 #include "core/base/checksum.h"
+#include "plugins/api/scene_parameters.h"
 #include "plugins/host/plugin_call.h"
-#include "plugins/host/renderer_guard.h"
 
 #include <algorithm>
+#include <set>
 
 namespace tetra {
 namespace {
@@ -15,6 +16,7 @@ class Guard {
 public:
     explicit Guard(GuardTarget target) : target_(std::move(target)) {}
 
+    const std::string& id() const noexcept { return target_.id; }
     template <class Work> auto call(Work&& work) const { return callPlugin(target_.id, std::forward<Work>(work)); }
     template <class Work> auto call(const Error& outOfMemory, Work&& work) const
     {
@@ -201,6 +203,115 @@ private:
     Guard guard_;
 };
 
+bool hasType(const Parameter& parameter, const ParameterValues& values)
+{
+    const auto found = values.find(parameter.id);
+    return found != values.end() && haveOneType(found->second, parameter.defaultValue);
+}
+
+Status checkChoice(const Parameter& parameter, const ParameterValue& value)
+{
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr || parameter.choices.empty() || std::ranges::count(parameter.choices, *text) > 0)
+        return {};
+    std::string choices;
+    for (const std::string& choice : parameter.choices)
+        choices += (choices.empty() ? "" : ", ") + choice;
+    return Error{ErrorKind::WrongUsage,
+                 Message::say("'%1' is no choice for '%2'. There is: %3.", *text, parameter.id, choices)};
+}
+
+Status checkScene(const std::string& id, const Scene* scene)
+{
+    const auto mistake = [&](const Message& what) {
+        return Error{ErrorKind::BadInput,
+                     Message::say("The plugin '%1' made a scene that cannot be shown: %2 This is a mistake in the "
+                                  "plugin; tell its author.",
+                                  id, what)};
+    };
+    if (scene == nullptr)
+        return mistake(Message::say("there is none."));
+    std::set<std::string> ids;
+    for (const Drawable& drawable : scene->drawables) {
+        if (drawable.id.empty())
+            return mistake(Message::say("a drawable has no name."));
+        if (!ids.insert(drawable.id).second)
+            return mistake(Message::say("two drawables are called '%1'.", drawable.id));
+    }
+    return {};
+}
+
+/// Values that are missing or of another type are the defaults for the mesh.
+class GuardedSession : public RendererSession {
+public:
+    GuardedSession(const Renderer& plugin, const RendererMeshes& meshes, Guard guard)
+        : plugin_(plugin), meshes_(meshes), guard_(std::move(guard))
+    {
+    }
+
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
+    {
+        using Scenes = Result<std::shared_ptr<const Scene>>;
+        return guard_.call([&]() -> Scenes {
+            RendererView whole = view;
+            if (Status complete = completeValues(whole.values); !complete)
+                return complete.error();
+            if (!session_)
+                session_ = plugin_.open(meshes_);
+            if (!session_)
+                return checkScene(guard_.id(), nullptr).error();
+            Scenes scene = session_->prepare(whole, progress);
+            if (!scene)
+                return scene;
+            if (Status good = checkScene(guard_.id(), scene->get()); !good)
+                return good.error();
+            return scene;
+        });
+    }
+
+private:
+    Status completeValues(ParameterValues& values)
+    {
+        if (!parameters_)
+            parameters_ = plugin_.parameters(extentOf(*meshes_.mesh, meshes_.bounds));
+        for (const Parameter& parameter : *parameters_) {
+            if (!hasType(parameter, values))
+                values[parameter.id] = parameter.defaultValue;
+            if (Status good = checkChoice(parameter, values[parameter.id]); !good)
+                return good;
+        }
+        return {};
+    }
+
+    const Renderer& plugin_;
+    RendererMeshes meshes_;
+    Guard guard_;
+    std::optional<std::vector<Parameter>> parameters_; ///< for the mesh
+    std::unique_ptr<RendererSession> session_;         ///< of the plugin, once there is something to do
+};
+
+class GuardedRenderer : public Renderer {
+public:
+    GuardedRenderer(const Renderer& plugin, GuardTarget target) : plugin_(plugin), guard_(std::move(target)) {}
+
+    std::vector<Parameter> parameters(const FieldExtent& field) const override
+    {
+        return guard_.parameters([&] { return plugin_.parameters(field); });
+    }
+    RendererNeeds needs() const override
+    {
+        return guard_.callOr(RendererNeeds(), [&] { return plugin_.needs(); });
+    }
+    std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
+    {
+        return std::make_unique<GuardedSession>(plugin_, meshes, guard_);
+    }
+
+private:
+    const Renderer& plugin_;
+    Guard guard_;
+};
+
 } // namespace
 
 std::unique_ptr<const Builder> guarded(const Builder& plugin, GuardTarget target)
@@ -220,7 +331,7 @@ std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target)
 
 std::unique_ptr<const Renderer> guarded(const Renderer& plugin, GuardTarget target)
 {
-    return guardedRenderer(std::move(target.id), plugin);
+    return std::make_unique<GuardedRenderer>(plugin, std::move(target));
 }
 
 } // namespace tetra

@@ -23,13 +23,16 @@ struct GuardTarget {
 /// others the failure is told, and they give nothing. What all plugins of a kind would have to do alike is done here,
 /// too:
 /// - readers: an error names the file, a dataset has its source's name, path and hash;
-/// - readers and writers: the text when memory is short names the file.
+/// - readers and writers: the text when memory is short names the file;
+/// - renderers: values that are missing or of another type are the defaults for the mesh; a text that is none of a
+///   parameter's choices is an error of prepare(), and so is a scene that cannot be shown (none, or drawables without
+///   an id or with the same one).
 ///
 /// Each stands for `plugin`, which outlives it.
 std::unique_ptr<const Builder> guarded(const Builder& plugin, GuardTarget target);
 std::unique_ptr<const Reader> guarded(const Reader& plugin, GuardTarget target);
 std::unique_ptr<const Writer> guarded(const Writer& plugin, GuardTarget target);
-std::unique_ptr<const Renderer> guarded(const Renderer& plugin, GuardTarget target); ///< renderer_guard.h
+std::unique_ptr<const Renderer> guarded(const Renderer& plugin, GuardTarget target);
 
 using PluginGuard = std::variant<std::monostate, std::unique_ptr<const Builder>, std::unique_ptr<const Reader>,
                                  std::unique_ptr<const Writer>, std::unique_ptr<const Renderer>>;

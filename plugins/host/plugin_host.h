@@ -41,7 +41,7 @@ struct PluginStatus {
 };
 
 /// A loaded plugin, which lives until the program ends. Of all but editors it is a guard, which lets no exception
-/// through (plugin_guards.h, renderer_guard.h).
+/// through (plugin_guards.h).
 template <class Interface> struct Provided {
     std::string id;
     std::string name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/host/renderer_guard.h"
+#include "plugins/host/plugin_guards.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/draft_builder.h"
@@ -199,7 +199,7 @@ private:
 void SceneBuilderTest::whatARendererThrowsIsTold()
 {
     const OutsideRenderer outside([]() -> std::shared_ptr<const Scene> { throw std::runtime_error("a pity"); });
-    const auto renderer = guardedRenderer("outside", outside);
+    const auto renderer = guarded(outside, {"outside", [](const Error&) {}});
     SceneRequest wanted = request(2, {});
     wanted.renderer = renderer.get();
     SceneBuilder builder;

@@ -91,7 +91,7 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
-    return {errorThresholdParameter(Message::marked("The error at which to stop; 0 goes on to the coarsest mesh.")),
+    return {errorThresholdParameter(Message::marked("Decimation stops at this error; 0 goes on to the coarsest mesh.")),
             warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
             thresholdParameter("finest", Message::marked("Finest error"),
                                Message::marked("Leaves meshes of smaller errors out of the model, so that it is "

@@ -145,7 +145,7 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
     return {errorThresholdParameter(Message::marked(
-                "The error at which to stop; 0 keeps everything, so that any accuracy can be shown later.")),
+                "Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.")),
             warpingThresholdParameter({DomainClass::Curvilinear}), blockParameter(), selectionParameter(),
             weightsParameter()};
 }

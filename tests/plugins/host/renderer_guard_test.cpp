@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a renderer of somebody else does, the program gets a scene or an error.
 #include "plugins/api/scene_parameters.h"
-#include "plugins/host/renderer_guard.h"
+#include "plugins/host/plugin_guards.h"
 
 #include <QTest>
 
@@ -67,7 +67,7 @@ std::shared_ptr<const TetrahedralMesh> oneCell()
 Result<std::shared_ptr<const Scene>> sceneOf(const Prepare& prepare, const RendererView& view = {})
 {
     const StrangeRenderer strange(prepare);
-    return guardedRenderer("strange", strange)->open({.mesh = oneCell()})->prepare(view, {});
+    return guarded(strange, {"strange", [](const Error&) {}})->open({.mesh = oneCell()})->prepare(view, {});
 }
 
 Result<std::shared_ptr<const Scene>> sceneWith(const std::vector<std::string>& ids)
@@ -147,10 +147,18 @@ private slots:
             std::unique_ptr<RendererSession> open(const RendererMeshes&) const override { return nullptr; }
         };
         const Thrower thrower;
-        const auto guarded = guardedRenderer("thrower", thrower);
-        QVERIFY(guarded->parameters({}).empty());
-        QVERIFY(!guarded->needs().view && !guarded->needs().focusMesh);
-        QVERIFY(!guarded->open({.mesh = oneCell()})->prepare({}, {}).ok());
+        int told = 0;
+        const auto renderer =
+            guarded(thrower, {"thrower", [&](const Error& error) {
+                                  ++told;
+                                  QVERIFY(error.text().find("'thrower' failed: no") != std::string::npos);
+                              }});
+        QVERIFY(renderer->parameters({}).empty());
+        QCOMPARE(told, 1);
+        QVERIFY(!renderer->needs().view && !renderer->needs().focusMesh);
+        QCOMPARE(told, 3);
+        QVERIFY(!renderer->open({.mesh = oneCell()})->prepare({}, {}).ok());
+        QCOMPARE(told, 3); // that is the error's business
     }
 };
 
