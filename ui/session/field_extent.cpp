@@ -10,7 +10,7 @@ namespace tetra {
 namespace {
 
 constexpr std::uint64_t largestMesh = 100'000; // tetrahedra
-constexpr int histogramParts = 256;
+constexpr int volumeParts = 256;
 constexpr double anyError = 1e9; ///< %
 
 /// The finest that is small, or the coarsest if that is not.
@@ -31,7 +31,7 @@ FieldExtent extentOf(const Model& model)
 try {
     FieldExtent field = roughExtentOf(model);
     if (const auto mesh = extractPrefix(model, sitesOfCoarseMesh(model))) {
-        field.volumes = volumeHistogram(*mesh, field.range.minimum, field.range.maximum, histogramParts);
+        field.volumes = volumeHistogram(*mesh, field.range.minimum, field.range.maximum, volumeParts);
         field.surface = surfaceValue(*mesh, field.range.minimum, field.range.maximum);
     }
     return field;

@@ -21,7 +21,7 @@
 namespace tetra {
 namespace {
 
-constexpr int timeBetweenLooks = 700; // milliseconds
+constexpr int timeBetweenChecks = 700; // milliseconds
 
 /// Those that make a difference.
 ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter>& parameters)
@@ -41,7 +41,7 @@ Opening::Opening(PluginHost& host, Session& session, SceneService& scenes, std::
     connect(&session_, &Session::modelChanged, this, &Opening::watchForDamage);
     connect(&session_, &Session::modelGrown, this, &Opening::watchForDamage);
     connect(&watching_, &QTimer::timeout, this, &Opening::lookForDamage);
-    watching_.setInterval(timeBetweenLooks);
+    watching_.setInterval(timeBetweenChecks);
 }
 
 Opening::~Opening() = default;

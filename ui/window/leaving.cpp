@@ -12,7 +12,7 @@
 namespace tetra {
 namespace {
 
-constexpr int patience = 300; // milliseconds
+constexpr int savingPatience = 300; // milliseconds
 
 class Question {
 public:
@@ -135,7 +135,7 @@ Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
         connect(task, &LongTask::finished, this, &Leaving::next, Qt::QueuedConnection);
     connect(&workbench, &Workbench::saveFailed, this, &Leaving::stay);
     patience_.setSingleShot(true);
-    patience_.setInterval(patience);
+    patience_.setInterval(savingPatience);
     connect(&patience_, &QTimer::timeout, this, [this] { show(Obstacle::Saving); });
 }
 
