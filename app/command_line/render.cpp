@@ -12,10 +12,10 @@
 #include "app/command_line/table.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/output_check.h"
-#include "ui/session/field_extent.h"
 #include "ui/session/picture_texts.h"
 #include "ui/session/text_file.h"
-#include "ui/session/view_picture.h"
+#include "ui/workbench/field_extent.h"
+#include "ui/workbench/view_picture.h"
 
 #include <tan/query.h>
 

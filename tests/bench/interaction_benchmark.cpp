@@ -12,8 +12,8 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
+#include "ui/animation/frame_pacer.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/viewport/frame_pacer.h"
 
 #include <tan/query.h>
 #include <tan/render.h>

@@ -3,7 +3,7 @@
 #include "ui/annotations/annotation_layout.h"
 #include "ui/annotations/annotation_painter.h"
 #include "ui/annotations/axis_ticks.h"
-#include "ui/viewport/picture_projection.h"
+#include "ui/annotations/picture_projection.h"
 
 #include <QImage>
 #include <QLocale>

@@ -6,10 +6,10 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/annotations/annotation_content.h"
 #include "ui/panels/parameter_form.h"
-#include "ui/session/import_texts.h"
 #include "ui/session/session_document.h"
 #include "ui/session/text_file.h"
 #include "ui/viewport/value_pick.h"
+#include "ui/workbench/import_texts.h"
 
 #include <QCheckBox>
 #include <QComboBox>

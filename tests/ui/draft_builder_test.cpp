@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
-#include "ui/session/draft_builder.h"
 #include "ui/viewport/canvas.h"
+#include "ui/workbench/draft_builder.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

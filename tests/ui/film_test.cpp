@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Films of what the window shows: key frames, the preview, and what is written.
 #include "tests/ui/sample_window.h"
-#include "ui/session/film_file.h"
-#include "ui/session/video_encoding.h"
 #include "ui/window/picture_orders.h"
+#include "ui/workbench/film_file.h"
+#include "ui/workbench/video_encoding.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/dataset_opening.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/session/picture_image.h"
 #include "ui/widgets/motion.h"
+#include "ui/workbench/picture_image.h"
 
 #include <tan/data.h>
 #include <tan/render.h>

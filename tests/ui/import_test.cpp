@@ -2,8 +2,8 @@
 #include "tests/ui/sample_files.h"
 #include "ui/panels/import_form.h"
 #include "ui/panels/slice_preview.h"
-#include "ui/session/import_memory.h"
-#include "ui/session/import_texts.h"
+#include "ui/workbench/import_memory.h"
+#include "ui/workbench/import_texts.h"
 
 #include <QFile>
 #include <QLocale>

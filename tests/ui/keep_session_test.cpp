@@ -2,9 +2,9 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
-#include "ui/session/kept_views.h"
 #include "ui/session/target_path.h"
 #include "ui/session/text_file.h"
+#include "ui/workbench/kept_views.h"
 
 #include <QElapsedTimer>
 #include <QFileDialog>

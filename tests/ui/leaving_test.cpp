@@ -2,9 +2,9 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
-#include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
 #include "ui/window/picture_orders.h"
+#include "ui/workbench/recent_files.h"
 
 #include <QAbstractButton>
 #include <QFileDialog>

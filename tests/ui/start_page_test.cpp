@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/samples/samples.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/session/plugin_choice.h"
-#include "ui/session/recent_files.h"
-#include "ui/session/sample_models.h"
+#include "ui/workbench/plugin_choice.h"
+#include "ui/workbench/recent_files.h"
+#include "ui/workbench/sample_models.h"
 
 #include <QClipboard>
 #include <QCommandLinkButton>

@@ -3,7 +3,7 @@
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/sample_window.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/model_statistics.h"
+#include "ui/workbench/model_statistics.h"
 
 #include <tan/query.h>
 #include <tan/render.h>

@@ -4,7 +4,7 @@
 // session that is saved then shows when it is opened again.
 #include "tests/ui/random_edits.h"
 #include "tests/ui/sample_files.h"
-#include "ui/session/workbench.h"
+#include "ui/workbench/workbench.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

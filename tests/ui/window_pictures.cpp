@@ -5,9 +5,9 @@
 /// manual that need a dataset ("bluntfin.png" ...). What cannot be taken is named, and the exit code is 1.
 #include "tests/ui/every_dialog.h"
 #include "tests/ui/languages.h"
-#include "ui/session/sample_models.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/docks.h"
+#include "ui/workbench/sample_models.h"
 
 #include <QApplication>
 #include <QDir>

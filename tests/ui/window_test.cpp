@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/session/recent_files.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/workbench/recent_files.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

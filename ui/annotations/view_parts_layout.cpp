@@ -2,7 +2,7 @@
 // What belongs to the camera: axes and scale bar; and texts.
 #include "ui/annotations/annotation_parts.h"
 #include "ui/annotations/axis_ticks.h"
-#include "ui/viewport/picture_projection.h"
+#include "ui/annotations/picture_projection.h"
 
 #include <QCoreApplication>
 

@@ -5,9 +5,9 @@
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
-#include "ui/session/import_texts.h"
 #include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
+#include "ui/workbench/import_texts.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

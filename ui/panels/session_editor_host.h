@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plugins/api/editor.h"
-#include "ui/session/workbench.h"
+#include "ui/workbench/workbench.h"
 
 #include <QPointer>
 

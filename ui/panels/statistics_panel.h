@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/model_statistics.h"
-#include "ui/session/workbench.h"
+#include "ui/workbench/model_statistics.h"
+#include "ui/workbench/workbench.h"
 
 #include <QWidget>
 

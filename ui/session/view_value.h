@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/animation.h"
+#include "ui/animation/animation.h"
 #include "ui/session/annotation_state.h"
 #include "ui/session/appearance.h"
 #include "ui/session/query_state.h"

@@ -2,7 +2,7 @@
 #include "ui/viewport/canvas.h"
 
 #include "ui/session/message_text.h"
-#include "ui/session/picture_image.h"
+#include "ui/workbench/picture_image.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>

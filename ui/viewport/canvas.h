@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/viewport/frame_clock.h"
-#include "ui/viewport/frame_pacer.h"
+#include "ui/animation/frame_clock.h"
+#include "ui/animation/frame_pacer.h"
 #include "ui/work/latest_job.h"
 
 #include <tan/render.h>

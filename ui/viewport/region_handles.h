@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/annotations/picture_projection.h"
 #include "ui/session/query_state.h"
-#include "ui/viewport/picture_projection.h"
 
 #include <tan/render.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "plugins/api/editor.h"
-#include "ui/session/workbench.h"
 #include "ui/viewport/scene_pick.h"
+#include "ui/workbench/workbench.h"
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/viewport.h"
 
-#include "ui/session/view_picture.h"
 #include "ui/widgets/motion.h"
+#include "ui/workbench/view_picture.h"
 
 #include <QEvent>
 #include <QGestureEvent>

@@ -2,9 +2,9 @@
 #include "ui/window/empty_page.h"
 
 #include "plugins/widgets/icons.h"
-#include "ui/session/sample_models.h"
 #include "ui/window/lost_offers.h"
 #include "ui/work/long_task.h"
+#include "ui/workbench/sample_models.h"
 
 #include <QCommandLinkButton>
 #include <QDir>

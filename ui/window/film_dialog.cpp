@@ -3,11 +3,11 @@
 
 #include "plugins/widgets/number_text.h"
 #include "ui/session/target_path.h"
-#include "ui/session/video_encoding.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/form_labels.h"
 #include "ui/window/picture_orders.h"
+#include "ui/workbench/video_encoding.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -5,10 +5,10 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/import_region.h"
 #include "ui/panels/slice_preview.h"
-#include "ui/session/import_texts.h"
 #include "ui/session/message_text.h"
 #include "ui/session/target_path.h"
 #include "ui/widgets/check_label.h"
+#include "ui/workbench/import_texts.h"
 
 #include <QComboBox>
 #include <QFileInfo>

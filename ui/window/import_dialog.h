@@ -2,9 +2,9 @@
 #pragma once
 
 #include "ui/panels/import_form.h"
-#include "ui/session/import_probe.h"
-#include "ui/session/import_question.h"
-#include "ui/session/workbench.h"
+#include "ui/workbench/import_probe.h"
+#include "ui/workbench/import_question.h"
+#include "ui/workbench/workbench.h"
 
 #include <QDialog>
 

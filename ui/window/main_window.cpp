@@ -2,14 +2,12 @@
 #include "ui/window/main_window.h"
 
 #include "plugins/widgets/icons.h"
-#include "ui/annotations/annotation_overlay.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/session/message_text.h"
-#include "ui/session/plugin_choice.h"
-#include "ui/session/recent_files.h"
 #include "ui/session/target_path.h"
+#include "ui/viewport/annotation_overlay.h"
 #include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
@@ -34,6 +32,8 @@
 #include "ui/window/region_actions.h"
 #include "ui/window/status_line.h"
 #include "ui/window/task_line.h"
+#include "ui/workbench/plugin_choice.h"
+#include "ui/workbench/recent_files.h"
 
 #include <QCloseEvent>
 #include <QCoreApplication>

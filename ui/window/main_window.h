@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/workbench.h"
 #include "ui/viewport/canvas.h"
 #include "ui/window/actions.h"
 #include "ui/window/docks.h"
+#include "ui/workbench/workbench.h"
 
 #include <QMainWindow>
 

@@ -2,8 +2,8 @@
 #include "ui/window/picture_orders.h"
 
 #include "ui/annotations/annotation_painter.h"
-#include "ui/session/view_picture.h"
 #include "ui/viewport/viewport.h"
+#include "ui/workbench/view_picture.h"
 
 namespace tetra {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/panels/picture_form.h"
-#include "ui/session/workbench.h"
+#include "ui/workbench/workbench.h"
 
 namespace tetra {
 

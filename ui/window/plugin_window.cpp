@@ -2,8 +2,8 @@
 #include "ui/window/plugin_window.h"
 
 #include "ui/session/message_text.h"
-#include "ui/session/plugin_choice.h"
 #include "ui/session/target_path.h"
+#include "ui/workbench/plugin_choice.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cost model of progressive rendering (R23) against back ends whose times follow another law.
-#include "ui/viewport/frame_pacer.h"
+#include "ui/animation/frame_pacer.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Choosing mesh and picture size for a frame rate (R23), with back ends of any speed, also such as the model does not
 // foresee.
-#include "ui/viewport/frame_pacer.h"
+#include "ui/animation/frame_pacer.h"
 
 #include <QTest>
 

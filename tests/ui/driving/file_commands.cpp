@@ -2,8 +2,8 @@
 // How the actions of the menus File and Edit are driven, and what each changes.
 #include "tests/ui/driving/driver.h"
 #include "ui/session/isovalue_defaults.h"
-#include "ui/session/recent_files.h"
-#include "ui/session/sample_models.h"
+#include "ui/workbench/recent_files.h"
+#include "ui/workbench/sample_models.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

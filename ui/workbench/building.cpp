@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/building.h"
+
+#include "plugins/host/model_building.h"
+#include "ui/session/message_text.h"
+#include "ui/session/target_path.h"
+#include "ui/workbench/field_extent.h"
+#include "ui/workbench/recent_files.h"
+
+namespace tetra {
+namespace {
+
+constexpr int timeBetweenLooks = 700; // milliseconds
+
+} // namespace
+
+Building::Building(PluginHost& host, Session& session, Opening& opening)
+    : host_(host), session_(session), opening_(opening)
+{
+    looking_.setInterval(timeBetweenLooks);
+    connect(&looking_, &QTimer::timeout, this, &Building::lookAtBuild);
+    connect(&task_, &LongTask::started, this, [this] { opening_.setDatasetInUse(true); });
+    connect(&task_, &LongTask::finished, this, [this] {
+        looking_.stop();
+        opening_.setDatasetInUse(false);
+    });
+    const auto turnAway = [this] { turnedAway_ = running(); };
+    connect(&opening, &Opening::leaving, this, turnAway);
+    connect(&opening, &Opening::datasetOpened, this, turnAway);
+}
+
+Building::~Building() = default;
+
+void Building::build(const BuildOrder& order)
+{
+    const auto& dataset = opening_.dataset();
+    if (!dataset || running())
+        return;
+    live_ = std::make_shared<LiveBuild>();
+    keep_ = std::make_shared<std::atomic<bool>>(false);
+    look_.reset();
+    turnedAway_ = false;
+    buildName_ = QString::fromStdString(dataset->source.name);
+    buildTarget_ = order.target;
+    lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
+    task_.start([this, order, dataset, imported = opening_.importOptions(), live = live_,
+                 keep = keep_](const Progress& progress) -> std::function<void()> {
+        const auto built =
+            tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
+                              {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported});
+        return [this, order, dataset, model = built ? opening_.openModel(order.target) : built.error()] {
+            if (model)
+                opening_.setBuilt(dataset);
+            showBuilt(order, model);
+        };
+    });
+    if (order.watch && !session_.model() && looks_.isValid())
+        looking_.start();
+}
+
+void Building::stopBuild(bool keep)
+{
+    if (keep_)
+        *keep_ = keep;
+    task_.cancel();
+    emit buildStopping(keep);
+}
+
+void Building::lookAtBuild()
+{
+    if (looker_.running())
+        return;
+    if (look_ != nullptr && !showsLook())
+        return looking_.stop(); // the user has turned to something else
+    looker_.start([this, live = live_, path = lookPath_, target = buildTarget_,
+                   isFirst = look_ == nullptr](const Progress&) -> std::function<void()> {
+        const auto model = live->look(path);
+        OpenedModel opened;
+        opened.becomes = target;
+        if (model && *model) {
+            opened.model = *model;
+            opened.field = extentOf(**model);
+            opened.view = isFirst ? opening_.views().find(target) : std::nullopt;
+        }
+        const Result<OpenedModel> look = model ? Result<OpenedModel>(std::move(opened)) : model.error();
+        return [this, live, look] {
+            if (running() && live == live_)
+                showLook(look);
+        };
+    });
+}
+
+void Building::showLook(const Result<OpenedModel>& look)
+{
+    if (!look)
+        return looking_.stop(); // a picture of the build is not worth a message: no room for it, say
+    if (look->model == nullptr)
+        return;
+    const bool isFirst = look_ == nullptr;
+    if (isFirst && session_.model())
+        return looking_.stop();
+    if (!isFirst && !showsLook())
+        return;
+    look_ = look->model;
+    if (isFirst)
+        opening_.showModel(*look);
+    else
+        opening_.growTo(*look);
+}
+
+/// What was watched has not become a model.
+void Building::closeLook()
+{
+    if (showsLook())
+        opening_.closeModel();
+    look_.reset();
+}
+
+/// A model that was watched goes on being shown as it is seen. Another one is shown unless the user has turned to
+/// something else or would lose changes by that.
+void Building::showBuilt(const BuildOrder& order, const Result<OpenedModel>& built)
+{
+    if (!built) {
+        closeLook();
+        const bool nothingKept = built.error().kind == ErrorKind::Cancelled && *keep_;
+        const Error error = nothingKept ? Error{ErrorKind::CannotWrite,
+                                                Message::say("The build was stopped before there was a mesh of known "
+                                                             "error, so there is nothing to keep.")}
+                                        : built.error();
+        if (error.kind != ErrorKind::Cancelled)
+            emit saveFailed(translatedMessage(error.message));
+        return emit buildEnded(false);
+    }
+    const bool isWatched = showsLook();
+    const bool isShown = isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionModified());
+    look_.reset();
+    addRecentFile(pathText(order.target));
+    emit modelBuilt(pathText(order.target), isShown);
+    if (isWatched)
+        opening_.growTo(*built);
+    else if (isShown)
+        opening_.showModel(*built);
+    emit buildEnded(true);
+}
+
+} // namespace tetra

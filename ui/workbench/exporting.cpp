@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/exporting.h"
+
+#include "ui/session/accuracy_scale.h"
+#include "ui/session/message_text.h"
+#include "ui/session/target_path.h"
+#include "ui/session/text_file.h"
+
+#include <tan/query.h>
+
+namespace tetra {
+
+Exporting::Exporting(PluginHost& host, Session& session, SceneService& scenes)
+    : host_(host), session_(session), scenes_(scenes)
+{
+}
+
+void Exporting::savePicture(const PictureOrder& order)
+{
+    const Renderer* renderer = scenes_.renderer();
+    std::optional<SceneRequest> ofItsOwn; // a scene for this camera and size, if the mode depends on them
+    if (session_.model() && renderer != nullptr && renderer->needs().view && order.scene) {
+        ofItsOwn = scenes_.sessionRequest();
+        ofItsOwn->camera = order.camera;
+        ofItsOwn->width = order.width;
+        ofItsOwn->height = order.height;
+    }
+    savingPicture_.enqueue(
+        [this, order, ofItsOwn, model = session_.model()](const Progress& progress) -> std::function<void()> {
+            const auto picture = ofItsOwn ? drawPicture(order, *ofItsOwn, progress) : drawPicture(order, progress);
+            const Status right = model ? model->confirm(progress.withCallback({})) : Status();
+            const Status done = !picture               ? Status(picture.error())
+                                : !right               ? right
+                                : order.target.empty() ? Status()
+                                                       : writePicture(*picture, order.target);
+            return [this, order, done, picture] {
+                if (!tellSave(done))
+                    return;
+                if (order.target.empty())
+                    emit pictureDrawn(*picture);
+                else
+                    emit pictureSaved(pathText(order.target));
+            };
+        });
+}
+
+FilmOrder Exporting::filmOrder() const
+{
+    return {.model = session_.model(),
+            .renderer = scenes_.renderer(),
+            .parameters = scenes_.renderingParameters(),
+            .view = session_.view()};
+}
+
+void Exporting::saveFilm(const FilmOrder& order)
+{
+    filmTarget_ = order.target;
+    savingFilm_.enqueue([this, order](const Progress& progress) -> std::function<void()> {
+        return [this, order, written = writeFilm(order, progress)] {
+            if (tellSave(written))
+                emit filmSaved(pathText(order.target));
+        };
+    });
+}
+
+/// The mesh of the present query. If it is the one on the screen, that is used; where two meshes are blended it is
+/// extracted.
+MeshOrder Exporting::meshOrder(const std::filesystem::path& target) const
+{
+    MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query, *session_.model()), target};
+    const Renderer* renderer = scenes_.renderer();
+    const bool isBlended = renderer != nullptr && renderer->needs().focusMesh;
+    // While the worker is busy its mesh may be that of a picture to come.
+    if (!isBlended && !scenes_.sceneBuilder().busy() && session_.showsQuery())
+        order.mesh = scenes_.sceneBuilder().mesh();
+    return order;
+}
+
+void Exporting::saveMesh(const std::filesystem::path& target)
+{
+    saveMesh(target,
+             [this, order = meshOrder(target)](const Progress& progress) { return writeMesh(host_, order, progress); });
+}
+
+void Exporting::saveSurfaces(const std::filesystem::path& target)
+{
+    SurfaceOrder order{scenes_.sessionRequest(), std::nullopt, target};
+    // While the worker is busy its scene may be another one.
+    if (!scenes_.previewedView() && !scenes_.sceneBuilder().busy() && session_.showsQuery())
+        order.built = scenes_.sceneBuilder().last();
+    saveMesh(target, [this, order](const Progress& progress) { return writeSurfaces(host_, order, progress); });
+}
+
+void Exporting::saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write)
+{
+    savingMesh_.enqueue([this, target, write](const Progress& progress) -> std::function<void()> {
+        return [this, target, saved = write(progress)] {
+            if (tellSave(saved))
+                emit meshSaved(pathText(target));
+        };
+    });
+}
+
+void Exporting::saveStatistics(const std::filesystem::path& target)
+{
+    std::vector<Accuracy> levels;
+    for (const double error : accuracyPresets)
+        levels.push_back(bothWithin(error));
+    savingText_.enqueue(
+        [this, target, levels, model = session_.model()](const Progress& progress) -> std::function<void()> {
+            const auto text = levelsAsText(target, *model, levels);
+            Status saved = text ? model->confirm(progress.withCallback({})) : Status(text.error());
+            if (saved)
+                saved = writeTextFile(target, *text);
+            return [this, target, saved] {
+                if (tellSave(saved))
+                    emit textSaved(pathText(target));
+            };
+        });
+}
+
+void Exporting::saveText(const std::filesystem::path& target, const std::string& text)
+{
+    savingText_.enqueue([this, target, text](const Progress&) -> std::function<void()> {
+        return [this, target, saved = writeTextFile(target, text)] {
+            if (tellSave(saved))
+                emit textSaved(pathText(target));
+        };
+    });
+}
+
+void Exporting::loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use)
+{
+    loadingText_.enqueue([this, path, use = std::move(use)](const Progress&) -> std::function<void()> {
+        return [this, path, use, text = readTextFile(path)] {
+            if (!text)
+                return tell(text.error());
+            if (const Status used = use(*text); !used)
+                tell({used.error().kind, Message::say("In '%1': %2", path.string(), used.error().message)});
+        };
+    });
+}
+
+bool Exporting::saving() const noexcept
+{
+    return savingText_.running() || savingMesh_.running() || savingPicture_.running();
+}
+
+void Exporting::tell(const Error& error)
+{
+    if (error.kind != ErrorKind::Cancelled)
+        emit failed(translatedMessage(error.message));
+}
+
+bool Exporting::tellSave(const Status& saved)
+{
+    if (!saved && saved.error().kind != ErrorKind::Cancelled)
+        emit saveFailed(translatedMessage(saved.error().message));
+    return saved.ok();
+}
+
+} // namespace tetra

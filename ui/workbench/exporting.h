@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/work/long_task.h"
+#include "ui/workbench/film_file.h"
+#include "ui/workbench/mesh_saving.h"
+#include "ui/workbench/scene_service.h"
+
+namespace tetra {
+
+/// What of the session goes into files: pictures, films, meshes, surfaces, statistics and small texts. Each kind is
+/// written one after the other in a worker, and the outcome of each order is told, by the signal of its kind or by
+/// saveFailed().
+class Exporting : public QObject {
+    Q_OBJECT
+public:
+    /// All three outlive it.
+    Exporting(PluginHost& host, Session& session, SceneService& scenes);
+
+    /// Saves a picture, or copies it.
+    void savePicture(const PictureOrder& order);
+    /// A film of the session's animation: what it takes of the model. There must be one, and a way to show it.
+    FilmOrder filmOrder() const;
+    void saveFilm(const FilmOrder& order);
+    /// Of the last film that was ordered.
+    const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
+    /// Saves the mesh of the present query, even if the picture does not show it yet. There must be a model.
+    void saveMesh(const std::filesystem::path& target);
+    /// Saves those surfaces of its scene that can be saved (Drawable::saved), likewise.
+    void saveSurfaces(const std::filesystem::path& target);
+    /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
+    void saveStatistics(const std::filesystem::path& target);
+    /// Writes a small text: a transfer function, a camera.
+    void saveText(const std::filesystem::path& target, const std::string& text);
+    /// Reads one and gives it to `use`, in this thread; what that says against it is told with the file's name, by
+    /// failed().
+    void loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use);
+
+    LongTask& savingPicture() noexcept { return savingPicture_; }
+    LongTask& savingFilm() noexcept { return savingFilm_; }
+    LongTask& savingMesh() noexcept { return savingMesh_; }
+    LongTask& savingText() noexcept { return savingText_; }
+    /// Whether a file is being written that is no film.
+    bool saving() const noexcept;
+
+signals:
+    void failed(const QString& text);
+    void saveFailed(const QString& text);
+    void pictureSaved(const QString& path);
+    void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
+    void filmSaved(const QString& path);
+    void meshSaved(const QString& path);
+    void textSaved(const QString& path);
+
+private:
+    MeshOrder meshOrder(const std::filesystem::path& target) const;
+    void saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write);
+    void tell(const Error& error);
+    /// Whether it worked; else it is told.
+    bool tellSave(const Status& saved);
+
+    PluginHost& host_;
+    Session& session_;
+    SceneService& scenes_;
+    std::filesystem::path filmTarget_;
+    LongTask savingPicture_;
+    LongTask savingFilm_;
+    LongTask savingMesh_;
+    LongTask savingText_;
+    LongTask loadingText_;
+};
+
+} // namespace tetra

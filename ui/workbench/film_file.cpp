@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/film_file.h"
+
+#include "core/base/file_writer.h"
+#include "core/base/folder.h"
+#include "core/base/system_error.h"
+#include "core/base/work_folder.h"
+#include "ui/session/target_path.h"
+#include "ui/workbench/video_encoding.h"
+#include "ui/workbench/view_picture.h"
+
+#include <QString>
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr int leastDigits = 4;
+constexpr double drawingPart = 0.93; ///< of the time of a video
+constexpr const char* framePattern = "%06d.png";
+
+Error cancelledError()
+{
+    return tetra::cancelledError(Message::marked("The film"));
+}
+
+Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& pipeline, const Progress& progress)
+{
+    view.query = corrected(view.query, order.view.query, *order.model); // key frames may be of another model
+    SceneRequest request = sceneOf(order.model, order.renderer, order.parameters, view);
+    request.width = order.picture.width;
+    request.height = order.picture.height;
+    const auto built = pipeline.make(request, progress);
+    if (!built)
+        return built.error();
+    PictureOrder picture = order.picture;
+    picture.scene = built->scene;
+    picture.camera = view.camera;
+    if (order.finish)
+        picture.finish = [&](QImage& image) { order.finish(image, view, built->mesh); };
+    const auto drawn = pipeline.draw(picture, false, progress);
+    if (!drawn)
+        return drawn.error();
+    return finishedPicture(picture, *drawn);
+}
+
+std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
+{
+    return folder / QString::asprintf(framePattern, frame).toStdString();
+}
+
+Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
+{
+    ScenePipeline pipeline; // what one frame leaves to the next: the scene as far as it fits, the order of its cells
+    const int count = frameCount(order.view.animation);
+    for (int i = 0; i < count; ++i) {
+        progress.report(static_cast<double>(i) / count, {});
+        const auto image = drawFrame(order, viewAtFrame(order.view, i), pipeline, progress.withCallback({}));
+        if (!image)
+            return image.error();
+        if (progress.cancelled())
+            return cancelledError();
+        if (const Status written = writePicture(*image, numbered(folder, i)); !written)
+            return written;
+    }
+    return {};
+}
+
+Status moveTo(const std::filesystem::path& from, const std::filesystem::path& target)
+{
+    std::error_code error;
+    std::filesystem::rename(from, target, error);
+    if (!error)
+        return {};
+    return Error{ErrorKind::CannotWrite, Message::say("'%1' cannot be written: %2. Choose another place.",
+                                                      target.string(), systemErrorText(error.value()))};
+}
+
+Status nameFrames(const FilmOrder& order, const std::filesystem::path& folder)
+{
+    const int count = frameCount(order.view.animation);
+    for (int i = 0; i < count; ++i)
+        if (const Status moved = moveTo(numbered(folder, i), framePath(order.target, i, count)); !moved)
+            return moved;
+    return {};
+}
+
+Status encode(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
+{
+    std::filesystem::path film = "film";
+    film += order.target.extension();
+    const auto arguments = encoderArguments(framePattern, order.view.animation.framesPerSecond, pathText(film));
+    progress.report(0, {});
+    if (const Status encoded = encodeVideo(order.encoder, arguments, folder, progress); !encoded)
+        return encoded;
+    return moveTo(folder / film, behindLinks(order.target));
+}
+
+} // namespace
+
+std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count)
+{
+    const int digits = std::max(leastDigits, static_cast<int>(QString::number(count).size()));
+    const QString number = QString("%1").arg(frame + 1, digits, 10, QChar('0'));
+    return target.parent_path() / filePath(pathText(target.stem()) + '_' + number + pathText(target.extension()));
+}
+
+std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& target, int count)
+{
+    std::error_code failed;
+    if (isVideoFile(target))
+        return std::filesystem::exists(target, failed) ? std::vector{target} : std::vector<std::filesystem::path>();
+    const QString begin = pathText(target.stem()) + '_';
+    const QString end = pathText(target.extension());
+    std::vector<std::filesystem::path> files;
+    for (const std::filesystem::path& path : pathsIn(target.parent_path(), failed)) {
+        const QString name = pathText(path.filename());
+        if (!name.startsWith(begin) || !name.endsWith(end))
+            continue;
+        const int frame = name.mid(begin.size()).chopped(end.size()).toInt();
+        if (frame > 0 && frame <= count && filePath(name) == framePath(target, frame - 1, count).filename())
+            files.push_back(target.parent_path() / filePath(name));
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+Status writeFilm(const FilmOrder& order, const Progress& progress)
+{
+    if (frameCount(order.view.animation) == 0)
+        return Error{ErrorKind::WrongUsage, Message::say("A film needs two key frames at least. Add another view.")};
+    std::filesystem::path beside = behindLinks(order.target);
+    beside += ".frames";
+    const auto folder = WorkFolder::open(beside, WorkFolder::Leftovers::Remove);
+    if (!folder)
+        return folder.error();
+    const bool isVideo = isVideoFile(order.target);
+    if (const Status drawn = drawFrames(order, folder->path(), progress.part(0, isVideo ? drawingPart : 1)); !drawn)
+        return drawn;
+    if (const Status right = order.model->confirm(progress.withCallback({})); !right)
+        return right;
+    return isVideo ? encode(order, folder->path(), progress.part(drawingPart, 1)) : nameFrames(order, folder->path());
+}
+
+} // namespace tetra

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/mesh_saving.h"
+
+#include "core/base/text.h"
+#include "plugins/host/file_saving.h"
+
+#include <tan/query.h>
+#include <tan/render.h>
+
+#include <span>
+#include <variant>
+
+namespace tetra {
+namespace {
+
+void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& field, double scale)
+{
+    const ValueRange bounds = field.bounds();
+    if (bounds.minimum == bounds.maximum) {
+        facts.emplace_back(name, keptPercent(bounds.maximum, scale));
+    } else {
+        facts.emplace_back("smallest " + name, keptPercent(bounds.minimum, scale));
+        facts.emplace_back("largest " + name, keptPercent(bounds.maximum, scale));
+    }
+}
+
+MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
+{
+    MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
+    addErrors(facts, "error in percent", query.error, scale);
+    if (model.description().warpingWeight > 0)
+        addErrors(facts, "warping in percent", query.warping, scale);
+    return facts;
+}
+
+SurfacePart partOf(const Drawable& drawable, const Surface& surface)
+{
+    SurfacePart part{.name = drawable.label,
+                     .positions = surface.mesh->positions,
+                     .normals = surface.mesh->normals,
+                     .triangles = surface.mesh->triangles,
+                     .colour = {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity}};
+    if (drawable.value)
+        part.values = static_cast<float>(*drawable.value);
+    else if (!surface.mesh->values.empty())
+        part.values = std::span<const float>(surface.mesh->values);
+    return part;
+}
+
+/// Points into the scene.
+SurfaceContent contentOf(const Scene& scene)
+{
+    SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
+    for (const Drawable& drawable : scene.drawables) {
+        const auto* surface = std::get_if<Surface>(&drawable.shape);
+        if (surface == nullptr || !surface->mesh || !drawable.saved)
+            continue;
+        content.parts.push_back(partOf(drawable, *surface));
+        if (!drawable.value) {
+            content.title = "surfaces";
+            content.valueName = "value";
+        }
+    }
+    return content;
+}
+
+} // namespace
+
+Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress)
+{
+    if (!order.mesh) {
+        auto made = MeshExtractor(order.model).extract(order.query, progress.part(0, 0.5));
+        if (!made)
+            return made.error();
+        return writeMesh(host, {order.model, *made, order.query, order.target}, progress.part(0.5, 1));
+    }
+    const ExtractedMesh& extracted = *order.mesh;
+    MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
+    content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
+    content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
+    content.facts = factsOf(*order.model, order.query, extracted.scale);
+    if (Status right = order.model->confirm(progress.withCallback({})); !right)
+        return right;
+    return saveMesh(host, content, order.target, {}, progress);
+}
+
+Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress)
+{
+    constexpr double made = 0.7;
+    if (Status writable = checkWritable(host, WrittenContent::Surface, order.target); !writable)
+        return writable;
+    if (!order.built) {
+        auto built = ScenePipeline().make(order.scene, progress.part(0, made));
+        if (!built)
+            return built.error();
+        return writeSurfaces(host, {order.scene, *std::move(built), order.target}, progress.part(made, 1));
+    }
+    SurfaceContent content = contentOf(*order.built->scene);
+    if (content.parts.empty())
+        return Error{ErrorKind::WrongUsage, Message::say("There is no surface to save: add an isovalue, or show one.")};
+    const Model& model = *order.scene.model;
+    content.facts = factsOf(model, order.scene.query, order.built->mesh.scale);
+    if (Status right = model.confirm(progress.withCallback({})); !right)
+        return right;
+    return saveSurface(host, content, order.target, {}, progress);
+}
+
+} // namespace tetra

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/host/plugin_host.h"
+#include "ui/workbench/scene_pipeline.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
+#include <tan/query.h>
+#include <tan/render.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace tetra {
+
+/// A mesh to save, as it is seen.
+struct MeshOrder {
+    std::shared_ptr<const Model> model;
+    std::shared_ptr<const ExtractedMesh> mesh; ///< that is there already; else it is extracted
+    MeshQuery query;                           ///< that it answers
+    std::filesystem::path target;
+};
+
+/// Writes the mesh with its values and the sites of its vertices, and as facts where it is from and what errors it
+/// keeps. The format is that of the file's ending. Errors as of saveMesh().
+Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress);
+
+/// Surfaces to save: those of a scene that say so (Drawable::saved).
+struct SurfaceOrder {
+    SceneRequest scene;
+    std::optional<BuiltScene> built; ///< of the request, if that is there already; else it is made
+    std::filesystem::path target;
+};
+
+/// Writes the surfaces under their labels, with their values and their colours, as far as the format has any; it is
+/// that of the file's ending. Errors as of saveSurface(), and WrongUsage if there is no surface to save.
+Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress);
+
+} // namespace tetra

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/model_statistics.h"
+
+#include "plugins/widgets/number_text.h"
+#include "ui/session/accuracy_scale.h"
+#include "ui/session/mesh_text.h"
+#include "ui/session/target_path.h"
+
+#include <tan/query.h>
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+
+namespace tetra {
+namespace {
+
+class Statistics {
+    Q_DECLARE_TR_FUNCTIONS(Statistics)
+};
+
+/// Position, value and site of a vertex; four vertices of a tetrahedron.
+constexpr std::uint64_t bytesOfVertex = 3 * sizeof(float) + sizeof(float) + sizeof(std::uint32_t);
+constexpr std::uint64_t bytesOfTetrahedron = 4 * sizeof(std::uint32_t);
+
+} // namespace
+
+std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<double> secondsPerTetrahedron)
+{
+    const auto most = static_cast<double>(meshSizeAt(model, bothWithin(0)).tetrahedra);
+    std::vector<LevelStatistics> levels;
+    for (const double error : accuracyPresets) {
+        const MeshSize size = meshSizeAt(model, bothWithin(error));
+        const auto tetrahedra = static_cast<double>(size.tetrahedra);
+        LevelStatistics level{.error = error,
+                              .inUnits = error / 100 * model.description().range.extent(),
+                              .sites = size.sites,
+                              .tetrahedra = size.tetrahedra,
+                              .share = most > 0 ? 100 * tetrahedra / most : 0,
+                              .seconds = {},
+                              .bytes = size.sites * bytesOfVertex + size.tetrahedra * bytesOfTetrahedron};
+        if (secondsPerTetrahedron)
+            level.seconds = *secondsPerTetrahedron * tetrahedra;
+        levels.push_back(level);
+    }
+    return levels;
+}
+
+std::optional<double> secondsPerTetrahedron(const BuiltScene& scene)
+{
+    if (scene.extractionSeconds <= 0 || scene.mesh.wholeTetrahedra == 0)
+        return std::nullopt;
+    return scene.extractionSeconds / static_cast<double>(scene.mesh.wholeTetrahedra);
+}
+
+QStringList levelColumns()
+{
+    // What counts least comes last, where a narrow panel hides it.
+    return {Statistics::tr("Error"), Statistics::tr("Vertices"), Statistics::tr("Tetrahedra"), Statistics::tr("Share"),
+            Statistics::tr("Time"),  Statistics::tr("Memory"),   Statistics::tr("± value")};
+}
+
+QStringList levelTexts(const LevelStatistics& level)
+{
+    return {percentText(level.error),
+            countText(level.sites),
+            countText(level.tetrahedra),
+            percentText(level.share),
+            level.seconds ? durationText(*level.seconds) : QString(QChar(0x2013)),
+            bytesText(level.bytes),
+            QLocale().toString(level.inUnits, 'g', 3)};
+}
+
+std::vector<StatisticsFact> modelFacts(const Model& model)
+{
+    const ValueRange range = model.description().range;
+    return {{Statistics::tr("Model"), QFileInfo(pathText(model.path())).fileName()},
+            {Statistics::tr("Values"),
+             Statistics::tr("%1 to %2")
+                 .arg(valueText(range.minimum, range.extent()), valueText(range.maximum, range.extent()))},
+            {Statistics::tr("Total vertices"), countText(model.siteCount())},
+            {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
+}
+
+std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds,
+                                       std::optional<std::size_t> brokenCycles)
+{
+    std::vector<StatisticsFact> facts{
+        {Statistics::tr("Shown"), Statistics::tr("%1 vertices, %2 tetrahedra")
+                                      .arg(countText(scene.mesh.keptSites), countText(scene.mesh.keptTetrahedra))},
+        {Statistics::tr("Guaranteed"), errorText(scene.mesh)}};
+    if (const QString pieces = piecesText(scene.mesh); !pieces.isEmpty())
+        facts.push_back({Statistics::tr("Cut"), pieces});
+    if (scene.triangles > 0)
+        facts.push_back({Statistics::tr("Triangles"), countText(scene.triangles)});
+    if (scene.extractionSeconds > 0)
+        facts.push_back({Statistics::tr("Extraction"), durationText(scene.extractionSeconds)});
+    facts.push_back({Statistics::tr("Preparation"), durationText(scene.sceneSeconds)});
+    if (frameSeconds > 0)
+        facts.push_back({Statistics::tr("A frame"), durationText(frameSeconds)});
+    if (brokenCycles)
+        facts.push_back(
+            {Statistics::tr("Visibility cycles"),
+             *brokenCycles == 0
+                 ? countText(0)
+                 : Statistics::tr("%1, in which cells are drawn by their distance").arg(countText(*brokenCycles))});
+    return facts;
+}
+
+QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels)
+{
+    QString text;
+    for (const auto& [name, value] : facts)
+        text += name + '\t' + value + '\n';
+    text += '\n' + levelColumns().join('\t') + '\n';
+    for (const LevelStatistics& level : levels)
+        text += levelTexts(level).join('\t') + '\n';
+    return text;
+}
+
+} // namespace tetra

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/opening.h"
+
+#include "plugins/host/dataset_opening.h"
+#include "plugins/host/input_file.h"
+#include "ui/session/message_text.h"
+#include "ui/session/picture_texts.h"
+#include "ui/session/target_path.h"
+#include "ui/session/text_file.h"
+#include "ui/workbench/field_extent.h"
+#include "ui/workbench/import_memory.h"
+#include "ui/workbench/recent_files.h"
+#include "ui/workbench/sample_models.h"
+#include "ui/workbench/view_picture.h"
+
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include <utility>
+
+namespace tetra {
+namespace {
+
+constexpr int timeBetweenChecks = 700; // milliseconds
+
+/// Those that make a difference.
+ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter>& parameters)
+{
+    for (const Parameter& parameter : parameters)
+        if (const auto found = options.values.find(parameter.id);
+            found != options.values.end() && found->second == parameter.defaultValue)
+            options.values.erase(found);
+    return options;
+}
+
+} // namespace
+
+Opening::Opening(PluginHost& host, Session& session, SceneService& scenes, std::filesystem::path views)
+    : host_(host), session_(session), scenes_(scenes), views_(std::move(views))
+{
+    connect(&session_, &Session::modelChanged, this, &Opening::watchForDamage);
+    connect(&session_, &Session::modelGrown, this, &Opening::watchForDamage);
+    connect(&watching_, &QTimer::timeout, this, &Opening::lookForDamage);
+    watching_.setInterval(timeBetweenChecks);
+}
+
+Opening::~Opening() = default;
+
+QStringList Opening::nameFilters()
+{
+    QStringList filters{tr("Models (*.tan)"), tr("Sessions (*.tansession)"),
+                        tr("Pictures with their sessions (*.png)")};
+    for (const std::string& filter : readableFiles(host_))
+        filters.append(translatedText(filter));
+    static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
+    QStringList all;
+    for (const QString& filter : std::as_const(filters))
+        all.append(patterns.match(filter).captured(1));
+    filters.prepend(tr("All that can be opened (%1)").arg(all.join(' ')));
+    filters.append(tr("All files (*)"));
+    return filters;
+}
+
+void Opening::open(const QString& path)
+{
+    if (const std::filesystem::path file = filePath(path); isSessionFile(file))
+        openSession(file, SessionSource::File);
+    else
+        look(file, false);
+}
+
+void Opening::openWithOptions(const QString& path)
+{
+    look(filePath(path), true);
+}
+
+void Opening::readDifferently()
+{
+    if (dataset_)
+        look(dataset_->source.path, true);
+}
+
+/// In a worker; what was being read before is not wanted any more.
+void Opening::read(LongTask::Work work)
+{
+    emit aboutToRead();
+    reading_.start(std::move(work));
+}
+
+void Opening::look(const std::filesystem::path& path, bool ask)
+{
+    read([this, path, ask](const Progress& progress) -> std::function<void()> {
+        if (isPictureFile(path) && !ask && !sessionInPicture(path).empty())
+            return [this, path] { emit pictureOpened(pathText(path)); };
+        if (!isModelFile(path) || ask)
+            return whenLookedAt(path, ask, progress);
+        const auto opened = openModel(path);
+        if (!opened)
+            return tellLater(opened.error());
+        return [this, opened = *opened] { passGate(true, [this, opened] { showModel(opened); }); };
+    });
+}
+
+/// Lets what was read take the place of what is open, if that may be.
+void Opening::passGate(bool isModel, const std::function<void()>& go, const std::function<void()>& stay)
+{
+    if (gate_)
+        gate_(isModel, go, stay);
+    else
+        go();
+}
+
+std::function<void()> Opening::tellLater(const Error& error)
+{
+    return [this, error] { tell(error); };
+}
+
+/// What is to be done in the GUI thread with a file that may hold a dataset.
+std::function<void()> Opening::whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress)
+{
+    ImportQuestion question;
+    question.path = path;
+    question.options = rememberedImport(path, host_);
+    const auto reader = chooseReader(host_, path);
+    if (!reader)
+        return tellLater(reader.error());
+    const auto contents = probeDataset(host_, path, {}, progress.part(0, 0.1));
+    const bool isIncomplete = !contents && contents.error().kind == ErrorKind::WrongUsage;
+    if (!contents && !isIncomplete)
+        return tellLater(contents.error());
+    if (ask || isIncomplete || offersChoice(*contents)) {
+        const auto lastReader = chooseReader(host_, path, question.options.reader);
+        question.reader = lastReader ? *lastReader : *reader;
+        question.contents = contents ? *contents : FileContents();
+        question.reason = isIncomplete ? translatedMessage(contents.error().message) : QString();
+        return [this, question] { emit choicesNeeded(question); };
+    }
+    return [this, path, read = readDataset(path, {}, progress.part(0.1, 1))] { datasetRead(path, read); };
+}
+
+Opening::ReadDataset Opening::readDataset(const std::filesystem::path& path, const ImportOptions& options,
+                                          const Progress& progress)
+{
+    ReadDataset read{openDataset(host_, path, options, progress), {}, options};
+    if (read.dataset)
+        read.size = buildSizeOf(*read.dataset, progress);
+    return read;
+}
+
+void Opening::importDataset(const std::filesystem::path& path, const ImportOptions& options)
+{
+    read([this, path, options](const Progress& progress) -> std::function<void()> {
+        const auto reader = chooseReader(host_, path, options.reader);
+        const auto parameters = reader ? reader->plugin->parameters() : std::vector<Parameter>();
+        return [this, path, options, read = readDataset(path, withoutDefaults(options, parameters), progress)] {
+            if (read.dataset) {
+                rememberImport(path, read.options);
+                return passGate(
+                    false, [this, path, read] { takeDataset(path, read); }, [this] { emit importFailed({}); });
+            }
+            const Error& error = read.dataset.error();
+            emit importFailed(error.kind == ErrorKind::Cancelled ? QString() : translatedMessage(error.message));
+        };
+    });
+}
+
+void Opening::datasetRead(const std::filesystem::path& path, const ReadDataset& read)
+{
+    if (!read.dataset)
+        return tell(read.dataset.error());
+    passGate(false, [this, path, read] { takeDataset(path, read); });
+}
+
+void Opening::takeDataset(const std::filesystem::path& path, const ReadDataset& read)
+{
+    dataset_ = std::make_shared<const Dataset>(*read.dataset);
+    buildSize_ = read.size;
+    imported_ = read.options;
+    addRecentFile(pathText(path));
+    emit datasetOpened();
+}
+
+void Opening::closeDataset()
+{
+    dataset_.reset();
+    buildSize_ = {.points = 0};
+    emit datasetClosed();
+}
+
+/// For a worker.
+Result<OpenedModel> Opening::openModel(const std::filesystem::path& path) const
+{
+    const auto model = Model::open(path);
+    if (!model)
+        return model.error();
+    return OpenedModel{.model = *model, .field = extentOf(**model), .view = views_.find(path)};
+}
+
+void Opening::openSession(const std::filesystem::path& path, SessionSource source)
+{
+    read([this, path, source](const Progress&) -> std::function<void()> {
+        const Result<OpenedModel> opened = openedBySession(path, source);
+        if (!opened)
+            return tellLater(opened.error());
+        return [this, opened = *opened] { passGate(true, [this, opened] { showModel(opened); }); };
+    });
+}
+
+/// For a worker.
+Result<OpenedModel> Opening::openedBySession(const std::filesystem::path& path, SessionSource source) const
+{
+    const auto text =
+        source == SessionSource::Picture ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
+    if (!text)
+        return text.error();
+    const auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
+    if (!document)
+        return Error{document.error().kind, Message::say("%1: %2", path.string(), document.error().message)};
+    const auto model = Model::open(document->model);
+    if (!model)
+        return Error{model.error().kind,
+                     Message::say("The model of the session cannot be opened. %1", model.error().message)};
+    return OpenedModel{.model = *model, .field = extentOf(**model), .view = *document, .from = path, .source = source};
+}
+
+void Opening::showModel(const OpenedModel& opened)
+{
+    if (!scenes_.prepare(opened.field))
+        return;
+    emit leaving();
+    setSessionFile({});
+    becomes_ = opened.becomes;
+    if (becomes_.empty())
+        addRecentFile(pathText(opened.model->path()));
+    if (!opened.view) {
+        const ViewValue start = scenes_.startingView(*opened.model);
+        return session_.open(opened.model, start.isovalues, start.appearance);
+    }
+    const SessionDocument kept = restoredView(*opened.view, scenes_.modes(), *opened.model, opened.field);
+    session_.restore(opened.model, kept.view, kept.hasCamera);
+    if (!opened.from.empty())
+        showSession(kept, opened);
+    emit viewRestored(opened.from);
+}
+
+/// What a session has beside the view of its model.
+void Opening::showSession(const SessionDocument& document, const OpenedModel& opened)
+{
+    const bool isLost = opened.source == SessionSource::Lost && !document.file.empty();
+    if (opened.source == SessionSource::File || isLost) {
+        sessionFound_ = document.found;
+        setSessionFile(isLost ? document.file : opened.from);
+        addRecentFile(pathText(sessionFile_));
+    }
+    if (isLost)
+        session_.undoStack().resetClean(); // the file does not have what was lost
+    if (document.identity != 0 && document.identity != modelIdentity(*opened.model))
+        emit failed(tr("The model %1 is another one than when the session was saved: it was built anew, or replaced. "
+                       "It is shown as the session says, as far as that fits.")
+                        .arg(pathText(opened.model->path())));
+}
+
+void Opening::growTo(const OpenedModel& opened)
+{
+    scenes_.setExtent(opened.field);
+    becomes_ = opened.becomes;
+    const ViewValue start = scenes_.startingView(*opened.model);
+    session_.grow(opened.model, start.isovalues, start.appearance);
+}
+
+std::optional<SessionDocument> Opening::sessionDocument() const
+{
+    if (!session_.model() || !becomes_.empty())
+        return std::nullopt;
+    const Model& model = *session_.model();
+    SessionDocument document;
+    document.model = std::filesystem::absolute(model.path());
+    document.identity = modelIdentity(model);
+    document.bounds = model.description().bounds;
+    document.range = model.description().range;
+    document.view = session_.view();
+    document.hasCamera = true;
+    document.found = sessionFound_;
+    return document;
+}
+
+/// The changes count as saved from here on, so that those that come while the file is written do not.
+void Opening::saveSession(const std::filesystem::path& target, const SessionDocument& document,
+                          const std::function<void(bool saved)>& then)
+{
+    session_.undoStack().setClean();
+    const std::string text = sessionToText(document, std::filesystem::absolute(target).parent_path());
+    savingSession_.enqueue(
+        [this, target, text, then, model = session_.model()](const Progress&) -> std::function<void()> {
+            return [this, target, then, model, saved = writeTextFile(target, text)] {
+                const bool isOpen = session_.model() == model;
+                if (!saved) {
+                    if (isOpen)
+                        session_.undoStack().resetClean();
+                    emit saveFailed(translatedMessage(saved.error().message));
+                } else {
+                    if (isOpen)
+                        setSessionFile(target);
+                    addRecentFile(pathText(target));
+                    emit sessionSaved(pathText(target));
+                }
+                if (then)
+                    then(saved.ok());
+            };
+        });
+}
+
+QString Opening::proposedPath(const QString& ending) const
+{
+    const std::filesystem::path& path = session_.model()->path();
+    const QFileInfo model(pathText(becomes_.empty() ? path : becomes_)); // looks at a build go with the program
+    // What lies beside a sample may be gone tomorrow.
+    const QString folder = isOfSample(path) ? documentFolder() : model.absolutePath();
+    return folder + "/" + model.completeBaseName() + ending;
+}
+
+void Opening::openSample(const std::string& name)
+{
+    sampling_.start([this, name](const Progress& progress) -> std::function<void()> {
+        return [this, model = sampleModel(host_, name, sampleFolder(), progress)] {
+            if (model)
+                open(pathText(*model));
+            else
+                tell(model.error());
+        };
+    });
+}
+
+void Opening::drawThumbnails()
+{
+    if (std::exchange(thumbnailsWanted_, true))
+        return;
+    if (reading_.running()) // what the user waits for comes first
+        connect(&reading_, &LongTask::finished, this, &Opening::startThumbnails, Qt::SingleShotConnection);
+    else
+        startThumbnails();
+}
+
+void Opening::startThumbnails()
+{
+    thumbnails_.start([this](const Progress& progress) -> std::function<void()> {
+        for (const SampleCard& card : sampleCards()) {
+            // A sample without a picture still has its name; what is wrong is told by whoever opens it.
+            const auto picture = sampleThumbnail(host_, card.name, sampleFolder(), progress.withCallback({}));
+            if (progress.cancelled())
+                break;
+            if (picture)
+                QMetaObject::invokeMethod(
+                    this, [this, name = card.name, image = *picture] { emit thumbnailDrawn(name, image); },
+                    Qt::QueuedConnection);
+        }
+        return [] {};
+    });
+}
+
+void Opening::close()
+{
+    const bool isOfDataset = !session_.model() || datasetIsBuilt();
+    if (session_.model())
+        closeModel();
+    if (dataset_ && isOfDataset && !datasetInUse_)
+        closeDataset();
+}
+
+void Opening::closeModel()
+{
+    emit leaving();
+    setSessionFile({});
+    becomes_.clear();
+    scenes_.clear();
+    session_.close();
+}
+
+void Opening::setSessionFile(const std::filesystem::path& file)
+{
+    sessionFile_ = file;
+    if (file.empty())
+        sessionFound_ = {};
+    emit sessionFileChanged();
+}
+
+/// Damage of the model's file may be found by whatever reads it, or by the thread that checks an old one.
+void Opening::watchForDamage()
+{
+    if (session_.model())
+        watching_.start();
+    else
+        watching_.stop();
+}
+
+void Opening::lookForDamage()
+{
+    const Status found = session_.model()->foundDamage();
+    if (found)
+        return;
+    watching_.stop();
+    tell(found.error());
+}
+
+void Opening::tell(const Error& error)
+{
+    if (error.kind != ErrorKind::Cancelled)
+        emit failed(translatedMessage(error.message));
+}
+
+} // namespace tetra

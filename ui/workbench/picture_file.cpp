@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/picture_file.h"
+
+#include "core/base/file_writer.h"
+#include "ui/workbench/picture_image.h"
+
+#include <QBuffer>
+
+#include <cmath>
+
+namespace tetra {
+namespace {
+
+constexpr double inchesPerMetre = 1 / 0.0254;
+
+} // namespace
+
+QImage finishedPicture(const PictureOrder& order, const Picture& picture)
+{
+    QImage image = imageOf(picture);
+    if (order.finish)
+        order.finish(image);
+    if (!order.transparent)
+        image = image.convertToFormat(QImage::Format_RGB32);
+    if (order.dotsPerInch > 0) {
+        image.setDotsPerMeterX(static_cast<int>(std::lround(order.dotsPerInch * inchesPerMetre)));
+        image.setDotsPerMeterY(image.dotsPerMeterX());
+    }
+    for (const auto& [key, text] : order.texts)
+        image.setText(key, text);
+    return image;
+}
+
+Status writePicture(const QImage& picture, const std::filesystem::path& target)
+{
+    QBuffer buffer;
+    if (!picture.save(&buffer, "PNG"))
+        return Error{ErrorKind::OutOfResource, Message::say("There is not enough memory for a picture of this size.")};
+    const QByteArray& bytes = buffer.data();
+    return writeWholeFile(target, std::as_bytes(std::span(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
+}
+
+} // namespace tetra

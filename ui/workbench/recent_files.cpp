@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/recent_files.h"
+
+#include "ui/session/target_path.h"
+#include "ui/workbench/sample_models.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace tetra {
+namespace {
+
+constexpr qsizetype mostRecentFiles = 10;
+constexpr const char* recentFilesKey = "recentFiles";
+
+} // namespace
+
+QStringList recentFiles()
+{
+    QStringList files = QSettings().value(recentFilesKey).toStringList();
+    files.removeIf([](const QString& path) { return isOfSample(filePath(path)) || !QFileInfo::exists(path); });
+    return files;
+}
+
+void addRecentFile(const QString& path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (isOfSample(filePath(absolute)))
+        return;
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    QSettings().setValue(recentFilesKey, files.mid(0, mostRecentFiles));
+}
+
+void forgetRecentFiles()
+{
+    QSettings().remove(recentFilesKey);
+}
+
+} // namespace tetra

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/scene_pipeline.h"
+
+#include <chrono>
+#include <new>
+#include <variant>
+
+namespace tetra {
+namespace {
+
+constexpr int histogramParts = 256;
+
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Error outOfMemory()
+{
+    return {ErrorKind::OutOfResource,
+            Message::say("There is not enough memory for the mesh at this accuracy. Choose a coarser one, or close "
+                         "other programs.")};
+}
+
+} // namespace
+
+bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
+{
+    if (one.model != other.model || one.renderer != other.renderer || !(one.query == other.query) ||
+        one.values != other.values)
+        return false;
+    return one.renderer == nullptr || !one.renderer->needs().view ||
+           (one.camera == other.camera && one.width == other.width && one.height == other.height);
+}
+
+/// The meshes that a request needs: one, or with a renderer that blends a focus two.
+struct ScenePipeline::NeededMeshes {
+    MeshQuery query;
+    std::optional<TwoResolutions> focus; ///< then `query` is the one outside
+
+    explicit NeededMeshes(const SceneRequest& request) : query(request.query)
+    {
+        if (request.renderer->needs().focusMesh)
+            focus = twoResolutions(request.query);
+        if (focus)
+            query = focus->outside;
+    }
+};
+
+void ScenePipeline::setMesh(std::shared_ptr<const ExtractedMesh> next)
+{
+    const std::lock_guard lock(mutex_);
+    mesh_ = std::move(next);
+}
+
+bool ScenePipeline::has(const SceneRequest& request, const NeededMeshes& needed) const
+{
+    return mesh_ && model_ == request.model && query_ == needed.query;
+}
+
+MeshExtractor& ScenePipeline::extractorOf(const std::shared_ptr<const Model>& model)
+{
+    if (!*extractor_ || (*extractor_)->model() != model)
+        extractor_->emplace(model);
+    return **extractor_;
+}
+
+/// Lets go of the last mesh first, so that the extractor can use its memory again.
+Status ScenePipeline::extract(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
+{
+    session_.reset();
+    setMesh(nullptr);
+    fineMesh_.reset();
+    focus_.reset();
+    auto extracted = extractorOf(request.model).extract(needed.query, progress);
+    if (!extracted)
+        return extracted.error();
+    if (Status intact = request.model->checkIntact(); !intact)
+        return intact;
+    setMesh(*std::move(extracted));
+    query_ = needed.query;
+    model_ = request.model;
+    const ValueRange range = request.model->description().range;
+    histogram_ = std::make_shared<const ValueHistogram>(
+        valueHistogram(mesh_->mesh.values, range.minimum, range.maximum, histogramParts));
+    logarithmic_.reset();
+    if (range.minimum > 0)
+        logarithmic_ = std::make_shared<const ValueHistogram>(
+            logarithmicHistogram(mesh_->mesh.values, range.minimum, range.maximum, histogramParts));
+    return {};
+}
+
+/// The mesh in the focus, if there is one to blend.
+Status ScenePipeline::extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress)
+{
+    session_.reset();
+    fineMesh_.reset();
+    focus_.reset();
+    if (!needed.focus)
+        return {};
+    auto extracted = extractorOf(request.model).extract(needed.focus->inside, progress);
+    if (!extracted)
+        return extracted.error();
+    if (Status intact = request.model->checkIntact(); !intact)
+        return intact;
+    fineMesh_ = *std::move(extracted);
+    focus_ = needed.focus;
+    return {};
+}
+
+void ScenePipeline::open(const SceneRequest& request, const NeededMeshes& needed)
+{
+    RendererMeshes meshes{.mesh = {mesh_, &mesh_->mesh}, .bounds = request.model->description().bounds};
+    if (needed.focus)
+        meshes.focus = FocusMesh{{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border};
+    session_ = request.renderer->open(meshes);
+    renderer_ = request.renderer;
+}
+
+ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
+{
+    ShownMesh shown{.query = asked,
+                    .vertices = mesh_->mesh.positions.size(),
+                    .tetrahedra = mesh_->mesh.tetrahedra.size(),
+                    .wholeSites = mesh_->wholeSites,
+                    .wholeTetrahedra = mesh_->wholeTetrahedra,
+                    .keptSites = mesh_->keptSites,
+                    .keptTetrahedra = mesh_->keptTetrahedra,
+                    .isBlended = fineMesh_ != nullptr,
+                    .scale = mesh_->scale,
+                    .histogram = histogram_,
+                    .logarithmicHistogram = logarithmic_};
+    if (fineMesh_) {
+        shown.vertices += fineMesh_->mesh.positions.size();
+        shown.tetrahedra += fineMesh_->mesh.tetrahedra.size();
+        shown.keptSites += fineMesh_->keptSites;
+        shown.keptTetrahedra += fineMesh_->keptTetrahedra;
+    }
+    return shown;
+}
+
+Result<BuiltScene> ScenePipeline::make(const SceneRequest& request, const Progress& progress)
+try {
+    if (built_ && haveSameScene(last_, request))
+        return *built_;
+    built_.reset();
+    BuiltScene built;
+    built.model = request.model;
+    const auto start = std::chrono::steady_clock::now();
+    const NeededMeshes needed(request);
+    if (!has(request, needed)) {
+        if (const Status extracted = extract(request, needed, progress.part(0, 0.3)); !extracted)
+            return extracted.error();
+        built.extractionSeconds = secondsSince(start);
+    }
+    if (focus_ != needed.focus) {
+        if (const Status extracted = extractFine(request, needed, progress.part(0.3, 0.5)); !extracted)
+            return extracted.error();
+        built.extractionSeconds = secondsSince(start);
+    }
+    if (!session_ || renderer_ != request.renderer)
+        open(request, needed);
+    auto scene =
+        session_->prepare({request.values, request.camera, request.width, request.height}, progress.part(0.5, 1));
+    if (!scene) {
+        if (scene.error().kind == ErrorKind::OutOfResource)
+            clear();
+        return scene.error();
+    }
+    built.scene = *std::move(scene);
+    built.mesh = shownMesh(request.query);
+    for (const Surface* surface : shapesOf<Surface>(*built.scene))
+        if (surface->mesh)
+            built.triangles += surface->mesh->triangles.size();
+    built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
+    last_ = request;
+    built_ = built;
+    built_->extractionSeconds = built_->sceneSeconds = 0; // if it is asked for again
+    return built;
+} catch (const std::bad_alloc&) {
+    clear();
+    return outOfMemory();
+}
+
+Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, const Progress& progress)
+{
+    PictureOptions options;
+    options.width = order.width;
+    options.height = order.height;
+    options.background = order.background;
+    options.transparentBackground = order.transparent;
+    options.samplesPerAxis = order.samplesPerAxis;
+    options.threads = order.threads;
+    options.depth = withDepth;
+    Scene scene = order.scene ? *order.scene : Scene();
+    for (Drawable& drawable : scene.drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width = static_cast<float>(lines->width * order.lineScale);
+    return backend_->render(scene, order.camera, options, progress);
+}
+
+std::shared_ptr<const ExtractedMesh> ScenePipeline::mesh() const
+{
+    const std::lock_guard lock(mutex_);
+    return mesh_;
+}
+
+void ScenePipeline::clear()
+{
+    session_.reset();
+    setMesh(nullptr);
+    fineMesh_.reset();
+    focus_.reset();
+    extractor_->reset();
+    model_.reset();
+    built_.reset();
+    last_ = {};
+}
+
+Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
+{
+    const auto picture = ScenePipeline().draw(order, false, progress);
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
+}
+
+Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
+{
+    ScenePipeline pipeline;
+    const auto built = pipeline.make(scene, progress.part(0, 0.5));
+    if (!built)
+        return built.error();
+    order.scene = built->scene;
+    const auto picture = pipeline.draw(order, false, progress.part(0.5, 1));
+    if (!picture)
+        return picture.error();
+    return finishedPicture(order, *picture);
+}
+
+} // namespace tetra

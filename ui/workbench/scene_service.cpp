@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/scene_service.h"
+
+#include "ui/session/message_text.h"
+#include "ui/workbench/view_picture.h"
+
+namespace tetra {
+
+SceneService::SceneService(PluginHost& host, Session& session) : host_(host), session_(session)
+{
+    connect(&session_, &Session::modelChanged, this, &SceneService::requestScene);
+    connect(&session_, &Session::modelGrown, this, &SceneService::requestScene);
+    session_.whenChanged(ViewPart::Scene, this, &SceneService::requestScene);
+    connect(&sceneBuilder_, &SceneBuilder::failed, this,
+            [this](const Error& error) { emit failed(translatedMessage(error.message)); });
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
+            [this](const BuiltScene& scene) { session_.setShown(scene.mesh); });
+    connect(&sceneBuilder_, &SceneBuilder::sceneReady, this, &SceneService::requestDrafts);
+}
+
+bool SceneService::prepare(const FieldExtent& field)
+{
+    auto modes = renderingModes(host_);
+    if (modes.empty()) {
+        emit failed(tr("No renderer plugin could be loaded, so there is no way to show a model. %1")
+                        .arg(translatedMessage(host_.explainMissing(PluginKind::Renderer))));
+        return false;
+    }
+    modes_ = std::move(modes);
+    field_ = field;
+    clear();
+    return true;
+}
+
+void SceneService::clear()
+{
+    sceneBuilder_.clear();
+    draftBuilder_.clear();
+}
+
+const Renderer* SceneService::renderer() const
+{
+    return rendererOf(modes_, session_.view().appearance.mode);
+}
+
+std::vector<Parameter> SceneService::renderingParameters() const
+{
+    const Renderer* mode = renderer();
+    return mode != nullptr && session_.model() ? mode->parameters(field_) : std::vector<Parameter>{};
+}
+
+std::vector<Parameter> SceneService::matteringParameters() const
+{
+    return tetra::matteringParameters(renderingParameters(), session_.view().appearance.settings);
+}
+
+ViewValue SceneService::startingView(const Model& model) const
+{
+    return tetra::startingView(modes_, model, field_, session_.shape());
+}
+
+AnnotationContent SceneService::annotations(const Camera& camera, const Colour& background) const
+{
+    ViewValue view = preview_.value_or(session_.view());
+    view.annotations = session_.view().annotations;
+    view.camera = camera;
+    view.background = background;
+    const auto& model = session_.model();
+    const auto& shown = session_.shown();
+    return model ? annotationContent(*model, matteringParameters(), view, shown ? &*shown : nullptr)
+                 : AnnotationContent{.state = view.annotations, .camera = camera, .background = background};
+}
+
+void SceneService::previewView(const std::optional<ViewValue>& view)
+{
+    std::optional<ViewValue> next = session_.model() ? view : std::nullopt;
+    if (next) {
+        next->query = corrected(next->query, session_.view().query, *session_.model());
+        next->camera = {}; // not the model's matter
+    }
+    if (next == preview_)
+        return;
+    preview_ = next;
+    requestScene();
+}
+
+/// Seen as the viewport has it, which may be on its way to the camera of the view.
+SceneRequest SceneService::requestOf(const ViewValue& view) const
+{
+    SceneRequest request = sceneOf(session_.model(), renderer(), renderingParameters(), view);
+    request.camera = camera_;
+    request.width = pixels_.width();
+    request.height = pixels_.height();
+    return request;
+}
+
+SceneRequest SceneService::sessionRequest() const
+{
+    return requestOf(session_.view());
+}
+
+/// Of what is to be seen now.
+SceneRequest SceneService::sceneRequest() const
+{
+    return requestOf(preview_.value_or(session_.view()));
+}
+
+void SceneService::setSeenFrom(const Camera& camera, QSize pixels)
+{
+    if (camera == camera_ && pixels == pixels_)
+        return;
+    camera_ = camera;
+    pixels_ = pixels;
+    if (const Renderer* mode = renderer(); mode != nullptr && mode->needs().view)
+        requestScene();
+}
+
+void SceneService::requestScene()
+{
+    if (!session_.model() || renderer() == nullptr)
+        return;
+    const SceneRequest request = sceneRequest();
+    draftBuilder_.requestLook(request);
+    sceneBuilder_.request(request);
+}
+
+/// Coarser ones of the scene, unless another one is on its way already.
+void SceneService::requestDrafts(const BuiltScene& scene)
+{
+    if (session_.model() != scene.model || renderer() == nullptr)
+        return;
+    const SceneRequest request = sceneRequest();
+    if (request.query == scene.mesh.query)
+        draftBuilder_.request(request, scene.mesh);
+}
+
+} // namespace tetra

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/host/plugin_host.h"
+#include "ui/annotations/annotation_content.h"
+#include "ui/session/session.h"
+#include "ui/workbench/draft_builder.h"
+#include "ui/workbench/scene_builder.h"
+
+#include <tan/data.h>
+
+#include <QSize>
+
+namespace tetra {
+
+/// The scene of what the session shows, kept up to date in workers, with coarser drafts of it for moving pictures; and
+/// what there is to say of it. All signals come in the thread that it lives in.
+class SceneService : public QObject {
+    Q_OBJECT
+public:
+    /// Both outlive it.
+    SceneService(PluginHost& host, Session& session);
+
+    /// Drops what is shown and finds the ways to show another model, of such an extent, which is opened next. False if
+    /// there is none, which is told by failed(); then nothing changes.
+    bool prepare(const FieldExtent& field);
+    /// The session's model has grown to this.
+    void setExtent(const FieldExtent& field) { field_ = field; }
+    void clear();
+
+    SceneBuilder& sceneBuilder() noexcept { return sceneBuilder_; }
+    DraftBuilder& draftBuilder() noexcept { return draftBuilder_; }
+    /// The ways to look at a model; empty before the first one was opened.
+    const std::vector<Provided<Renderer>>& modes() const noexcept { return modes_; }
+    /// The one that is in use; null if it is not there.
+    const Renderer* renderer() const;
+    /// Its parameters, fitting the model; empty without one.
+    std::vector<Parameter> renderingParameters() const;
+    /// Those of them that matter as they are set.
+    std::vector<Parameter> matteringParameters() const;
+    const FieldExtent& extent() const noexcept { return field_; }
+    /// How `model`, for which this was prepared, is seen if nobody has ever looked at it.
+    ViewValue startingView(const Model& model) const;
+    /// The same of the session's model. There must be one.
+    ViewValue startingView() const { return startingView(*session_.model()); }
+    /// From where the model is seen, in a picture of this size in pixels: for renderers whose scenes depend on it.
+    void setSeenFrom(const Camera& camera, QSize pixels);
+    /// The scene of the session's own view, seen from there.
+    SceneRequest sessionRequest() const;
+    /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
+    AnnotationContent annotations(const Camera& camera, const Colour& background) const;
+    /// Shows another view, such as of a film, in place of the session's; nothing: that again. The camera is the
+    /// viewport's.
+    void previewView(const std::optional<ViewValue>& view);
+    const std::optional<ViewValue>& previewedView() const noexcept { return preview_; }
+
+signals:
+    void failed(const QString& text);
+
+private:
+    SceneRequest requestOf(const ViewValue& view) const;
+    SceneRequest sceneRequest() const;
+    void requestScene();
+    void requestDrafts(const BuiltScene& scene);
+
+    PluginHost& host_;
+    Session& session_;
+    std::vector<Provided<Renderer>> modes_;
+    FieldExtent field_; ///< of the model that is open
+    std::optional<ViewValue> preview_;
+    Camera camera_; ///< setSeenFrom() with these
+    QSize pixels_{1024, 768};
+    SceneBuilder sceneBuilder_;
+    DraftBuilder draftBuilder_;
+};
+
+} // namespace tetra

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/view_picture.h"
+
+#include "plugins/api/scene_parameters.h"
+#include "ui/annotations/annotation_painter.h"
+#include "ui/session/accuracy_scale.h"
+
+#include <algorithm>
+
+namespace tetra {
+namespace {
+
+constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
+constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
+
+/// The appearance of the session, where it says one that is known here; else how the model is seen at first. What
+/// settings the session does not have are the renderers' own defaults: how it was seen when it was saved.
+Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& modes, const Appearance& start)
+{
+    if (rendererOf(modes, appearance.mode) == nullptr)
+        appearance.mode = start.mode;
+    if (appearance.transfer.opacities.empty())
+        appearance.transfer = start.transfer;
+    return appearance;
+}
+
+/// Of a view that was kept of another field: what is not a place in it nor a value of it.
+void leaveWhatFits(SessionDocument& kept, const ViewValue& start)
+{
+    kept.view.query.focus = start.query.focus;
+    kept.view.query.window = start.query.window;
+    kept.view.query.values = start.query.values;
+    kept.view.appearance.transfer = {};
+    kept.view.appearance.settings.erase(clipId);
+    kept.view.isovalues = start.isovalues;
+    kept.hasCamera = false;
+    kept.view.animation = {};
+}
+
+} // namespace
+
+ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
+                       double aspectRatio)
+{
+    return {.query = startingQuery(model, startingError(model)),
+            .appearance = startingAppearance(modes, field, model.description().domain),
+            .isovalues = startingIsovalues(modes, field),
+            .camera = fitted(Camera(), model.description().bounds, aspectRatio)};
+}
+
+SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
+                             const FieldExtent& field)
+{
+    const ViewValue start = startingView(modes, model, field);
+    if (!isOfSameField(kept, model))
+        leaveWhatFits(kept, start);
+    kept.view.appearance = known(std::move(kept.view.appearance), modes, start.appearance);
+    kept.view.query = corrected(kept.view.query, start.query, model);
+    for (Isovalue& isovalue : kept.view.isovalues)
+        isovalue = corrected(isovalue, model.description().range);
+    return kept;
+}
+
+const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id)
+{
+    const auto found = std::ranges::find(modes, id, &Provided<Renderer>::id);
+    return found != modes.end() ? found->plugin : nullptr;
+}
+
+SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
+                     const std::vector<Parameter>& parameters, const ViewValue& view)
+{
+    return {model, renderer, meshQuery(view.query, *model), rendererValues(parameters, view.appearance, view.isovalues),
+            view.camera};
+}
+
+Colour usualBackground(bool isDark)
+{
+    return isDark ? darkBackground : lightBackground;
+}
+
+PictureOrder pictureOrder(const ViewPicture& picture)
+{
+    const double scale = annotationScale(picture.size, picture.viewSize);
+    PictureOrder order;
+    order.scene = picture.scene;
+    order.camera = picture.annotations.camera;
+    order.background = picture.annotations.background;
+    order.width = picture.size.width();
+    order.height = picture.size.height();
+    order.transparent = picture.transparent;
+    order.dotsPerInch = picture.dotsPerInch;
+    order.lineScale = std::max(1.0, scale);
+    if (std::ranges::any_of(picture.annotations.state.places, &AnnotationPlace::shown))
+        order.finish = [content = picture.annotations, scale](QImage& image) {
+            paintAnnotations(image, content, scale);
+        };
+    return order;
+}
+
+} // namespace tetra

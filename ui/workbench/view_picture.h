@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plugins/host/plugin_host.h"
+#include "ui/annotations/annotation_content.h"
+#include "ui/session/session_document.h"
+#include "ui/workbench/picture_file.h"
+#include "ui/workbench/scene_pipeline.h"
+
+#include <QSize>
+
+namespace tetra {
+
+// The way from how a model is seen to a picture of that: the window's and the command line's, so that both draw the
+// same.
+
+/// How a model is seen that nobody has looked at yet, in a picture of this width / height.
+ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
+                       double aspectRatio = 1);
+
+/// How it is seen again: as `kept` says, as far as that fits the model and is known here; the rest is as at first.
+SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
+                             const FieldExtent& field);
+
+/// The renderer of this id; null if there is none.
+const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id);
+
+/// The scene of a view. `parameters`: those of the renderer that fit the field.
+SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
+                     const std::vector<Parameter>& parameters, const ViewValue& view);
+
+/// The background of a view for which none was chosen.
+Colour usualBackground(bool isDark);
+/// The view that `tan render` takes pictures of, unless a session says how large its own was: its texts and lines are
+/// as large as in the pictures. In pixels.
+inline constexpr QSize usualViewSize(1024, 768);
+
+/// What a picture shows, and how large.
+struct ViewPicture {
+    std::shared_ptr<const Scene> scene{};
+    AnnotationContent annotations{}; ///< with the camera and the background
+    QSize size{};                    ///< in pixels
+    /// Of the view that it is a picture of: lines and annotations take as much of the picture as they do of that.
+    QSize viewSize = usualViewSize;
+    bool transparent = false;
+    int dotsPerInch = 0;
+};
+
+/// The picture, without a target.
+PictureOrder pictureOrder(const ViewPicture& picture);
+
+} // namespace tetra
