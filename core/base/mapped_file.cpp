@@ -2,7 +2,6 @@
 #include <tan/base.h>
 
 #include "core/base/memory.h"
-#include "core/base/system_error.h"
 
 #include <atomic>
 #include <cerrno>
@@ -10,7 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
-#include <string>
 
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -8,8 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <string>
-#include <string_view>
 #include <utility>
 
 namespace tetra {

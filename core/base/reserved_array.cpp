@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/reserved_array.h"
 
-#include "core/base/system_error.h"
-
 #include <tan/base.h>
 
 #include <fcntl.h>

@@ -2,8 +2,6 @@
 #include "core/build/decimation_build.h"
 
 #include "core/base/guarded.h"
-#include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/build/thresholds.h"
 #include "core/data/dataset_checks.h"
 #include "core/decimate/decimation.h"
@@ -13,7 +11,6 @@
 #include <array>
 #include <iterator>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace tetra {

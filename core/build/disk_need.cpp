@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/build/disk_need.h"
 
-#include "core/base/text.h"
 #include "core/history/model_writer.h"
 
 #include <algorithm>

@@ -3,11 +3,10 @@
 
 #include "core/base/file_writer.h"
 #include "core/base/guarded.h"
-#include "core/base/system_error.h"
-#include "core/base/text.h"
 #include "core/build/decimation_build.h"
 #include "core/history/format.h"
 #include "core/history/model_writer.h"
+
 #include <tan/build.h>
 
 #include <algorithm>

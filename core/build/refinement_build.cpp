@@ -2,8 +2,6 @@
 #include <tan/build.h>
 
 #include "core/base/checksum.h"
-#include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/base/work_folder.h"
 #include "core/build/disk_need.h"
 #include "core/build/thresholds.h"

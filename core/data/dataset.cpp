@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
-#include <tan/base.h>
 
+#include <tan/base.h>
 #include <tan/data.h>
 
 #include <span>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/dataset_checks.h"
 
-#include "core/base/text.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 

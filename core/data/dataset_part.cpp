@@ -2,7 +2,6 @@
 #include "core/data/dataset_part.h"
 
 #include "core/base/guarded.h"
-#include "core/base/text.h"
 #include "core/data/dataset_checks.h"
 #include "core/mesh/manifold.h"
 

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace tetra {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/memory.h"
 #include "core/base/reserved_array.h"
 
 #include <tan/base.h>
@@ -12,7 +11,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <string>
 #include <type_traits>
 
 namespace tetra {

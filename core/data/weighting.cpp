@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
-#include "core/base/text.h"
 
 #include <tan/data.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
 #include "core/base/json.h"
-#include "core/base/text.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
 #include "core/mesh/topology.h"

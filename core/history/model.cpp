@@ -3,8 +3,8 @@
 #include "core/base/rounding.h"
 #include "core/history/file_layout.h"
 #include "core/history/section_checks.h"
-#include <tan/base.h>
 
+#include <tan/base.h>
 #include <tan/model.h>
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "core/base/guarded.h"
 #include "core/base/rounding.h"
 #include "core/base/scratch_file.h"
-#include "core/base/text.h"
 #include "core/data/dataset_checks.h"
 #include "core/history/batch_builder.h"
 #include "core/history/derived_sections.h"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <string>
 #include <system_error>
 
 #include <sys/resource.h>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #if defined(__x86_64__)
 #include <immintrin.h>

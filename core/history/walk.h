@@ -12,7 +12,6 @@
 #include <functional>
 #include <ranges>
 #include <span>
-#include <string_view>
 
 // How the tetrahedra of a history are read: in the order of the file by walkHistory(), a site's alone by starOf(). One
 // is alive in the mesh of the first N sites if one of them created it and none destroys it (S2).

@@ -4,7 +4,6 @@
 #include <tan/render.h>
 
 #include <algorithm>
-#include <string>
 
 namespace tetra {
 

@@ -2,7 +2,6 @@
 #include "core/transfer/transfer_text.h"
 
 #include "core/base/json.h"
-#include "core/base/text.h"
 
 #include <tan/transfer.h>
 

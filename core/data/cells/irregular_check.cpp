@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/irregular_check.h"
 
-#include "core/base/text.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/triangles.h"

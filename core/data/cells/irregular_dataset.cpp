@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
-#include "core/base/text.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
 #include "core/data/cells/irregular_check.h"

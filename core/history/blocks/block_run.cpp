@@ -4,13 +4,11 @@
 #include "core/base/checksum.h"
 #include "core/base/file_writer.h"
 #include "core/base/rounding.h"
-#include "core/base/system_error.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <limits>
-#include <new>
 #include <utility>
 
 #include <fcntl.h>

@@ -9,8 +9,6 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace tetra {

@@ -8,8 +8,6 @@
 #include "core/mesh/topology.h"
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <utility>
 
 namespace tetra {

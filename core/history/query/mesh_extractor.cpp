@@ -16,7 +16,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <string>
 
 namespace tetra {
 

@@ -12,7 +12,6 @@
 #include <limits>
 #include <numeric>
 #include <queue>
-#include <string>
 #include <tuple>
 #include <vector>
 

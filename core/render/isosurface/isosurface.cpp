@@ -19,7 +19,6 @@
 #include <atomic>
 #include <cmath>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace tetra {

@@ -2,7 +2,6 @@
 #include "core/base/guarded.h"
 #include "core/base/progress.h"
 #include "core/base/sort_unique.h"
-#include "core/base/text.h"
 #include "core/render/isosurface/isosurface.h"
 
 #include <tan/base.h>

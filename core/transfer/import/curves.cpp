@@ -2,7 +2,6 @@
 #include "core/transfer/import/curves.h"
 
 #include "core/base/sort_unique.h"
-#include "core/base/text.h"
 
 #include <tan/transfer.h>
 
