@@ -30,15 +30,15 @@ struct FibonacciHash {
 ///             middles.push_back((positions[a] + positions[b]) / 2);
 ///     }
 ///
-/// A hash table by open addressing: slots that hold numbers, at most half of them, and the keys in order. Against
-/// std::unordered_map there is no allocation a key, no pointer to follow, the numbers do not depend on the library, and
-/// the keys can be walked in their order. Whether a key is new is as a rule hard to predict, so that decides no branch.
-/// Nothing can be taken out but everything.
+/// A hash table with open addressing: slots with the numbers of keys, at most half of the slots in use, and the keys in
+/// order. Unlike std::unordered_map it makes no allocation for each key and follows no pointers, the numbers do not
+/// depend on the library, and the keys can be walked in their order. Whether a key is new is usually hard to predict,
+/// so no branch depends on it. Keys cannot be removed one by one.
 ///
-/// Keys can be copied byte by byte, and every key equals itself; at most 2^32 - 2 differ. `Hash` gives 64 bits of which
-/// the upper ones are spread. Hash and equality may have data: keys that are indices into an array can be compared by
-/// what lies there. 8 to 16 bytes a key, and the key once or twice. All members are O(1) a key, growing included. May
-/// throw std::bad_alloc.
+/// Keys are copied byte by byte, and every key equals itself; at most 2^32 - 2 differ. `Hash` gives 64 bits, the upper
+/// ones well spread. Hash and equality may have data: keys that are indices into an array can be compared by what lies
+/// there. Takes 8 to 16 bytes a key, and the key once or twice. All members are O(1) a key, growing included. May throw
+/// std::bad_alloc.
 template <class Key, class Hash = FibonacciHash, class Equal = std::equal_to<Key>> class FlatIndex {
     static_assert(std::is_trivially_copyable_v<Key>);
 
@@ -47,15 +47,15 @@ public:
 
     explicit FlatIndex(Hash hash = {}, Equal equal = {}) : hash_(hash), equal_(equal) {}
 
-    /// Forgets all keys, but keeps their memory for the next ones. Makes slots for `expected` different keys; twice as
-    /// many as come leave room for them to lie where they belong, fewer are rehashed as they come. O(expected).
+    /// Forgets all keys, but keeps their memory for the next ones. Makes slots for `expected` different keys. If more
+    /// come, the slots grow and all keys are dealt to them anew; if fewer do, keys collide less often. O(expected).
     void clear(std::size_t expected = 0)
     {
         count_ = 0;
         makeSlots(slotsFor(expected + 1));
     }
 
-    /// The key's number; it gets one if it has none.
+    /// The key's number; a new key gets the next one. `key` is not one of keys(), which may move.
     std::uint32_t numberOf(const Key& key)
     {
         reserve(1);
@@ -68,8 +68,8 @@ public:
     /// The first key that equals this one, itself if it is new. Valid until another one comes.
     const Key& firstLike(const Key& key) { return keys_[numberOf(key)]; }
 
-    /// Calls take(i, number) for the number of each keys[i], in order: sooner done than one by one. Makes slots for all
-    /// of them. `take` does not look at this index.
+    /// Calls take(i, number) with the number of each keys[i], in order: quicker than one by one. Makes slots for all of
+    /// them. `take` does not use this index, and does not throw.
     template <class Take> void numberAll(std::span<const Key> keys, Take&& take)
     {
         reserve(keys.size());
@@ -96,9 +96,9 @@ public:
     std::size_t size() const noexcept { return count_; }
 
 private:
-    static constexpr std::size_t fewestSlots = 16;
+    static constexpr std::size_t smallestTable = 16;
 
-    /// What numbering takes, small enough to be kept in registers.
+    /// The state of numbering, small enough to be kept in registers.
     struct Numbering {
         std::uint32_t* table;
         Key* keys;
@@ -108,8 +108,8 @@ private:
         [[no_unique_address]] Hash hash;
         [[no_unique_address]] Equal equal;
 
-        /// As if the key were new and had the next number already: an empty slot, whose number is larger than all, then
-        /// reads as that.
+        /// The key is put at the end first, as if it were new, with the next number: then an empty slot, whose `none`
+        /// is larger than all numbers, reads as that number, and the search ends there, too.
         std::uint32_t numberOf(const Key& key)
         {
             keys[count] = key;
@@ -129,16 +129,16 @@ private:
         return {slots_.data(), keys_.data(), slots_.size() - 1, shift_, count_, hash_, equal_};
     }
 
-    static std::size_t slotsFor(std::size_t keys) { return std::bit_ceil(std::max(fewestSlots, 2 * keys)); }
+    static std::size_t slotsFor(std::size_t keys) { return std::bit_ceil(std::max(smallestTable, 2 * keys)); }
 
-    /// For so many keys more, and the one that is tried.
+    /// Makes room for so many more keys, and for the one that is put at the end first.
     void reserve(std::size_t more)
     {
-        const std::size_t most = count_ + more + 1;
-        if (keys_.size() < most)
-            keys_.resize(std::max(most, 2 * keys_.size()));
-        if (slots_.size() < 2 * most)
-            makeSlots(slotsFor(most));
+        const std::size_t wanted = count_ + more + 1;
+        if (keys_.size() < wanted)
+            keys_.resize(std::max(wanted, 2 * keys_.size()));
+        if (slots_.size() < 2 * wanted)
+            makeSlots(slotsFor(wanted));
     }
 
     void makeSlots(std::size_t size)
@@ -156,7 +156,7 @@ private:
     Buffer<std::uint32_t> slots_; ///< the number of the key that lies there, or none
     Buffer<Key> keys_;            ///< as many as count_, and room
     std::uint32_t count_ = 0;
-    int shift_ = 0; ///< what leaves a slot of a hash
+    int shift_ = 0; ///< hash >> shift_ is the slot where a key's search begins
     [[no_unique_address]] Hash hash_;
     [[no_unique_address]] Equal equal_;
 };

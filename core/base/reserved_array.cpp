@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/reserved_array.h"
 
+#include "core/base/memory.h"
+
 #include <tan/base.h>
 
 #include <fcntl.h>
@@ -31,14 +33,14 @@ Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, MarkedText purpos
 void forEachTouchedRun(const void* memory, std::size_t bytes,
                        const std::function<void(std::size_t first, std::size_t end)>& visit)
 {
-    // Linux tells of each page whether it is in memory or swapped out, by the last two bits of a number.
+    // Linux tells of each page whether it is in memory or swapped out, by the highest two bits of a number.
     constexpr std::uint64_t touched = std::uint64_t(3) << 62;
     constexpr std::size_t pagesAtOnce = 1 << 16;
-    const auto pageBytes = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    const std::size_t pageBytes = pageSize();
     const std::size_t firstPage = reinterpret_cast<std::uintptr_t>(memory) / pageBytes; // memory begins with a page
     const std::size_t count = (bytes + pageBytes - 1) / pageBytes;
+    std::vector<std::uint64_t> pages(std::min(count, pagesAtOnce)); // may throw, so before the file is open
     const int map = ::open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
-    std::vector<std::uint64_t> pages(map < 0 ? 0 : std::min(count, pagesAtOnce));
     for (std::size_t done = 0; done < count; done += pagesAtOnce) {
         const std::size_t some = std::min(pagesAtOnce, count - done);
         const std::size_t wanted = some * sizeof(std::uint64_t);

@@ -18,7 +18,8 @@ namespace tetra {
 Result<std::shared_ptr<void>> reserveMemory(std::size_t bytes, MarkedText purpose);
 
 /// Calls `visit` for the runs of pages, in order, that may have been written since reserveMemory() gave the memory, as
-/// bytes from its beginning: all of it where the system does not tell. Costs a read of 8 bytes a page.
+/// bytes from its beginning: all of it where the system does not tell. `visit` does not throw. Costs a read of 8 bytes
+/// a page. May throw std::bad_alloc.
 void forEachTouchedRun(const void* memory, std::size_t bytes,
                        const std::function<void(std::size_t first, std::size_t end)>& visit);
 

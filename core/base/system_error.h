@@ -9,7 +9,7 @@
 
 namespace tetra {
 
-/// isLackOfResources() of a text that a library or the system's loader gives in place of a number.
+/// The same as isLackOfResources(), for a text that a library or the system's loader gives in place of a number.
 TAN_INTERNAL bool namesLackOfResources(std::string_view text) noexcept;
 
 /// What to do about a file that cannot be made or grow on its disk, a sentence.

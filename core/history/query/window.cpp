@@ -206,7 +206,7 @@ private:
         return vertex;
     }
 
-    /// From its smaller end to the larger one, as whichever tetrahedron of the edge came first would do it.
+    /// Goes from the smaller end to the larger one, so that the place is the same whichever tetrahedron comes first.
     void addVertex(EdgeKey edge)
     {
         const auto [from, to] = endsOf(edge);
@@ -229,7 +229,7 @@ private:
 
     const Plane plane_;
     TetrahedralMesh& mesh_;
-    const std::uint32_t first_; ///< of the new vertices, which are numbered as the edges that they lie on
+    const std::uint32_t first_; ///< of the new vertices, which are in the order of the edges that they lie on
     FlatIndex<EdgeKey> cutEdges_;
 };
 

@@ -24,7 +24,7 @@ namespace {
 
 using EdgeIndex = FlatIndex<EdgeKey>;
 
-/// Slots of an EdgeIndex for each edge that comes: sparser than it needs, so that most edges are found at once.
+/// An EdgeIndex gets room for so many times the edges that come: then most of them are found at once.
 constexpr std::size_t edgeSparseness = 4;
 
 /// Crossed tetrahedra that are marched through step by step together: what lies between the steps stays in the nearest
