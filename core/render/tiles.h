@@ -13,13 +13,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <vector>
 
 namespace tetra {
 
-inline constexpr MarkedText noMemoryForPicture =
-    Message::marked("Not enough memory for a picture of this size and scene. Make the "
-                    "picture smaller or lower the accuracy of the mesh.");
+inline constexpr MarkedText noMemoryForPicture = Message::marked(
+    "Not enough memory for a picture of this size and scene. Make the picture smaller or lower the accuracy of the "
+    "mesh.");
+
+/// What `work`, which draws a scene, returns: a Result or a Status. What a custom drawable or an optical model throws,
+/// and a lack of memory, become errors.
+template <class Work> auto guardedDrawing(const Work& work) -> decltype(work())
+try {
+    return guarded(noMemoryForPicture, work);
+} catch (const std::exception& problem) {
+    return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the plugin "
+                                                   "that made it; tell its author.",
+                                                   problem.what())};
+}
 
 /// Runs `work`, which returns a Result, on as many threads as are wanted; 0 or too many means all of the machine.
 /// std::bad_alloc becomes an error.

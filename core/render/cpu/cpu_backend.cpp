@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <exception>
 #include <limits>
 #include <optional>
 #include <span>
@@ -313,14 +312,10 @@ public:
             return status.error();
         if (Status status = checkVolumes(scene); !status)
             return status.error();
-        try {
+        return guardedDrawing([&] {
             const auto drawn = withDrawn(scene, camera, options.width, options.height);
             return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
-        } catch (const std::exception& problem) { // of an optical model, or of a custom drawable
-            return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
-                                                           "plugin that made it; tell its author.",
-                                                           problem.what())};
-        }
+        });
     }
 
 private:

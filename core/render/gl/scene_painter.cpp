@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/scene_painter.h"
 
-#include "core/base/guarded.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/gl/sample_targets.h"
 #include "core/render/gl/surface_painter.h"
@@ -13,7 +12,6 @@
 #include <tan/render.h>
 
 #include <chrono>
-#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -351,16 +349,10 @@ Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& g
 Status ScenePainter::draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                           const Progress& progress)
 {
-    try {
-        return guarded(noMemoryForPicture, [&] {
-            const auto drawn = withDrawn(scene, camera, options.width, options.height);
-            return implementation_->draw(drawn ? *drawn : scene, camera, options, framebuffer, progress);
-        });
-    } catch (const std::exception& problem) { // of a custom drawable
-        return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the "
-                                                       "plugin that made it; tell its author.",
-                                                       problem.what())};
-    }
+    return guardedDrawing([&] {
+        const auto drawn = withDrawn(scene, camera, options.width, options.height);
+        return implementation_->draw(drawn ? *drawn : scene, camera, options, framebuffer, progress);
+    });
 }
 
 const std::string& ScenePainter::rendererName() const noexcept
