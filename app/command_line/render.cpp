@@ -100,9 +100,11 @@ AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& pa
 {
     ViewValue view;
     if (const auto found = values.find(transferId); found != values.end())
-        view.appearance.transfer = std::get<TransferFunction>(found->second);
+        if (const auto* transfer = std::get_if<TransferFunction>(&found->second))
+            view.appearance.transfer = *transfer;
     if (const auto found = values.find(isovaluesId); found != values.end())
-        view.isovalues = std::get<std::vector<Isovalue>>(found->second);
+        if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&found->second))
+            view.isovalues = *isovalues;
     return annotationContent(model, matteringParameters(parameters, values), view, &mesh);
 }
 
@@ -146,7 +148,7 @@ Result<SessionDocument> readSession(const std::filesystem::path& path)
     const auto text = isPictureFile(path) ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
     if (!text)
         return text.error();
-    if (text->empty())
+    if (text->empty() && isPictureFile(path))
         return Error{ErrorKind::BadInput,
                      "The picture '" + path.string() + "' does not say how it was made. Give a model or a session."};
     auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());

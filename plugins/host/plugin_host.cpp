@@ -143,19 +143,15 @@ Message PluginHost::explainMissing(PluginKind kind) const
 
 void PluginHost::whenFailing(std::function<void(const Error&)> tell)
 {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(telling_);
     tell_ = std::move(tell);
 }
 
 void PluginHost::tell(const Error& error) const
 {
-    std::function<void(const Error&)> tell;
-    {
-        const std::lock_guard lock(mutex_);
-        tell = tell_;
-    }
-    if (tell)
-        tell(error);
+    const std::lock_guard lock(telling_);
+    if (tell_)
+        tell_(error);
 }
 
 void PluginHost::find()

@@ -90,7 +90,8 @@ public:
 
     /// `tell` hears of each failure that the caller is not given as an error: of a plugin that turns out to be unusable
     /// when all of its kind are loaded, and of one that throws where it has no Result to give. From any thread, so that
-    /// it may only pass it on, and must not call the host. None: nobody hears of it.
+    /// it may only pass it on, and must not call the host; it is not called any more once another one is given. None:
+    /// nobody hears of it.
     void whenFailing(std::function<void(const Error&)> tell);
 
     /// Why plugins of this kind are missing, a line each; empty if none is.
@@ -149,9 +150,10 @@ private:
     }
 
     PluginHostOptions options_;
-    mutable std::mutex mutex_; ///< guards the next three after construction
+    mutable std::mutex mutex_; ///< guards the next two after construction
     std::vector<std::unique_ptr<Entry>> entries_;
     Status complete_;
+    mutable std::mutex telling_; ///< guards the next one, also while it is called
     std::function<void(const Error&)> tell_;
 };
 

@@ -288,6 +288,16 @@ private slots:
         QVERIFY(drawn(red).first != drawn(red + QStringList{"--boundary-far-side"}).first);
     }
 
+    void anEmptySessionIsNoPicture()
+    {
+        QFile empty(path("empty.tansession"));
+        QVERIFY(empty.open(QIODevice::WriteOnly));
+        empty.close();
+        const Run run = tan({"render", "empty.tansession", "-o", "x.png"});
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.messages.contains("empty.tansession") && !run.messages.contains("picture"), run.messages);
+    }
+
     void wrongUseIsRefused_data()
     {
         QTest::addColumn<QStringList>("options");

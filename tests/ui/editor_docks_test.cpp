@@ -3,7 +3,9 @@
 #include "tests/ui/window_fixture.h"
 
 #include "plugins/widgets/colour_button.h"
+#include "ui/panels/session_editor_host.h"
 #include "ui/session/view_json.h"
+#include "ui/viewport/value_pick.h"
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -86,6 +88,26 @@ private slots:
         QCOMPARE(settingsKept(), session().view().appearance.settings);
         session().setMode("isosurface");
         QVERIFY(!low.isEnabled());
+    }
+
+    void anEditorOfIsovaluesEditsThoseOfTheSession()
+    {
+        SessionEditorHost host(window_->workbench, window_->find<ValuePick>("viewport.pick"), "isovalues");
+        QCOMPARE(host.parameters().size(), std::size_t(1));
+        const std::string id = host.parameters().front().id;
+        QVERIFY(std::get<std::vector<Isovalue>>(host.value(id)) == session().view().isovalues);
+        QObject receiver;
+        int told = 0;
+        host.whenChanged(&receiver, [&told](EditorChange change) { told += change == EditorChange::Value ? 1 : 0; });
+        std::vector<Isovalue> two = session().view().isovalues;
+        two.push_back(two.front());
+        two.back().value = session().range().minimum + session().range().extent() / 8;
+        const int steps = session().undoStack().index();
+        host.setValue(id, two);
+        QVERIFY(session().view().isovalues == two);
+        QCOMPARE(session().undoStack().index(), steps + 1);
+        QCOMPARE(told, 1);
+        QVERIFY(std::get<std::vector<Isovalue>>(host.value(id)) == two);
     }
 
     void coloursAndVectorsAreInTheForm()

@@ -75,7 +75,8 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
          [](WindowFixture& window) {
              askAboutSession({LeavingWay::Quit, "headsq_64x64x93_int16.tansession", {}, {}}, &window.window);
          }},
-        {"leaving.saving", [](WindowFixture& window) { askAboutSaving(&window.window); }},
+        {"leaving.saving", [](WindowFixture& window) { askAboutSaving(LeavingWay::Quit, &window.window); }},
+        {"leaving.saving", [](WindowFixture& window) { askAboutSaving(LeavingWay::OpenModel, &window.window); }},
         {"transfer.presetPopup", openPresets},
         {"transfer.presetName",
          [openPresets](WindowFixture& window) {

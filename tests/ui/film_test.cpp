@@ -29,6 +29,7 @@ private slots:
     void cleanup();
     void keyFramesAreEdited();
     void aPreviewLeavesTheViewAlone();
+    void aPreviewEndsWithItsModel();
     void aFilmIsWrittenAsPictures();
     void aFilmThatIsCancelledLeavesNothing();
     void filesInTheWayAreFoundAtOnce();
@@ -130,6 +131,19 @@ void FilmTest::aPreviewLeavesTheViewAlone()
     window_->viewport().setCamera(moved); // the user takes over
     QVERIFY(window_->viewport().shownCamera() == moved && !window_->viewport().previewing());
     QCOMPARE(session().undoStack().count(), steps + 1);
+}
+
+void FilmTest::aPreviewEndsWithItsModel()
+{
+    Workbench alone(*window_->host, filePath(window_->folder.filePath("views of another")));
+    alone.opening().open(pathText(session().model()->path()));
+    QTRY_VERIFY(alone.session().model() != nullptr);
+    ViewValue frame = alone.session().view();
+    frame.query.error = 6;
+    alone.scenes().previewView(frame);
+    QVERIFY(alone.scenes().previewedView());
+    alone.opening().closeModel();
+    QVERIFY(!alone.scenes().previewedView());
 }
 
 void FilmTest::aFilmIsWrittenAsPictures()

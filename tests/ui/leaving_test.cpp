@@ -46,8 +46,10 @@ private slots:
     void whatCannotBeOpenedTakesNothingAway();
     void aSessionThatCannotBeSavedKeepsTheWindow();
     void aSessionBeingSavedIsWaitedFor();
+    void aSessionSavedJustNowIsWaitedFor();
     void quittingWaitsForFilesBeingWritten();
     void everyFailedSaveIsTold();
+    void whatIsOfAModelIsNotSavedWithoutOne();
     void savesDoNotStopEachOther();
 
 private:
@@ -447,6 +449,20 @@ void LeavingTest::aSessionBeingSavedIsWaitedFor()
     QVERIFY(session().model() == edited && window_->window.isWindowModified());
 }
 
+/// It counts as saved from the order on, and is lost if it cannot be written.
+void LeavingTest::aSessionSavedJustNowIsWaitedFor()
+{
+    editWhatCannotBeSaved();
+    const auto edited = session().model();
+    window_->find<QAction>("action.saveSession").trigger();
+    QVERIFY(window_->workbench.opening().savingSession().running() && !window_->window.isWindowModified());
+    window_->find<QAction>("action.close").trigger();
+    QVERIFY(session().model() == edited);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY(session().model() == edited && window_->window.isWindowModified());
+    QVERIFY(!isAsked("leaving.saving"));
+}
+
 void LeavingTest::quittingWaitsForFilesBeingWritten()
 {
     open(otherModel());
@@ -494,6 +510,18 @@ void LeavingTest::everyFailedSaveIsTold()
     workbench.opening().closeModel();
     for (const QString& file : files)
         QTRY_VERIFY2_WITH_TIMEOUT(window_->messages().join('\n').contains(file), qPrintable(file), 30'000);
+}
+
+/// It was closed while a dialog for the file was open.
+void LeavingTest::whatIsOfAModelIsNotSavedWithoutOne()
+{
+    Exporting& exporting = window_->workbench.exporting();
+    const QSignalSpy failed(&exporting, &Exporting::saveFailed);
+    exporting.saveMesh(filePath(window_->folder.filePath("a.vtu")));
+    exporting.saveSurfaces(filePath(window_->folder.filePath("b.stl")));
+    exporting.saveStatistics(filePath(window_->folder.filePath("c.csv")));
+    QCOMPARE(failed.count(), 3);
+    QVERIFY(!exporting.saving());
 }
 
 void LeavingTest::savesDoNotStopEachOther()

@@ -29,6 +29,7 @@ private slots:
     void aPictureIsSavedAsAskedFor();
     void aPictureSaysHowItWasMade();
     void aPictureRestoresItsView();
+    void aPictureOfAPreviewIsOfOneView();
     void backgroundsCanBeTransparent();
     void picturesWaitForEachOther();
     void thePictureIsCopied();
@@ -190,6 +191,27 @@ void OutputTest::aPictureRestoresItsView()
     QTRY_COMPARE(opened.count(), 1);
     QCOMPARE(session().view().query.error, 3.0);
     QCOMPARE(window_->viewport().camera().azimuth, 77.0);
+}
+
+/// As it is seen, and what it says of itself is that, too; not the session's camera with another mesh.
+void OutputTest::aPictureOfAPreviewIsOfOneView()
+{
+    const Camera before = session().view().camera;
+    ViewValue frame = session().view();
+    frame.query.error = 6;
+    frame.camera.azimuth = 123;
+    window_->workbench.scenes().previewView(frame);
+    window_->viewport().setPreview(frame.camera);
+    QTRY_VERIFY(window_->settled());
+    QCOMPARE(pictureOrder(window_->workbench, window_->viewport(), settings({200, 150})).camera.azimuth, 123.0);
+    window_->find<QAction>("action.savePicture").trigger();
+    const QString path = window_->folder.filePath("preview.png");
+    savePictureTo(path);
+    const auto document = sessionFromText(sessionInPicture(path.toStdString()), window_->folderPath());
+    QVERIFY(document);
+    QCOMPARE(document->view.query.error, 6.0);
+    QCOMPARE(document->view.camera.azimuth, 123.0);
+    QVERIFY(session().view().camera == before);
 }
 
 void OutputTest::backgroundsCanBeTransparent()

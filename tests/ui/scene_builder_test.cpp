@@ -31,6 +31,7 @@ private slots:
     void onlyScenesThatDependOnTheViewAreMadeAnewForIt();
     void whatARendererThrowsIsTold();
     void theSurfacesOfAnotherRendererAreSaved();
+    void aFormatThatNobodyWritesIsRefusedFirst();
 
 private:
     SceneRequest request(double percent, std::vector<Isovalue> isovalues) const;
@@ -253,6 +254,17 @@ void SceneBuilderTest::theSurfacesOfAnotherRendererAreSaved()
     scene.drawables.pop_back();
     scene.drawables.front().saved = false;
     QCOMPARE(writeSurfaces(*host, {wanted, std::nullopt, file("none.obj")}, {}).error().kind, ErrorKind::WrongUsage);
+}
+
+/// Before a mesh is extracted, which may take long.
+void SceneBuilderTest::aFormatThatNobodyWritesIsRefusedFirst()
+{
+    std::stop_source stopped;
+    stopped.request_stop();
+    const Status saved = writeMesh(*host_, {model_, nullptr, {}, folder_.filePath("mesh.nobody").toStdString()},
+                                   Progress(stopped.get_token(), {}));
+    QVERIFY(!saved);
+    QVERIFY2(saved.error().kind == ErrorKind::WrongUsage, saved.error().text().c_str());
 }
 
 QTEST_GUILESS_MAIN(SceneBuilderTest)

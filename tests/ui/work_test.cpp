@@ -23,11 +23,13 @@ private slots:
     void aPatientJobIsFinishedFirst();
     void patienceEnds();
     void destroyingStopsTheJob();
+    void whatAJobHeldGoesWhileOthersMayGiveJobs();
     void aTaskTellsProgressAndItsEnd();
     void aCancelledTaskStillEnds();
     void aReplacedTaskDoesNotTellItsEnd();
     void aReplacedTaskThatEndsLastIsNotHeardOf();
     void whatWaitsIsDoneInOrderAndTold();
+    void whatComesWithAnOutcomeWaitsForItsTurn();
     void whatWaitsIsDoneBeforeTheEnd();
     void whereNoThreadCanBeHadTheWorkIsDoneAtOnce();
 };
@@ -154,6 +156,20 @@ void WorkTest::destroyingStopsTheJob()
     QVERIFY(ended);
 }
 
+/// Freeing it may take long, or give the next job; a lock that was held meanwhile would stand still here.
+void WorkTest::whatAJobHeldGoesWhileOthersMayGiveJobs()
+{
+    LatestJob jobs;
+    std::atomic<bool> next = false;
+    std::shared_ptr<int> held(new int, [&](const int* pointer) {
+        delete pointer;
+        jobs.cancel();
+        jobs.submit([&](const std::stop_token&) { next = true; });
+    });
+    jobs.submit([held = std::move(held)](const std::stop_token&) {});
+    QTRY_VERIFY(next);
+}
+
 void WorkTest::aTaskTellsProgressAndItsEnd()
 {
     LongTask task;
@@ -243,6 +259,23 @@ void WorkTest::whatWaitsIsDoneInOrderAndTold()
     QCOMPARE(done, told);
     QCOMPARE(finished.count(), 3);
     QVERIFY(!task.running() && task.waiting() == 0);
+}
+
+void WorkTest::whatComesWithAnOutcomeWaitsForItsTurn()
+{
+    LongTask task;
+    QList<int> told;
+    const auto tells = [&told](int number) -> LongTask::Work {
+        return [&told, number](const Progress&) { return [&told, number] { told.append(number); }; };
+    };
+    task.enqueue([&](const Progress&) -> std::function<void()> {
+        return [&] {
+            told.append(1);
+            task.enqueue(tells(3));
+        };
+    });
+    task.enqueue(tells(2));
+    QTRY_COMPARE(told, (QList<int>{1, 2, 3}));
 }
 
 /// What is short is done whole; what looks at its progress ends.

@@ -44,7 +44,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
     connect(settings_, &ParameterForm::edited, this, [this](const QString& id) { setSetting(id.toStdString()); });
     connect(frameRate_, &QSpinBox::valueChanged, this, &RenderingPanel::setFrameRate);
     connect(&workbench_.session(), &Session::modelChanged, this, &RenderingPanel::showModel);
-    workbench_.session().whenChanged(ViewPart::Appearance, this, &RenderingPanel::showLook);
+    workbench_.session().whenChanged(ViewPart::Mode | ViewPart::Settings, this, &RenderingPanel::showLook);
     frameRate_->setValue(QSettings().value(frameRateKey, automatic).toInt());
     setFrameRate(frameRate_->value());
     showModel();

@@ -28,11 +28,17 @@ std::vector<Parameter> SessionEditorHost::parameters() const
     return parameters;
 }
 
-/// The transfer function that all modes share; other values are settings.
+/// The transfer function and the isovalues, which all modes share; other values are settings.
 const ParameterValue& SessionEditorHost::value(const std::string& id) const
 {
     const Appearance& appearance = session_.view().appearance;
     ParameterValue& given = given_[id];
+    if (id == isovaluesId) {
+        const auto* isovalues = std::get_if<std::vector<Isovalue>>(&given);
+        if (isovalues == nullptr || *isovalues != session_.view().isovalues)
+            given = session_.view().isovalues;
+        return given;
+    }
     if (id == transferId) {
         const auto* function = std::get_if<TransferFunction>(&given);
         if (function == nullptr || *function != appearance.transfer)
@@ -53,6 +59,11 @@ void SessionEditorHost::setValue(const std::string& id, const ParameterValue& va
     const auto* function = std::get_if<TransferFunction>(&value);
     if (function != nullptr && id == transferId)
         return session_.setTransfer(*function);
+    if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&value); isovalues != nullptr && id == isovaluesId) {
+        ViewValue view = session_.view();
+        view.isovalues = *isovalues;
+        return session_.setView(std::move(view));
+    }
     const auto all = workbench_.scenes().renderingParameters();
     const auto parameter = std::ranges::find(all, id, &Parameter::id);
     if (parameter == all.end() || !haveOneType(parameter->defaultValue, value))
@@ -98,7 +109,9 @@ void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(
     const auto tells = [call](EditorChange change) { return [call, change] { call(change); }; };
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
-    session_.whenChanged(ViewPart::Appearance, receiver, tells(EditorChange::Value));
+    const bool editsIsovalues = type_ == parameterTypeName(std::vector<Isovalue>());
+    session_.whenChanged(editsIsovalues ? ViewPart::Appearance | ViewPart::Isovalues : ViewParts(ViewPart::Appearance),
+                         receiver, tells(EditorChange::Value));
     session_.whenChanged(ViewPart::Isovalues, receiver, tells(EditorChange::Isovalues));
     connect(pick_, &ValuePick::pickedChanged, receiver, tells(EditorChange::Picked));
 }

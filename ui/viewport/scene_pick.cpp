@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/scene_pick.h"
 
-#include <new>
+#include <exception>
 #include <variant>
 
 namespace tetra {
@@ -10,7 +10,7 @@ namespace {
 std::optional<SeenPlace> seenOrNothing(const Scene& scene, const PickingRay& line, const Progress& progress)
 try {
     return seenPlace(scene, line, progress);
-} catch (const std::bad_alloc&) {
+} catch (const std::exception&) { // no memory, or what an optical model of a plugin throws
     return std::nullopt;
 }
 

@@ -27,7 +27,6 @@ AnnotationActions::AnnotationActions(Session& session, QMenu& menu, QObject* par
     }
     connect(&session_, &Session::modelChanged, this, &AnnotationActions::follow);
     session_.whenChanged(ViewPart::Annotations, this, &AnnotationActions::follow);
-    connect(&session_, &Session::modelChanged, this, &AnnotationActions::follow);
     follow();
 }
 

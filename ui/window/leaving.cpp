@@ -103,12 +103,15 @@ QMessageBox* askAboutSession(const LeavingFacts& facts, QWidget* window)
         .show();
 }
 
-QMessageBox* askAboutSaving(QWidget* window)
+QMessageBox* askAboutSaving(LeavingWay way, QWidget* window)
 {
+    const bool quits = way == LeavingWay::Quit;
     return Question(window, "saving", Leaving::tr("Saving"), Leaving::tr("A file is still being saved."),
-                    Leaving::tr("TAn will quit when it is done."))
-        .add("cancel", Leaving::tr("&Do Not Quit"), QMessageBox::RejectRole)
-        .add("discard", Leaving::tr("&Quit Without Saving"), QMessageBox::DestructiveRole)
+                    quits ? Leaving::tr("TAn will quit when it is done.")
+                          : Leaving::tr("TAn will continue when it is done."))
+        .add("cancel", quits ? Leaving::tr("&Do Not Quit") : Leaving::tr("Cancel"), QMessageBox::RejectRole)
+        .add("discard", quits ? Leaving::tr("&Quit Without Saving") : Leaving::tr("&Continue Without Saving"),
+             QMessageBox::DestructiveRole)
         .show();
 }
 
@@ -149,7 +152,10 @@ Leaving::Obstacle Leaving::obstacle(LeavingWay way) const
         return Obstacle::Film;
     if (savesSession_ || (workbench_.opening().sessionModified() && way != LeavingWay::OpenDataset && !discards_))
         return Obstacle::Session;
-    return quits && workbench_.saving() ? Obstacle::Saving : Obstacle::None;
+    // Until it is written the session counts as saved, and is not.
+    const bool savesFile =
+        quits ? workbench_.saving() : way != LeavingWay::OpenDataset && workbench_.opening().savingSession().running();
+    return savesFile ? Obstacle::Saving : Obstacle::None;
 }
 
 void Leaving::ask(LeavingWay way, const std::function<void()>& go, const std::function<void()>& stays)
@@ -223,7 +229,7 @@ void Leaving::show(Obstacle obstacle)
     case Obstacle::Build: box_ = askAboutBuild(named, window_); break;
     case Obstacle::Film: box_ = askAboutFilm(named, window_); break;
     case Obstacle::Session: box_ = askAboutSession(named, window_); break;
-    case Obstacle::Saving: box_ = askAboutSaving(window_); break;
+    case Obstacle::Saving: box_ = askAboutSaving(named.way, window_); break;
     case Obstacle::None: return;
     }
     connect(box_, &QMessageBox::finished, this, [this, box = box_.data()] {

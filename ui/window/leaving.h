@@ -31,10 +31,11 @@ struct LeavingFacts {
 QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutSession(const LeavingFacts& facts, QWidget* window);
-QMessageBox* askAboutSaving(QWidget* window);
+QMessageBox* askAboutSaving(LeavingWay way, QWidget* window);
 
 /// Asks before work is lost, one thing after the other: a build and a film that run, changes of a session that are not
-/// saved, and when the program is to end files that are still being written, which it waits for. A build and a film can
+/// saved, and files that are still being written, which it waits for: the session's before its model goes, all of them
+/// when the program is to end. A build and a film can
 /// go on behind something else that is opened; that is asked once for each of them. How a model is seen is no matter of
 /// a question, as it is kept by itself.
 class Leaving : public QObject {

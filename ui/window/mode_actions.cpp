@@ -16,7 +16,7 @@ ModeActions::ModeActions(Workbench& workbench, QMenu& menu, QToolBar& toolBar, Q
     : QObject(parent), workbench_(workbench), menu_(menu), toolBar_(toolBar), group_(new QActionGroup(this))
 {
     connect(&workbench_.session(), &Session::modelChanged, this, &ModeActions::fill);
-    workbench_.session().whenChanged(ViewPart::Appearance, this, &ModeActions::check);
+    workbench_.session().whenChanged(ViewPart::Mode, this, &ModeActions::check);
     connect(group_, &QActionGroup::triggered, this,
             [this](const QAction* action) { emit chosen(action->data().toString()); });
     menu_.setEnabled(false);

@@ -70,7 +70,13 @@ PictureOrder PictureDialog::order(const std::filesystem::path& target) const
 {
     PictureOrder order = pictureOrder(workbench_, viewport_, form_->settings());
     order.target = target;
-    const auto document = session_.document();
+    auto document = session_.document();
+    if (const auto& preview = workbench_.scenes().previewedView(); document && preview) {
+        const AnnotationState annotations = document->view.annotations;
+        document->view = *preview;
+        document->view.annotations = annotations;
+        document->view.camera = viewport_.shownCamera();
+    }
     if (metadata_->isChecked() && document && !target.empty()) {
         const auto& shown = workbench_.session().shown();
         order.texts = pictureTexts(*document, shown ? errorText(*shown) : QString(),

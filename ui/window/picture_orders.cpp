@@ -8,9 +8,11 @@
 namespace tetra {
 namespace {
 
+/// Of a preview that is what is seen; else the camera that was asked for, which the picture may be on its way to.
 ViewPicture pictureOf(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)
 {
-    ViewPicture picture{.annotations = workbench.scenes().annotations(viewport.camera(), viewport.background()),
+    const Camera& camera = viewport.previewing() ? viewport.shownCamera() : viewport.camera();
+    ViewPicture picture{.annotations = workbench.scenes().annotations(camera, viewport.background()),
                         .size = settings.size,
                         .viewSize = viewport.size(),
                         .transparent = settings.transparent,

@@ -63,10 +63,12 @@ void LatestJob::work(const std::stop_token& end)
         running_ = std::move(waiting_);
         waiting_.reset();
         running_->started = Clock::now();
-        const Job job = std::move(running_->job);
         const std::stop_token stop = running_->stop.get_token();
-        lock.unlock();
-        job(stop);
+        {
+            const Job job = std::move(running_->job);
+            lock.unlock();
+            job(stop);
+        } // what it holds, such as a mesh, goes while others may give the next one
         lock.lock();
         running_.reset();
     }

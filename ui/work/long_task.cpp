@@ -39,7 +39,7 @@ LongTask::~LongTask()
 
 void LongTask::enqueue(Work work)
 {
-    if (!running())
+    if (!running() && waiting_.empty())
         return start(std::move(work));
     waiting_.push_back(std::move(work));
     emit waitingChanged();

@@ -47,7 +47,7 @@ public:
     /// can be had, start() does the work itself before it returns; it cannot be cancelled then. What it returned still
     /// runs later.
     void start(Work work);
-    /// Starts `work` when those that were given before have ended, at once if none runs.
+    /// Starts `work` when those that were given before have ended, at once if there are none.
     void enqueue(Work work);
     /// Those that wait for the one that runs.
     int waiting() const noexcept { return static_cast<int>(waiting_.size()); }

@@ -132,7 +132,8 @@ void Building::showBuilt(const BuildOrder& order, const Result<OpenedModel>& bui
         return emit buildEnded(false);
     }
     const bool isWatched = showsLook();
-    const bool isShown = isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionModified());
+    const bool isShown = isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionModified() &&
+                                       !opening_.savingSession().running());
     look_.reset();
     addRecentFile(pathText(order.target));
     emit modelBuilt(pathText(order.target), isShown);

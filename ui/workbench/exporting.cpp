@@ -20,7 +20,7 @@ void Exporting::savePicture(const PictureOrder& order)
     const Renderer* renderer = scenes_.renderer();
     std::optional<SceneRequest> ofItsOwn; // a scene for this camera and size, if the mode depends on them
     if (session_.model() && renderer != nullptr && renderer->needs().view && order.scene) {
-        ofItsOwn = scenes_.sessionRequest();
+        ofItsOwn = scenes_.sceneRequest();
         ofItsOwn->camera = order.camera;
         ofItsOwn->width = order.width;
         ofItsOwn->height = order.height;
@@ -78,12 +78,16 @@ MeshOrder Exporting::meshOrder(const std::filesystem::path& target) const
 
 void Exporting::saveMesh(const std::filesystem::path& target)
 {
+    if (!tellModel())
+        return;
     saveMesh(target,
              [this, order = meshOrder(target)](const Progress& progress) { return writeMesh(host_, order, progress); });
 }
 
 void Exporting::saveSurfaces(const std::filesystem::path& target)
 {
+    if (!tellModel())
+        return;
     SurfaceOrder order{scenes_.sessionRequest(), std::nullopt, target};
     // While the worker is busy its scene may be another one.
     if (!scenes_.previewedView() && !scenes_.sceneBuilder().busy() && session_.showsQuery())
@@ -103,6 +107,8 @@ void Exporting::saveMesh(const std::filesystem::path& target, const std::functio
 
 void Exporting::saveStatistics(const std::filesystem::path& target)
 {
+    if (!tellModel())
+        return;
     std::vector<Accuracy> levels;
     for (const double error : accuracyPresets)
         levels.push_back(bothWithin(error));
@@ -144,6 +150,14 @@ void Exporting::loadText(const std::filesystem::path& path, std::function<Status
 bool Exporting::saving() const noexcept
 {
     return savingText_.running() || savingMesh_.running() || savingPicture_.running();
+}
+
+/// The model may have been closed while the user chose a file.
+bool Exporting::tellModel()
+{
+    if (!session_.model())
+        emit saveFailed(tr("Nothing was saved: the model was closed meanwhile."));
+    return session_.model() != nullptr;
 }
 
 void Exporting::tell(const Error& error)

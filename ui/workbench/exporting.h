@@ -24,7 +24,8 @@ public:
     void saveFilm(const FilmOrder& order);
     /// Of the last film that was ordered.
     const std::filesystem::path& filmTarget() const noexcept { return filmTarget_; }
-    /// Saves the mesh of the present query, even if the picture does not show it yet. There must be a model.
+    /// Saves the mesh of the present query, even if the picture does not show it yet. Without a model nothing is saved,
+    /// here and below; that is told.
     void saveMesh(const std::filesystem::path& target);
     /// Saves those surfaces of its scene that can be saved (Drawable::saved), likewise.
     void saveSurfaces(const std::filesystem::path& target);
@@ -55,6 +56,8 @@ signals:
 private:
     MeshOrder meshOrder(const std::filesystem::path& target) const;
     void saveMesh(const std::filesystem::path& target, const std::function<Status(const Progress&)>& write);
+    /// Whether there is a model; else it is told.
+    bool tellModel();
     void tell(const Error& error);
     /// Whether it worked; else it is told.
     bool tellSave(const Status& saved);

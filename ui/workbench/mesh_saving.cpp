@@ -68,6 +68,8 @@ SurfaceContent contentOf(const Scene& scene)
 
 Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress)
 {
+    if (Status writable = checkWritable(host, WrittenContent::Mesh, order.target); !writable)
+        return writable;
     if (!order.mesh) {
         auto made = MeshExtractor(order.model).extract(order.query, progress.part(0, 0.5));
         if (!made)

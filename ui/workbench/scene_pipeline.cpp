@@ -50,7 +50,7 @@ struct ScenePipeline::NeededMeshes {
 void ScenePipeline::setMesh(std::shared_ptr<const ExtractedMesh> next)
 {
     const std::lock_guard lock(mutex_);
-    mesh_ = std::move(next);
+    mesh_.swap(next); // the last one is freed when nobody waits any more
 }
 
 bool ScenePipeline::has(const SceneRequest& request, const NeededMeshes& needed) const

@@ -34,6 +34,7 @@ bool SceneService::prepare(const FieldExtent& field)
 
 void SceneService::clear()
 {
+    preview_.reset();
     sceneBuilder_.clear();
     draftBuilder_.clear();
 }
@@ -99,7 +100,6 @@ SceneRequest SceneService::sessionRequest() const
     return requestOf(session_.view());
 }
 
-/// Of what is to be seen now.
 SceneRequest SceneService::sceneRequest() const
 {
     return requestOf(preview_.value_or(session_.view()));

@@ -47,6 +47,8 @@ public:
     void setSeenFrom(const Camera& camera, QSize pixels);
     /// The scene of the session's own view, seen from there.
     SceneRequest sessionRequest() const;
+    /// The scene of what is seen now: of the view that is previewed, if there is one.
+    SceneRequest sceneRequest() const;
     /// What the annotations of a picture of what is shown say, seen by `camera` before `background`.
     AnnotationContent annotations(const Camera& camera, const Colour& background) const;
     /// Shows another view, such as of a film, in place of the session's; nothing: that again. The camera is the
@@ -59,7 +61,6 @@ signals:
 
 private:
     SceneRequest requestOf(const ViewValue& view) const;
-    SceneRequest sceneRequest() const;
     void requestScene();
     void requestDrafts(const BuiltScene& scene);
 

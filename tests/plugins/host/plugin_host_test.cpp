@@ -8,7 +8,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
+#include <latch>
 #include <thread>
 
 namespace tetra {
@@ -154,6 +157,28 @@ private slots:
         QCOMPARE(told.size(), std::size_t(2)); // once each
         QVERIFY(!host.reader("throwing"));
         QCOMPARE(told.size(), std::size_t(2)); // the caller has been given the error
+    }
+
+    void whoeverHeardIsNotCalledAfterwards()
+    {
+        const Folder folder({"missing_library"});
+        PluginHost host({.folders = {folder.path()}});
+        std::latch begun(1);
+        std::latch goOn(1);
+        std::atomic<bool> ended = false;
+        host.whenFailing([&](const Error&) {
+            begun.count_down();
+            goOn.wait();
+            ended = true;
+        });
+        const std::jthread loading([&] { host.readers(); });
+        begun.wait();
+        const std::jthread later([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            goOn.count_down();
+        });
+        host.whenFailing({}); // what it used may go now
+        QVERIFY(ended);
     }
 
     void theFirstOfTwoWithOneIdWins()
