@@ -350,7 +350,7 @@ Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform
         }
         return {};
     };
-    // Surfaces before lines: of opaque things that are as near as each other the first is seen.
+    // Surfaces before lines: of opaque things at the same place the first is seen.
     for (const bool areLines : {false, true})
         for (const Drawable& drawable : scene.drawables)
             if (!drawable.overlay && std::holds_alternative<LineSet>(drawable.shape) == areLines)

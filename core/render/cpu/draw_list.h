@@ -41,7 +41,7 @@ struct ScreenTriangle {
     std::uint32_t material;
 };
 
-/// q of overlays, nearer than everything; each is a little nearer than the one before.
+/// q of the first overlay, nearer than everything else; each further one is a little nearer than the one before.
 inline constexpr float overlayNearness = 1e9f;
 
 /// A scene projected into a picture: all that the tiles need. Triangles are in the order of the scene; those outside

@@ -95,8 +95,8 @@ struct PainterPrograms {
     std::unique_ptr<GlProgram> limit;
 };
 
-/// The program that draws a volume by an optical model with this text (OpticalModel::shader). The error says what the
-/// driver has against the text.
+/// The program that draws a volume by an optical model with this text (OpticalModel::shader). The error has the
+/// driver's message about the text.
 Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader);
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);

@@ -129,7 +129,7 @@ void SurfacePainter::drawOpaque() const
     drawOverlays();
 }
 
-/// All are as near as can be, where the first that is drawn stays: so the last of the list comes first.
+/// All overlays lie at the near plane, where what is drawn first stays: so the last of the list is drawn first.
 void SurfacePainter::drawOverlays() const
 {
     for (auto drawable = scene_->drawables.rbegin(); drawable != scene_->drawables.rend(); ++drawable) {

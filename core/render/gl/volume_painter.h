@@ -58,7 +58,7 @@ class VolumePainter {
 public:
     explicit VolumePainter(const GlFunctions& gl) : gl_(gl), coarse_(gl), fine_(gl) {}
 
-    /// How its pieces become one, of the scene that is ready.
+    /// How the pieces of a ray are combined in the scene that is ready.
     Combiner combiner() const noexcept { return combiner_; }
 
     /// Makes ready to draw the scene's volume, which there must be. Errors: parts that do not belong together, more
@@ -67,9 +67,8 @@ public:
 
     /// Draws what lies between two layers into targets.accumulatedFramebuffer, which is bound, with a vertex array
     /// without attributes and blending under what is there. From time to time the samples where nothing more can be
-    /// seen are marked, and left out from then on. Pieces that are not put over each other want the blending for that.
-    /// Leaves depth test and face culling off. Cancelled between chunks of
-    /// cells.
+    /// seen are marked, and left out from then on. For a combiner() other than Over the caller sets the blending that
+    /// combines, and no samples are marked. Leaves depth test and face culling off. Cancelled between chunks of cells.
     Status draw(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                 const Progress& progress) const;
 

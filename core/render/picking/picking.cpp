@@ -547,7 +547,7 @@ PickingSlab takeBefore(PickingSlab& slab, double place)
 std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line, const Progress& progress)
 {
     const PickingInterval shown = shownPart(line, scene.clipPlanes);
-    if (shown.isEmpty())
+    if (shown.isEmpty() || !checkVolumes(scene))
         return std::nullopt;
     const std::vector<SurfaceCrossing> crossings = surfaceCrossings(scene, line, shown);
     const Drawable* volume = volumeDrawable(scene);

@@ -63,7 +63,8 @@ struct SeenPlace {
 ///
 /// Nothing where less than 1/255 of the light is taken, as nothing is seen there. Unlike the largest jump of the
 /// opacity (A. Wiebel et al., "WYSIWYP: What You See Is What You Pick", 2012) it needs no smoothing of a sampled curve.
-/// O(triangles + cells). Nothing if cancelled. May throw std::bad_alloc.
+/// O(triangles + cells). Nothing if cancelled, or if back ends refuse the scene's volume. May throw std::bad_alloc, and
+/// what an optical model throws.
 TAN_INTERNAL std::optional<SeenPlace> seenPlace(const Scene& scene, const PickingRay& line,
                                                 const Progress& progress = {});
 

@@ -24,7 +24,7 @@ TETRA_SIMD_INLINE Float8 lanesAt(const float* numbers)
     return lanes;
 }
 
-/// A number within [0, most]; what is no number is 0.
+/// The number within [0, most]; NaN becomes 0.
 TETRA_SIMD_INLINE Float8 bounded(Float8 number, Float8 most)
 {
     return number > 0.0f ? smaller(number, most) : Float8{};
@@ -146,7 +146,7 @@ template <bool perspective> TETRA_SIMD_INLINE void drawAmongSurfaces(PieceQueue<
                                                                      const TileShading& shading)
 {
     BlockPieces part = whole;
-    queue.flush(); // light before is what decides whether a surface is seen
+    queue.flush(); // whether a surface is seen depends on the light that is left
     bool more = true;
     while (more) {
         const auto meets =

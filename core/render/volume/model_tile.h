@@ -10,8 +10,8 @@
 
 namespace tetra {
 
-/// An optical model of somebody's own (OpticalModel), and from what scaled values and lengths (ScaledSegments,
-/// VolumeView) its numbers come.
+/// The optical model of a volume, and how the scaled values and lengths of cells (ScaledSegments, VolumeView) become
+/// the numbers that it is given.
 struct TileModel {
     const OpticalModel* optics = nullptr;
     double smallest = 0; ///< of ScaledSegments, like the next
@@ -19,14 +19,14 @@ struct TileModel {
     double unit = 1; ///< of VolumeView
 };
 
-/// What a block's rays have gathered so far of a model whose pieces are not put over each other.
+/// What a block's rays have gathered so far by a model whose combiner is not Over.
 struct alignas(64) BlockTotal {
     Float8 red, green, blue, opacity;
 };
 
-/// drawCells() with shading.model: the pieces of rays in many blocks are handed to the model at a time. Of a model that
-/// is put over what lies behind the light goes into the blocks; of another one into `totals`, one for each block, and
-/// surfaces are none of its business. May throw what the model throws.
+/// drawCells() with shading.model, which is given the pieces of rays in many blocks at a time. If its combiner is Over
+/// the light goes into the blocks, with that of the surfaces; else it goes into `totals`, one for each block, and
+/// surfaces are not looked at. May throw what the model throws.
 std::size_t drawCellsByModel(std::span<const CellSetup> cells, const TileShading& shading, SampleBlock* blocks,
                              BlockTotal* totals, int columns);
 

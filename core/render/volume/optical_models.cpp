@@ -8,14 +8,14 @@
 namespace tetra {
 namespace {
 
-/// Numbers of a model as both its forms take them.
+/// The numbers of a model, which its function and its shader share.
 struct ModelNumbers {
     float least, perValue; ///< (value - least) * perValue is in [0, 1] within the range
     Colour colour;
 
-    ModelNumbers(double smallest, double largest, const Colour& ofIt)
-        : least(static_cast<float>(smallest)),
-          perValue(largest > smallest ? static_cast<float>(1 / (largest - smallest)) : 0), colour(ofIt)
+    ModelNumbers(double from, double to, const Colour& ofLight)
+        : least(static_cast<float>(from)), perValue(to > from ? static_cast<float>(1 / (to - from)) : 0),
+          colour(ofLight)
     {
     }
 
@@ -27,8 +27,8 @@ struct ModelNumbers {
         pieces.transmittance[i] = 1 - opacity;
     }
 
-    /// A shader that gives this opacity, an expression in which `least` and `perValue` stand for themselves. Its names
-    /// are inside of the function: others would meet those of the back end.
+    /// A shader that gives this opacity, an expression of the function's arguments, `least` and `perValue`. All names
+    /// are local to the function: global ones could clash with those of the back end.
     std::string shader(const std::string& opacity) const
     {
         return "vec4 lightOfPiece(float entry, float exit, float way, float gradient)\n{\n    float least = " +
@@ -37,7 +37,7 @@ struct ModelNumbers {
                inGlsl(colour.blue) + ") * opacity, opacity);\n}\n";
     }
 
-    /// 1 by itself is a whole number there.
+    /// With float(), as a 1 alone is an integer in GLSL.
     static std::string inGlsl(float number) { return "float(" + formatNumber(number) + ")"; }
 };
 

@@ -34,7 +34,7 @@ ProjectedVolume projectVolume(const VolumeMesh& mesh, const VolumeTransfer& tran
 SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer, const ProjectedVolume& volume,
                           const VolumeView& view, bool shaded);
 
-/// Of a volume with an optical model of its own; null without one. All arguments must outlive it.
+/// What drawing by the volume's optical model needs; nothing if it has none. `volume` outlives it.
 std::optional<TileModel> tileModelOf(const Volume& volume, const ProjectedVolume& projected, const VolumeView& view);
 
 /// The transfer function has a class for each of the mesh's cells, and the order names only such cells.

@@ -84,7 +84,7 @@ private:
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
     std::size_t firstLit_ = 0;             ///< all blocks before it are opaque
-    std::vector<BlockTotal> totals_;       ///< of the blocks, if a model's pieces are not put over each other
+    std::vector<BlockTotal> totals_;       ///< of the blocks, if there is a model
     std::vector<BlockInterval> intervals_; ///< of the blocks, if the tile meets a focus
     std::vector<BorderFragment> border_;   ///< of the tile
     SurfaceFragments amongBorder_;         ///< surfaces, and the border's fragments

@@ -57,14 +57,14 @@ struct VolumeTransfer {
 /// O(cells). Errors: no transfer function (checkTransferFunction), too many points, not enough memory.
 Result<VolumeTransfer> makeVolumeTransfer(const TetrahedralMesh& mesh, const TransferFunction& function);
 
-/// The volume to be seen, of a blend that outside of its region; null if there is none.
+/// The volume that is drawn, of a blend the one outside of its region; null if there is none.
 const Volume* volumeOf(const Scene& scene);
-/// The blend that this is a part of, if both its volumes are to be seen; else null.
+/// The blend that it is a part of, if both its volumes can be drawn; else null.
 const FocusVolume* focusOf(const Scene& scene);
 /// An error if there is more than one volume or blend, or one whose parts do not belong together.
 Status checkVolumes(const Scene& scene);
 
-/// How the pieces of a volume become one: over each other unless its model says otherwise.
+/// How the pieces of a ray through a volume are combined: put over each other unless its model says otherwise.
 inline Combiner combinerOf(const Volume& volume)
 {
     return volume.model ? volume.model->combiner : Combiner::Over;

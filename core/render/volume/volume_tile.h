@@ -29,7 +29,6 @@ struct alignas(64) BlockLimits {
     std::uint32_t place[8]; ///< of that surface in TileShading::fragments
 };
 
-struct BlockTotal;
 struct TileModel;
 
 /// What all cells of a picture share.
