@@ -143,7 +143,6 @@ struct PhysicalSigns {
 };
 
 /// Of a curvilinear dataset; exact. O(tetrahedra).
-
 PhysicalSigns physicalSigns(const Dataset& dataset, std::span<const std::array<std::uint32_t, 4>> tetrahedra)
 {
     const auto at = [&](std::uint32_t point) {

@@ -2,6 +2,7 @@
 #include <tan/build.h>
 
 #include "core/base/checksum.h"
+#include "core/base/guarded.h"
 #include "core/base/work_folder.h"
 #include "core/build/disk_need.h"
 #include "core/build/thresholds.h"
@@ -292,7 +293,8 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& refineme
         return possible.error();
     switch (dataset.domain) {
     case DomainClass::Curvilinear: return buildCurvilinear(dataset, refinement, target, progress);
-    case DomainClass::Scattered: return buildScattered(dataset, refinement, target, progress);
+    case DomainClass::Scattered:
+        return guarded(noMemoryForPoints, [&] { return buildScattered(dataset, refinement, target, progress); });
     case DomainClass::RegularLattice:
     case DomainClass::Irregular: break; // refused above
     }

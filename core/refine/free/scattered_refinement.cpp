@@ -357,11 +357,7 @@ Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points,
             return key.error();
         return ScatteredRefinementResult{space.siteCount(), space.tetrahedronCount(), *key};
     };
-    return guarded(
-        Message::marked(
-            "Not enough memory to refine these points. Close other programs, use a machine with more memory, or "
-            "take a part of the points."),
-        refine);
+    return guarded(noMemoryForPoints, refine);
 }
 
 } // namespace tetra

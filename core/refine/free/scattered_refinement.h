@@ -18,6 +18,10 @@ struct ScatteredPoints {
     std::span<const float> weights;             ///< that errors are multiplied by (R6), in (0, 1]; empty: all are 1
 };
 
+inline constexpr MarkedText noMemoryForPoints = Message::marked(
+    "Not enough memory to refine these points. Close other programs, use a machine with more memory, or "
+    "take a part of the points.");
+
 struct ScatteredRefinementResult {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0; ///< all that ever lived

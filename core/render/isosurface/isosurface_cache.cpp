@@ -96,6 +96,13 @@ Status IsosurfaceCache::extractMissing(std::span<const Isovalue> isovalues, cons
     return failure.status();
 }
 
+namespace {
+
+constexpr MarkedText noMemoryForSurfaces =
+    Message::marked("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh.");
+
+} // namespace
+
 Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> isovalues, const Progress& progress)
 {
     if (!std::ranges::all_of(isovalues, isUsable))
@@ -114,9 +121,7 @@ Result<std::vector<Surface>> IsosurfaceCache::update(std::span<const Isovalue> i
                     {surfaces_.at(isovalue.value), {isovalue.red, isovalue.green, isovalue.blue}, isovalue.opacity});
         return surfaces;
     };
-    return guarded(
-        Message::marked("Not enough memory for the isosurfaces. Show fewer of them or lower the accuracy of the mesh."),
-        shown);
+    return guarded(noMemoryForSurfaces, shown);
 }
 
 Result<std::vector<Drawable>> IsosurfaceCache::drawables(std::span<const Isovalue> isovalues, const Progress& progress)
@@ -124,15 +129,17 @@ Result<std::vector<Drawable>> IsosurfaceCache::drawables(std::span<const Isovalu
     auto surfaces = update(isovalues, progress);
     if (!surfaces)
         return surfaces.error();
-    std::vector<Drawable> drawables;
-    for (std::size_t i = 0; i < isovalues.size(); ++i)
-        if (isShown(isovalues[i]))
-            drawables.push_back({.id = "isosurface-" + std::to_string(i + 1),
-                                 .label = "isovalue " + formatNumber(isovalues[i].value),
-                                 .shape = std::move((*surfaces)[drawables.size()]),
-                                 .value = isovalues[i].value,
-                                 .saved = true});
-    return drawables;
+    return guarded(noMemoryForSurfaces, [&]() -> Result<std::vector<Drawable>> {
+        std::vector<Drawable> drawables;
+        for (std::size_t i = 0; i < isovalues.size(); ++i)
+            if (isShown(isovalues[i]))
+                drawables.push_back({.id = "isosurface-" + std::to_string(i + 1),
+                                     .label = "isovalue " + formatNumber(isovalues[i].value),
+                                     .shape = std::move((*surfaces)[drawables.size()]),
+                                     .value = isovalues[i].value,
+                                     .saved = true});
+        return drawables;
+    });
 }
 
 } // namespace tetra
