@@ -35,7 +35,7 @@ struct Repairs {
 TAN_INTERNAL std::vector<Message> repairRemarks(const Repairs& repairs);
 
 /// For each point, the first of those on exactly its place (so its own number if it is the first, or alone); only
-/// points with `used` count, the others get their own. O(points), by a hash table; fewer than 2^32 - 1 points.
+/// points with `used`, which are finite, count, the others get their own. O(points); fewer than 2^32 - 1 points.
 std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positions, const std::vector<bool>& used);
 
 /// Cells whose numbers are sound and few kinds: voxels are hexahedra, triquadratic cells eight of them, what has no

@@ -89,17 +89,17 @@ void RefinementCriterion::lookAtSites(std::uint32_t checkedSites)
                            [this](const Eigen::Vector3f& place) { return query_.error.at(place.cast<double>(), 0); });
 }
 
-/// The least and the largest coordinates of a tetrahedron.
+/// The corners of the box around a tetrahedron.
 std::pair<Eigen::Array3f, Eigen::Array3f> RefinementCriterion::boxOf(const std::array<std::uint32_t, 4>& sites) const
 {
     Eigen::Array3f least = places_.positions[sites[0]];
-    Eigen::Array3f most = least;
+    Eigen::Array3f largest = least;
     for (const std::uint32_t site : std::span(sites).subspan<1>()) {
         const Eigen::Array3f place = places_.positions[site];
         least = least.min(place);
-        most = most.max(place);
+        largest = largest.max(place);
     }
-    return {least, most};
+    return {least, largest};
 }
 
 /// The field is nowhere less than at the corners less what it can fall within the box around them.
@@ -139,9 +139,9 @@ bool RefinementCriterion::isOutside(const std::array<std::uint32_t, 4>& sites, d
 {
     if (!finer_)
         return false;
-    const auto [least, most] = boxOf(sites);
+    const auto [least, largest] = boxOf(sites);
     return (least.cast<double>() - margin > finer_->max().array()).any() ||
-           (most.cast<double>() + margin < finer_->min().array()).any();
+           (largest.cast<double>() + margin < finer_->min().array()).any();
 }
 
 /// Bounded, whatever the file says.

@@ -298,7 +298,7 @@ public:
 /// A std::vector whose resize() leaves new elements uninitialised.
 template <class T> using Buffer = std::vector<T, UninitializedAllocator<T>>;
 
-/// Numbers in files and options, the same under every locale: a decimal point, no grouping.
+// Numbers in files and options, the same under every locale: a decimal point, no grouping.
 
 /// All of `text` as a Number: decimal, one leading '+' allowed. Nothing if anything else stands in it (blanks too) or
 /// the number does not fit. Floating-point types know exponents, "inf" and "nan".
@@ -375,9 +375,8 @@ private:
 /// May throw std::bad_alloc.
 TAN_API std::vector<std::filesystem::path> pathsIn(const std::filesystem::path& folder, std::error_code& problem);
 
-/// What a number of errno means, in English under every locale, without a full stop: "No such file or directory". The
-/// C library's own texts would come in the user's language, in the middle of an English sentence that nobody could
-/// translate any more.
+/// What a number of errno means, without a full stop: "No such file or directory". English under every locale, as all
+/// messages: the C library's own texts follow the locale, and would stand in the middle of an English sentence.
 TAN_API Message systemErrorText(int error);
 
 /// Whether a number of errno says that this process or machine has no more memory, descriptors, threads or processes:

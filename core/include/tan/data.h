@@ -386,8 +386,8 @@ TAN_API std::string weightingText(const Weighting& weighting);
 TAN_API Result<std::vector<float>> pointWeights(const Weighting& weighting, const Dataset& dataset,
                                                 const Progress& progress = {});
 
-/// What every dataset on a lattice must fulfil, whatever format it comes from. The errors say what is wrong and what to
-/// do; the caller names the file.
+// What every dataset on a lattice must fulfil, whatever format it comes from. The errors say what is wrong and what to
+// do; the caller names the file.
 
 /// At least two points along each axis, fewer than 2^32, and a number of bytes that fits into 62 bits.
 TAN_API Status checkLatticeSize(const std::array<std::uint64_t, 3>& size);
@@ -395,14 +395,14 @@ TAN_API Status checkLatticeSize(const std::array<std::uint64_t, 3>& size);
 /// Positive, finite spacing, finite origin and bounds, and points that stay apart in double precision.
 TAN_API Status checkLatticePlacement(const Lattice& lattice);
 
-/// Volumes of such coordinates are still numbers.
+/// The largest magnitude of a coordinate: volumes are still finite then.
 inline constexpr double farthestCoordinate = 1e90;
 
 /// No NaN, no infinity.
 TAN_API Status checkFinite(const Lattice& lattice, const ScalarField& values);
 
-/// What a curvilinear dataset must keep whoever reads it: finite positions and values, and cells with a volume. The
-/// error says what is wrong with "it".
+/// What a curvilinear dataset must fulfil: finite positions and values, and cells with a volume. The error is a
+/// sentence about "it".
 TAN_API Status checkGrid(const Dataset& dataset);
 
 } // namespace tetra

@@ -179,7 +179,7 @@ struct OpticalPieces {
     const float* entry = nullptr;    ///< in the units of the data
     const float* exit = nullptr;     ///< the same; farther from the eye
     const float* length = nullptr;   ///< in the units of the dataset; 0 for one that does not count
-    const float* gradient = nullptr; ///< its magnitude, in values for a unit of length
+    const float* gradient = nullptr; ///< magnitude of the field's gradient, in values for a unit of length
     // To be set:
     float* red = nullptr; ///< light that the piece sends to the eye: colour times opacity, in [0, opacity]
     float* green = nullptr;
@@ -209,8 +209,8 @@ struct OpticalModel {
 
 /// The largest value along each ray, as opacity: 0 at `least`, 1 at `largest`; in one colour.
 TAN_API std::shared_ptr<const OpticalModel> maximumIntensity(double least, double largest, const Colour& colour);
-/// The sum of values along each ray, as opacity: a unit of length adds the value's place between `least` and `largest`,
-/// from 0 to 1, divided by `opaqueLength`.
+/// The sum of values along each ray, as opacity: a unit of length adds (value - least) / (largest - least), within
+/// [0, 1], divided by `opaqueLength`.
 TAN_API std::shared_ptr<const OpticalModel> xRay(double least, double largest, double opaqueLength,
                                                  const Colour& colour);
 
@@ -246,8 +246,8 @@ struct ClipPlane {
 
 struct Drawable;
 
-/// What is drawn otherwise in each picture, as the camera has it: arrows that turn towards the eye, labels of one size,
-/// a frame around the picture. `draw` gives the drawables of a picture of `width` x `height` pixels: surfaces and
+/// What depends on the camera and the size of the picture: arrows that turn towards the eye, labels of one size, a
+/// frame around the picture. `draw` gives the drawables of a picture of `width` x `height` pixels: surfaces and
 /// lines, whose ids are those of this one and their own. Called by the back ends before each picture, in their thread;
 /// quick. A mesh that is handed out again is not sent to the graphics card again. Picking does not see it.
 struct CustomDrawable {
@@ -259,8 +259,8 @@ using Shape = std::variant<Surface, LineSet, Volume, FocusVolume, std::shared_pt
 
 /// A thing in a scene.
 struct Drawable {
-    std::string
-        id; ///< its name in the scene, which no other drawable has; the same thing has it in the next scene, too
+    /// Its name in the scene, which no other drawable has; the same thing has it in the next scene, too.
+    std::string id;
     std::string label{}; ///< for people: "Isosurface 0.3"
     Shape shape;
     /// The value that its field has all over it, as of an isosurface. None: of a surface `mesh->values` tell, if it has
