@@ -214,7 +214,7 @@ private:
     std::vector<float> warpings_;
 };
 
-/// A batch ends where the running error falls; the mesh there has the key to which it falls.
+/// A batch ends where the running key falls; the mesh there has the key to which it falls.
 Status DerivedWriter::writeBatchEnds()
 {
     if (const Status begun = sections_.grow(SectionId::BatchEnds, sizeof(std::uint32_t), 0); !begun)

@@ -421,7 +421,7 @@ Status HistoryFileWriter::finish(float finalKey)
 
 Status HistoryFileWriter::finishEarly()
 {
-    // The open batch began with a mesh of the running error.
+    // The open batch began with a mesh of the running key.
     if (std::isinf(builder_.runningKey()))
         return Error{
             ErrorKind::Cancelled,

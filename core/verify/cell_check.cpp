@@ -84,7 +84,7 @@ enum class Turn {
     Inverted,
     Positive, ///< the first that interpolates
     FlatInSpace,
-    BorneInSpace, ///< inverted in physical space as the grid itself is
+    AllowedInSpace, ///< inverted in physical space as the grid itself is
     InvertedInSpace,
 };
 
@@ -104,7 +104,7 @@ template <class Corners> void noteTurn(CellFindings& found, Turn turn, std::size
     case Turn::Flat: return add("Flat cell with corners ", ".");
     case Turn::Inverted: return add("Inverted cell with corners ", ".");
     case Turn::FlatInSpace: ++found.degenerate; return;
-    case Turn::BorneInSpace: ++found.borne; return;
+    case Turn::AllowedInSpace: ++found.allowed; return;
     case Turn::InvertedInSpace: return add("Cell with corners ", " is inverted in physical space.");
     }
 }
@@ -346,10 +346,10 @@ struct GridWarpings {
         if (cell.volume <= 0)
             return Turn::FoundAlready;
         const int sign = volumeSign(cell.places);
-        return sign == 0                  ? Turn::FlatInSpace
-               : sign == grid.hand()      ? Turn::Positive
-               : grid.bears(cell.corners) ? Turn::BorneInSpace
-                                          : Turn::InvertedInSpace;
+        return sign == 0                           ? Turn::FlatInSpace
+               : sign == grid.hand()               ? Turn::Positive
+               : grid.allowsInverted(cell.corners) ? Turn::AllowedInSpace
+                                                   : Turn::InvertedInSpace;
     }
     template <class Visit> void forEachSample(const Cell& cell, const Visit& visit) const
     {
@@ -649,8 +649,8 @@ Status verifyWarping(const MeshToVerify& mesh, LevelReport& verdict, const Progr
     if (const Status done = checkEveryCell(warpings, found, progress); !done)
         return done;
     verdict.largestWarping = warpings.residual.percent(found.largest.ofAll());
-    verdict.inverted += found.turned.count() + found.borne;
-    verdict.invertedInData = found.borne;
+    verdict.inverted += found.turned.count() + found.allowed;
+    verdict.invertedInData = found.allowed;
     verdict.degenerate = found.degenerate;
     found.turned.moveTo(verdict.failures);
     moveSamplesTo(warpings.residual, false, found, verdict);

@@ -83,7 +83,7 @@ struct CellFindings {
     Findings turned; ///< flat and inverted cells
     Findings beyondClaim;
     std::atomic<std::uint64_t> degenerate = 0; ///< without volume in physical space
-    std::atomic<std::uint64_t> borne = 0;      ///< inverted, as the grid itself is there
+    std::atomic<std::uint64_t> allowed = 0;    ///< inverted, as the grid itself is there
     Largest largest;
     std::vector<std::atomic<std::uint8_t>> states;
 

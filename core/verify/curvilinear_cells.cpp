@@ -203,7 +203,7 @@ std::vector<std::uint64_t> CurvilinearOriginal::foldedCellNumbers() const
 
 /// Cuts the tetrahedron into slices of the grid's layers, these into columns along x, and looks how far the columns
 /// reach. Only layers and rows that have folded cells are looked at.
-bool CurvilinearOriginal::bears(const LatticeCorners& corners) const
+bool CurvilinearOriginal::allowsInverted(const LatticeCorners& corners) const
 {
     LatticePoint least = corners[0], most = corners[0];
     PointCloud tetrahedron;

@@ -31,8 +31,9 @@ public:
     std::vector<std::uint64_t> foldedCellNumbers() const;
     /// Those none of whose corner tetrahedra has volume.
     const std::vector<std::uint64_t>& cellsWithoutVolume() const noexcept { return withoutVolume_; }
-    /// Whether a tetrahedron of these points, positive in computational space, is borne if it is inverted.
-    bool bears(const LatticeCorners& corners) const;
+    /// Whether a tetrahedron of these points, positive in computational space, is allowed if it is inverted
+    /// (FORMAT.md).
+    bool allowsInverted(const LatticeCorners& corners) const;
 
 private:
     std::uint64_t numberOf(const LatticePoint& cell) const;

@@ -250,7 +250,7 @@ void verifyPositions(const Model& model, const Dataset& original, Findings& find
     }
 }
 
-void verifyRunningErrors(const Model& model, Findings& findings)
+void verifyRunningKeys(const Model& model, Findings& findings)
 {
     const std::span<const float> errors = model.runningKeys();
     const std::uint32_t initial = initialSiteCount(model);
@@ -320,7 +320,7 @@ std::vector<LatticePoint> verifySites(const Model& model, const Dataset& origina
     verifyAllSamples(model, original, wrongSamples);
     verifySamplePositions(model, original, wrongSamples);
     verifyPositions(model, original, wrongPositions);
-    verifyRunningErrors(model, wrongErrors);
+    verifyRunningKeys(model, wrongErrors);
     for (Findings* findings : {&wrongPlaces, &wrongValues, &wrongSamples, &wrongPositions, &wrongErrors})
         findings->moveTo(failures);
     return places;

@@ -18,7 +18,7 @@ namespace tetra {
 /// Checksums, padding, reserved fields: every byte of the file has the value that it was written with.
 Status verifyBytes(const Model& model, std::vector<std::string>& failures, const Progress& progress);
 
-/// The sites of the first mesh: the leading ones of infinite running error.
+/// The sites of the first mesh: the leading ones of infinite running key.
 std::uint32_t initialSiteCount(const Model& model);
 
 /// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
@@ -26,7 +26,7 @@ std::uint32_t initialSiteCount(const Model& model);
 bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures);
 
 /// Where the sites lie, after checking that they are distinct points of the lattice, the corners among the
-/// initial ones, with the samples of the original; and that the running errors do not increase. Empty if a site is no
+/// initial ones, with the samples of the original; and that the running keys do not increase. Empty if a site is no
 /// point.
 std::vector<LatticePoint> verifySites(const Model& model, const Dataset& original, std::vector<std::string>& failures);
 

@@ -33,7 +33,7 @@ public:
     RefinementCriterion(const Model& model, const MeshQuery& query, const SitePlaces& places);
 
     /// Makes tooCoarse() quicker, once the places are there: for a ramp with a fall-off, 8 bytes a site, and by not
-    /// asking after the running errors of the first sites, which are checked.
+    /// asking after the running keys of the first sites, which are checked.
     void lookAtSites(std::uint32_t checkedSites);
 
     /// False if the tetrahedron is allowed everywhere, which most are: one comparison, for all of a star.

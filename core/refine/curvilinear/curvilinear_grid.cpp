@@ -338,7 +338,7 @@ int CurvilinearGrid::orientation(const std::array<PackedPoint, 4>& vertices) con
            orientationSign(position(vertices[0]), position(vertices[1]), position(vertices[2]), position(vertices[3]));
 }
 
-bool CurvilinearGrid::bears(const std::array<PackedPoint, 4>& vertices) const
+bool CurvilinearGrid::allowsInverted(const std::array<PackedPoint, 4>& vertices) const
 {
     FoldedCells::Corners corners{};
     for (std::size_t i = 0; i < 4; ++i)

@@ -86,7 +86,7 @@ public:
     const FoldedCells& foldedCells() const noexcept { return foldedCells_; }
     /// Whether a tetrahedron, if it is flipped, may stay so at every level (S5, FORMAT.md): it meets the interior of a
     /// folded cell, or all of its vertices belong to one cell, so that no point of the grid could cure it. Exact.
-    bool bears(const std::array<PackedPoint, 4>& vertices) const;
+    bool allowsInverted(const std::array<PackedPoint, 4>& vertices) const;
 
     /// Errors and warpings below these cannot be told from none: rounding makes as much.
     double leastError() const noexcept { return leastError_; }

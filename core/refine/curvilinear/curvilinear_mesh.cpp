@@ -330,7 +330,7 @@ void CurvilinearMesh::noteOrientation(std::uint32_t slot)
     if (state.orientation >= 0)
         return;
     ++inverted_;
-    if (!grid_.bears(tetrahedron.vertices))
+    if (!grid_.allowsInverted(tetrahedron.vertices))
         flips_.push(fatness(tetrahedron), tetrahedron.vertices[0], slot, state.history);
 }
 

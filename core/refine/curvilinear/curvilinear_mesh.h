@@ -157,7 +157,7 @@ public:
     Candidate worstWarping();
     /// The cure of the foremost flipped tetrahedron that may not stay so, the deepest point in its circumsphere (S5).
     /// None if there is no such tetrahedron: then all of inverted() are those that the grid itself makes
-    /// (CurvilinearGrid::bears()).
+    /// (CurvilinearGrid::allowsInverted()).
     Candidate flipped();
 
     /// Inserts the candidate's point into every block that has it and hands the step to `sink`.

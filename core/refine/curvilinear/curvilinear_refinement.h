@@ -38,7 +38,7 @@ struct CurvilinearRefinementResult {
 /// inserts the point of the largest key until no point's key exceeds the stop. Before that flipped tetrahedra are
 /// cured, each by the deepest point in its circumsphere; the worst point inside would do only where there is one, and
 /// needs more sites. So every mesh with a finite key is consistent: all that is flipped in it meets a cell that the
-/// grid itself has folded, or is made of corners of one cell (CurvilinearGrid::bears(), S5).
+/// grid itself has folded, or is made of corners of one cell (CurvilinearGrid::allowsInverted(), S5).
 ///
 /// With the paper's selection the mesh's warping against its error, both in their own units, decides whether the point
 /// of the largest warping or of the largest error comes next.

@@ -144,7 +144,7 @@ std::optional<WorstSample> cureOf(const LocalDelaunay& mesh, std::uint32_t slot,
                                   const BlockDivision& blocks)
 {
     const DelaunayTetrahedron& tetrahedron = mesh.mesh()[slot];
-    if (grid.orientation(tetrahedron.vertices) >= 0 || grid.bears(tetrahedron.vertices))
+    if (grid.orientation(tetrahedron.vertices) >= 0 || grid.allowsInverted(tetrahedron.vertices))
         return std::nullopt;
     const PackedLattice& lattice = mesh.lattice();
     std::array<std::uint32_t, 3> middle{}; // inside of the one block that the tetrahedron lies in

@@ -137,8 +137,8 @@ private slots:
             if (sixVolumes(corners) == 0)
                 continue;
             const bool expected = slow.mayBeInverted(points);
-            QCOMPARE(curvilinear.bears(packed), expected);
-            QCOMPARE(original->bears(corners), expected);
+            QCOMPARE(curvilinear.allowsInverted(packed), expected);
+            QCOMPARE(original->allowsInverted(corners), expected);
             ++(expected ? met : missed);
         }
         QVERIFY(missed > 40 && (met > 40 || grid == "bent cells"));
