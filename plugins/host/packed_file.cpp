@@ -41,7 +41,7 @@ public:
     static Result<GzipFile> open(const fs::path& path)
     {
         const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        const int problem = errno;
+        const int problem = descriptor < 0 ? errno : ENOMEM; // all that zlib can lack
         if (descriptor >= 0)
             if (gzFile file = gzdopen(descriptor, "rb"); file != nullptr) {
                 constexpr unsigned buffer = 1 << 18;

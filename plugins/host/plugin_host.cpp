@@ -315,6 +315,8 @@ Status PluginHost::open(Entry& entry)
         if (const auto lack = lackOfResources(problem))
             return *lack;
         return bad(Message::say("It failed when it was started: %1. Install it again.", problem.what()));
+    } catch (...) {
+        return bad(Message::say("It failed without saying why when it was started. Install it again."));
     }
     if (object == nullptr) {
         const std::string reason = entry.loader->errorString().toStdString();

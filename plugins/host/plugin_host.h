@@ -40,8 +40,8 @@ struct PluginStatus {
     Message error; ///< why it is disabled or refused, and the remedy
 };
 
-/// A loaded plugin, which lives until the program ends. Of all but editors it is a guard, which lets no exception
-/// through (plugin_guards.h).
+/// A loaded plugin. Of all but editors it is a guard, which lets no exception through (plugin_guards.h): it lives as
+/// long as its host, and what it gives away (parameters, sessions) is not used longer.
 template <class Interface> struct Provided {
     std::string id;
     std::string name;

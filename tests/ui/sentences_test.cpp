@@ -291,6 +291,7 @@ private:
             if (!plugin.error.empty())
                 add(("plugin " + plugin.metadata.id).c_str(), plugin.error);
         add("plugin that throws", errorOf(bad.reader("throwing")));
+        add("plugin that throws anything", errorOf(bad.reader("throwing-anything")));
         add("plugin of another kind", errorOf(bad.builder("impostor")));
         add("plugin without its library",
             explainLoadError("Cannot load library /p/x.so: (libx.so: cannot open shared object file: No such file)",

@@ -124,6 +124,8 @@ private slots:
         QTest::newRow("implements another kind")
             << QStringList{"impostor"} << "impostor" << QStringList{"does not implement org.tan.Builder/1"};
         QTest::newRow("throws when made") << QStringList{"throwing"} << "throwing" << QStringList{"no luck"};
+        QTest::newRow("throws a number when made")
+            << QStringList{"throwing_anything"} << "throwing-anything" << QStringList{"without saying why"};
     }
     void refusesAtLoadingWithAText()
     {
