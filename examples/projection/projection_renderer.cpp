@@ -27,7 +27,7 @@ std::shared_ptr<const OpticalModel> brightestValue(const ValueRange& range)
 vec4 lightOfPiece(float entry, float exit, float way, float gradient)
 {
     float least = float()" +
-                   std::to_string(least) + "), extent = float(" + std::to_string(extent) + R"();
+                   formatNumber(least) + "), extent = float(" + formatNumber(extent) + R"();
     float share = clamp((max(entry, exit) - least) / extent, 0.0, 1.0);
     return vec4(share * share, share * share, share, share);
 }
