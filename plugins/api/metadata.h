@@ -35,8 +35,8 @@ namespace tetra {
 /// All other texts of a plugin are Messages, or marked by Message::marked(). Their translations are in a file beside
 /// the library that is called like it: libmine_de.qm beside libmine.so (docs/developers.md).
 ///
-/// Until 1.0 the interfaces have the program's version, and what is not the same minor version does not fit. From then
-/// on a published interface never changes: what it lacks comes as a new, optional one, which the minor number counts.
+/// Until 1.0 the interfaces have the program's version, and another minor version does not fit. From then on a
+/// published interface never changes: what it lacks comes as a new, optional one, which the minor number counts.
 inline constexpr Version pluginInterfaceVersion{0, 1, 0};
 
 } // namespace tetra

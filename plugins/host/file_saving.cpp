@@ -202,17 +202,17 @@ Status saveDataset(PluginHost& host, const Dataset& dataset, const std::filesyst
 Status saveMesh(PluginHost& host, const MeshContent& mesh, const std::filesystem::path& path,
                 const ParameterValues& values, const Progress& progress)
 try {
-    if (const Status writable = checkWritable(host, WrittenContent::Mesh, path, values); !writable)
-        return writable;
+    const auto writer = chooseWriter(host, WrittenContent::Mesh, path, values);
+    if (!writer)
+        return writer.error();
     if (const Status fit = checkArrays(mesh.pointArrays, mesh.positions.size(), Message::marked("vertices")); !fit)
         return fit;
     if (const Status fit = checkArrays(mesh.cellArrays, mesh.tetrahedra.size(), Message::marked("tetrahedra")); !fit)
         return fit;
     if (isSurfaceFileOnly(host, path))
         return saveBoundary(host, mesh, path, values, progress);
-    const auto writer = findWriter(host, WrittenContent::Mesh, path);
     return saveWith(path, writingMesh, progress,
-                    [&](OutputFile& file) { return writer.plugin->writeMesh(mesh, file, values); });
+                    [&](OutputFile& file) { return writer->plugin->writeMesh(mesh, file, values); });
 } catch (const std::bad_alloc&) {
     return Error{ErrorKind::OutOfResource, Message::say("Not enough memory to write '%1'.", path.string())};
 }

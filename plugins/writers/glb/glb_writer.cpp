@@ -91,11 +91,11 @@ private:
         const std::uint64_t bytes = count * components * 4;
         append(views_, R"({"buffer":0,"byteOffset":)" + std::to_string(offset_) + R"(,"byteLength":)" +
                            std::to_string(bytes) + R"(,"target":)" + std::to_string(target) + "}");
-        append(accessors_, R"({"bufferView":)" + std::to_string(views_count_) + R"(,"componentType":)" +
+        append(accessors_, R"({"bufferView":)" + std::to_string(viewCount_) + R"(,"componentType":)" +
                                std::to_string(type) + R"(,"count":)" + std::to_string(count) + R"(,"type":)" +
                                (components == 3 ? "\"VEC3\"" : "\"SCALAR\"") + more + "}");
         offset_ += bytes;
-        return std::to_string(views_count_++);
+        return std::to_string(viewCount_++);
     }
 
     void add(const SurfacePart& part, const std::string& valueName)
@@ -147,7 +147,7 @@ private:
     std::string text_;
     std::string nodes_, meshes_, materials_, accessors_, views_;
     int count_ = 0; ///< of meshes, and of materials
-    int views_count_ = 0;
+    int viewCount_ = 0;
     std::uint64_t offset_ = 0;
 };
 

@@ -42,7 +42,8 @@ std::string vtkLegacyWord(std::string_view name)
     return encoded;
 }
 
-std::string titleText(const MeshFacts& facts)
+/// As field data.
+std::string factsText(const MeshFacts& facts)
 {
     if (facts.empty())
         return "";
@@ -66,7 +67,7 @@ std::string titleText(const MeshFacts& facts)
 std::string vtkLegacyHead(std::string_view title, std::string_view dataset, const MeshFacts& facts)
 {
     return "# vtk DataFile Version 4.2\n" + std::string(title) + "\nBINARY\nDATASET " + std::string(dataset) + "\n" +
-           titleText(facts);
+           factsText(facts);
 }
 
 constexpr std::int32_t legacyTetra = 10;

@@ -102,7 +102,7 @@ std::uint64_t bytesOf(const XmlGrid& grid)
     return bytes;
 }
 
-/// Writes the whole file: appended raw, little endian, 64-bit headers, the arrays in the order of the elements.
+/// Writes the whole file, the arrays in the order of the elements.
 Status write(OutputFile& out, const XmlGrid& grid)
 {
     out.expect(bytesOf(grid));
@@ -241,10 +241,8 @@ XmlElement elementOf(std::string name, const std::vector<NamedArray>& arrays)
 template <class Index> XmlGrid gridWith(const MeshContent& content)
 {
     const std::span tetrahedra = content.tetrahedra;
-    XmlArray points = xmlArray("Points", std::span<const float>());
-    points.components = 3;
-    points.bytes = content.positions.size_bytes();
-    points.write = [&content](OutputFile& out) { return out.bytes(std::as_bytes(content.positions)); };
+    XmlArray points{"Points", vtkXmlType<float>(), content.positions.size_bytes(), 3,
+                    [&content](OutputFile& out) { return out.bytes(std::as_bytes(content.positions)); }};
     XmlElement cells{"Cells", {}, {}};
     cells.arrays.push_back(
         madeXmlArray<Index>("connectivity", 4 * tetrahedra.size(),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "plugins/host/plugin_host.h"
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/core/render/scene_parts.h"
+#include "tests/plugins/plugins_of_this_build.h"
 
 #include <QTest>
 
@@ -26,8 +26,7 @@ inline std::shared_ptr<const TetrahedralMesh> cone(std::uint32_t cells)
 /// As the program has it: a plugin that was found and loaded by its host.
 inline const Renderer& rendererNamed(const std::string& id)
 {
-    static PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
-    const auto renderer = host.renderer(id);
+    const auto renderer = pluginsOfThisBuild().renderer(id);
     if (!renderer)
         qFatal("%s", renderer.error().text().c_str());
     return *renderer->plugin;
