@@ -83,6 +83,10 @@ void addGrids(const QString& folder)
         for (const char name : {'\0', '\6', '\xff'})
             seeds.add(QByteArray(1, name) + QByteArray(1, style.grids > 1 ? '\2' : '\0') + QByteArray(length, 2) +
                       grid + testFile(style, true));
+        const QByteArray text = testText(style, false);
+        const char textLength[] = {static_cast<char>(text.size() % 256), static_cast<char>(text.size() / 256)};
+        seeds.add(QByteArray(1, '\xff') + QByteArray(1, style.grids > 1 ? '\2' : '\0') + QByteArray(textLength, 2) +
+                  text + testText(style, true));
     }
 }
 

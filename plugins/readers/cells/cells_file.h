@@ -12,7 +12,7 @@ namespace tetra {
 
 /// Which of a file's arrays becomes the scalar.
 struct CellsRequest {
-    std::string array;     ///< empty: the one the file calls active, else the first of the points, else of the cells
+    std::string array;     ///< a name, of .vtu files also a number from 1; empty: the one that suits best
     std::string component; ///< "magnitude", or a number from 0; only for arrays of several components
 };
 
@@ -20,7 +20,9 @@ struct CellsRequest {
 struct CellsFile {
     CellComplex complex;
     ComplexValues values;
-    std::string arrayName; ///< of the values
+    std::string arrayName;    ///< of the values
+    bool joinsPoints = false; ///< by lines or polygons
+    std::vector<Message> remarks{};
 };
 
 /// The component that a request names of an array with so many, -1 for the magnitude. Errors: WrongUsage.
@@ -36,7 +38,11 @@ Result<FileContents> probeUcd(std::string_view bytes);
 bool looksLikeUcd(std::string_view firstBytes);
 
 /// VTK XML unstructured grids (.vtu), in text, base64 or appended raw, plain or packed with zlib, several pieces.
+/// Without a choice the array is that which the file calls active, else the first; arrays of points before those of
+/// cells, of one component before several, and one that does not vary only if there is no other.
 Result<CellsFile> readVtu(std::string_view bytes, const CellsRequest& request, const Progress& progress);
 Result<FileContents> probeVtu(std::string_view bytes);
+/// The type that a VTK XML file says it has ("UnstructuredGrid"); empty if it begins otherwise.
+std::string vtkXmlType(std::string_view firstBytes);
 
 } // namespace tetra

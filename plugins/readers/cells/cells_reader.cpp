@@ -3,6 +3,9 @@
 
 #include "plugins/readers/cells/cells_file.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tetra {
 
 namespace {
@@ -12,10 +15,9 @@ std::string_view asText(std::span<const std::byte> bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-bool isVtu(std::string_view firstBytes)
+bool isVtu(const std::filesystem::path& path, std::string_view firstBytes)
 {
-    return firstBytes.find("<VTKFile") != std::string_view::npos &&
-           firstBytes.find("UnstructuredGrid") != std::string_view::npos;
+    return !vtkXmlType(firstBytes).empty() || fileEnding(path) == ".vtu";
 }
 
 /// Opens the file and calls one of two for what it holds.
@@ -27,11 +29,56 @@ Result<Value> withFile(const std::filesystem::path& path, Vtu&& vtu, Ucd&& ucd)
     if (!file)
         return file.error();
     const std::string_view bytes = asText((*file)->bytes());
-    const bool xml = isVtu(bytes.substr(0, headBytes)) || fileEnding(path) == ".vtu";
-    Result<Value> result = xml ? vtu(bytes) : ucd(bytes);
+    Result<Value> result = isVtu(path, bytes.substr(0, headBytes)) ? vtu(bytes) : ucd(bytes);
     if ((*file)->damaged())
         return Error{ErrorKind::BadInput, Message::say("it changed while it was read. Read it again.")};
     return result;
+}
+
+/// The points of a file whose cells have no volume, if it has values for them.
+Result<Dataset> pointsOf(CellsFile file, const Source& source)
+{
+    std::vector<Eigen::Vector3d>& positions = file.complex.positions;
+    std::vector<double>& values = file.values.values;
+    if (file.values.perCell)
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("its array '%1' has values for its polygons, not its points. Choose an array of points.",
+                         printable(file.arrayName))};
+    std::size_t kept = 0;
+    for (std::size_t point = 0; point < values.size(); ++point)
+        if (std::isfinite(values[point])) {
+            positions[kept] = positions[point];
+            values[kept++] = values[point];
+        }
+    if (kept == 0 && !values.empty())
+        return Error{ErrorKind::BadInput, Message::say("none of its values is a number.")};
+    if (kept < values.size())
+        file.remarks.push_back(Message::say("%1 points whose value is no number were left out.", values.size() - kept));
+    if (file.joinsPoints)
+        file.remarks.push_back(
+            Message::say("What joins its points (lines, polygons) was left out: they are scattered points."));
+    positions.resize(kept);
+    values.resize(kept);
+    auto dataset = scatteredDataset(std::move(positions), std::move(values), source.name);
+    if (!dataset)
+        return dataset.error();
+    dataset->source = source;
+    dataset->remarks.insert(dataset->remarks.begin(), file.remarks.begin(), file.remarks.end());
+    return dataset;
+}
+
+Result<Dataset> meshOf(const CellsFile& file, const Source& source, const Progress& progress)
+{
+    auto dataset = irregularDataset(file.complex, file.values, source, progress);
+    if (dataset)
+        dataset->remarks.insert(dataset->remarks.begin(), file.remarks.begin(), file.remarks.end());
+    return dataset;
+}
+
+bool isFlat(const CellsFile& file)
+{
+    return std::ranges::all_of(file.complex.shapes, [](CellShape shape) { return shape == CellShape::Flat; });
 }
 
 } // namespace
@@ -43,11 +90,13 @@ std::vector<std::string> CellsReader::nameFilters() const
 
 double CellsReader::score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const
 {
-    // A reader by VTK itself, where there is one, knows more kinds of .vtu.
-    constexpr double ofVtu = 0.8, ofUcd = 0.95;
-    if (isVtu(asText(firstBytes)) || fileEnding(path) == ".vtu")
-        return ofVtu;
-    return fileEnding(path) == ".inp" && looksLikeUcd(asText(firstBytes)) ? ofUcd : 0;
+    constexpr double sure = 0.95, toSayWhatIsWrong = 0.2;
+    const std::string type = vtkXmlType(asText(firstBytes));
+    if (type == "UnstructuredGrid")
+        return sure;
+    if (fileEnding(path) == ".vtu")
+        return type.empty() ? sure : toSayWhatIsWrong;
+    return fileEnding(path) == ".inp" && looksLikeUcd(asText(firstBytes)) ? sure : 0;
 }
 
 std::vector<Parameter> CellsReader::parameters() const
@@ -76,17 +125,17 @@ Result<Dataset> CellsReader::read(const std::filesystem::path& path, const Param
     if (request.array == "automatic") // what other readers say
         request.array.clear();
     const auto reading = progress.part(0, readingShare);
-    const auto made = [&](Result<CellsFile> file) -> Result<Dataset> {
+    const auto made = [&](Result<CellsFile> file, bool orPoints) -> Result<Dataset> {
         if (!file)
             return file.error();
         const std::string array = file->arrayName.empty() ? "" : ", " + printable(file->arrayName);
-        return irregularDataset(file->complex, file->values,
-                                {.name = path.filename().string() + array, .path = path, .hash = 0},
-                                progress.part(readingShare, 1));
+        const Source source{.name = path.filename().string() + array, .path = path, .hash = 0};
+        return orPoints && isFlat(*file) ? pointsOf(*std::move(file), source)
+                                         : meshOf(*file, source, progress.part(readingShare, 1));
     };
     return withFile<Dataset>(
-        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading)); },
-        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading)); });
+        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading), true); },
+        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading), false); });
 }
 
 Result<FileContents> CellsReader::probe(const std::filesystem::path& path, const ParameterValues& /*values*/,

@@ -3,7 +3,8 @@
 
 #include "plugins/readers/cells/xml_tags.h"
 
-#include <tuple>
+#include <algorithm>
+#include <utility>
 
 namespace tetra {
 
@@ -19,6 +20,17 @@ std::optional<std::uint64_t> numberOf(const XmlTag& tag, std::string_view key)
     std::string text = tag.attribute(key);
     std::erase(text, ' ');
     return parseNumber<std::uint64_t>(text);
+}
+
+/// How many words a text has.
+std::size_t wordCount(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t\r\n";
+    std::size_t count = 0;
+    for (auto at = text.find_first_not_of(blanks); at != std::string_view::npos;
+         at = text.find_first_not_of(blanks, text.find_first_of(blanks, at)))
+        ++count;
+    return count;
 }
 
 class HeadParsing {
@@ -38,10 +50,11 @@ public:
                     return status.error();
                 break;
             }
+            ended_ = ended_ || (tag->name == "VTKFile" && !tag->opens);
             if (const Status status = element(*tag); !status)
                 return status.error();
         }
-        if (tags_.broken())
+        if (tags_.broken() || !ended_)
             return bad(Message::say("its XML is damaged or cut short."));
         return finish();
     }
@@ -57,7 +70,8 @@ private:
         const std::string compressor = tag.attribute("compressor");
         head_.packed = compressor == "vtkZLibDataCompressor";
         if (!compressor.empty() && !head_.packed)
-            return bad(Message::say("it is packed by %1, which the VTK plugin unpacks; zlib is read without it.",
+            return bad(Message::say("it is packed by %1, and only zlib is read. Save it with zlib, or as .vtk, for "
+                                    "instance with ParaView.",
                                     printable(compressor)));
         return {};
     }
@@ -70,6 +84,9 @@ private:
             inside_ = {};
         if (!tag.opens)
             return {};
+        if (tag.name == "UnstructuredGrid" && wordCount(tag.attribute("TimeValues")) > 1)
+            return bad(Message::say("it holds several time steps. Save each as a file of its own, for instance with "
+                                    "ParaView."));
         if (tag.name == "Piece")
             return piece(tag);
         if (head_.pieces.size() == 1 && tag.name == "PointData")
@@ -116,7 +133,7 @@ private:
             const auto offset = numberOf(tag, "offset");
             if (!offset)
                 return bad(Message::say("the array '%1' does not say where it is.", printable(array.name)));
-            offset_ = *offset;
+            array.offset = *offset;
         } else {
             const std::size_t end = bytes_.find('<', tag.end);
             if (end == std::string_view::npos && !tag.closes)
@@ -143,42 +160,32 @@ private:
             where = &piece.offsets;
         else if (inside_ == "Cells" && array.name == "types")
             where = &piece.types;
-        if (where == nullptr)
-            return;
-        *where = std::move(array);
-        // Until it is known where the appended data begin: how far behind that.
-        if (where->format == "appended")
-            appendedOffsets_.emplace_back(head_.pieces.size() - 1, where->name, inside_, offset_);
+        if (where != nullptr)
+            *where = std::move(array);
     }
 
     Status appended(const XmlTag& tag)
     {
+        constexpr std::string_view fileEnd = "</VTKFile>";
+        if (!bytes_.substr(0, bytes_.find_last_not_of(" \t\r\n") + 1).ends_with(fileEnd))
+            return bad(Message::say("it ends within its appended data. It is cut short: copy the file again."));
+        ended_ = true;
         head_.appendedBase64 = tag.attribute("encoding") == "base64";
         const std::size_t mark = bytes_.find('_', tag.end);
         if (mark == std::string_view::npos)
             return bad(Message::say("its appended data do not begin."));
         const std::string_view data = bytes_.substr(mark + 1);
-        for (auto& [piece, name, inside, offset] : appendedOffsets_)
-            if (VtuArray* array = find(head_.pieces[piece], name, inside))
-                array->content = offset < data.size() ? data.substr(offset) : std::string_view();
-        return {};
-    }
-
-    static VtuArray* find(VtuPiece& piece, const std::string& name, std::string_view inside)
-    {
-        const auto among = [&](std::vector<VtuArray>& arrays) -> VtuArray* {
-            for (VtuArray& array : arrays)
-                if (array.name == name)
-                    return &array;
-            return nullptr;
+        const auto fill = [&](VtuArray& array) {
+            if (array.format == "appended")
+                array.content = array.offset < data.size() ? data.substr(array.offset) : std::string_view();
         };
-        if (inside == "PointData")
-            return among(piece.pointArrays);
-        if (inside == "CellData")
-            return among(piece.cellArrays);
-        if (inside == "Points")
-            return &piece.positions;
-        return name == "connectivity" ? &piece.connectivity : name == "offsets" ? &piece.offsets : &piece.types;
+        for (VtuPiece& piece : head_.pieces) {
+            std::ranges::for_each(piece.pointArrays, fill);
+            std::ranges::for_each(piece.cellArrays, fill);
+            for (VtuArray* array : {&piece.positions, &piece.connectivity, &piece.offsets, &piece.types})
+                fill(*array);
+        }
+        return {};
     }
 
     Result<VtuHead> finish()
@@ -198,8 +205,7 @@ private:
     XmlTags tags_;
     VtuHead head_;
     std::string_view inside_;
-    std::uint64_t offset_ = 0;
-    std::vector<std::tuple<std::size_t, std::string, std::string_view, std::uint64_t>> appendedOffsets_;
+    bool ended_ = false; ///< the file does not end before its last element
 };
 
 } // namespace

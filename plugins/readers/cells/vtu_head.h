@@ -17,6 +17,7 @@ struct VtuArray {
     std::string format;
     int components = 1;
     std::string_view content;   ///< from its first byte; of an appended array to the end of the file
+    std::uint64_t offset = 0;   ///< of an appended array, among what is appended
     std::string rangeMinimum{}; ///< as the file says; may be empty
     std::string rangeMaximum{};
 };
@@ -39,7 +40,7 @@ struct VtuHead {
     std::vector<VtuPiece> pieces;
 };
 
-/// Errors: no such file, or one of another kind; a compressor but zlib; missing elements.
+/// Errors: no such file, or one of another kind; a compressor but zlib; several time steps; missing elements; no end.
 Result<VtuHead> parseVtuHead(std::string_view bytes);
 
 } // namespace tetra

@@ -87,40 +87,61 @@ std::vector<double> evaluate(std::string_view name, const Quantities& q)
     return values;
 }
 
-bool isFinite(const std::vector<double>& values)
+/// Which points count.
+using Blanked = std::span<const std::uint8_t>;
+
+bool counts(Blanked blanked, std::size_t point)
 {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    return blanked.empty() || blanked[point] == 0;
 }
 
-bool varies(const std::vector<double>& values)
+std::int64_t notFiniteCount(const std::vector<double>& values, Blanked blanked)
 {
-    return std::ranges::any_of(values, [first = values.front()](double value) { return value != first; });
+    std::int64_t wrong = 0;
+    for (std::size_t point = 0; point < values.size(); ++point)
+        wrong += counts(blanked, point) && !std::isfinite(values[point]) ? 1 : 0;
+    return wrong;
+}
+
+bool varies(const std::vector<double>& values, Blanked blanked)
+{
+    const double* first = nullptr;
+    for (std::size_t point = 0; point < values.size(); ++point)
+        if (counts(blanked, point)) {
+            if (first != nullptr && values[point] != *first)
+                return true;
+            first = &values[point];
+        }
+    return false;
+}
+
+bool isUsable(const std::vector<double>& values, Blanked blanked)
+{
+    return notFiniteCount(values, blanked) == 0 && varies(values, blanked);
 }
 
 /// Arrays that can be taken, for messages.
-Message usableNames(const Quantities& quantities)
+Message usableNames(const Quantities& quantities, Blanked blanked)
 {
     std::string list;
     for (const std::string_view name : names)
-        if (const auto values = evaluate(name, quantities); isFinite(values) && varies(values))
+        if (isUsable(evaluate(name, quantities), blanked))
             list += (list.empty() ? "" : ", ") + std::string(name);
     return list.empty() ? Message::say("No array of this solution varies.")
                         : Message::say("These can be taken: %1.", list);
 }
 
-Status checkUsable(const Plot3dArray& array, const Quantities& quantities, const Plot3dFile& solution)
+Status checkUsable(const Plot3dArray& array, const Quantities& quantities, Blanked blanked, const Plot3dFile& solution)
 {
-    const std::filesystem::path& path = solution.file->path();
-    if (!isFinite(array.values)) {
-        const auto wrong = std::ranges::count_if(array.values, [](double value) { return !std::isfinite(value); });
-        return inPlot3dFile(path,
+    if (const std::int64_t wrong = notFiniteCount(array.values, blanked); wrong > 0)
+        return inPlot3dFile(solution.path(),
                             Message::say("the array '%1' is not a finite number at %2 of its points. %3", array.name,
-                                         wrong, usableNames(quantities)),
+                                         wrong, usableNames(quantities, blanked)),
                             ErrorKind::WrongUsage);
-    }
-    if (!varies(array.values))
+    if (!varies(array.values, blanked))
         return inPlot3dFile(
-            path, Message::say("the array '%1' has one value everywhere. %2", array.name, usableNames(quantities)),
+            solution.path(),
+            Message::say("the array '%1' has one value everywhere. %2", array.name, usableNames(quantities, blanked)),
             ErrorKind::WrongUsage);
     return {};
 }
@@ -133,21 +154,21 @@ std::span<const std::string_view> plot3dArrayNames()
 }
 
 Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid, const std::string& name,
-                                    const Progress& progress)
+                                    std::span<const std::uint8_t> blanked, const Progress& progress)
 {
     const auto quantities = readQuantities(solution, grid, progress);
     if (!quantities)
         return quantities.error();
     if (name != "automatic") {
         Plot3dArray array{name, evaluate(name, *quantities)};
-        if (const Status usable = checkUsable(array, *quantities, solution); !usable)
+        if (const Status usable = checkUsable(array, *quantities, blanked, solution); !usable)
             return usable.error();
         return array;
     }
     for (const std::string_view candidate : names)
-        if (auto values = evaluate(candidate, *quantities); isFinite(values) && varies(values))
+        if (auto values = evaluate(candidate, *quantities); isUsable(values, blanked))
             return Plot3dArray{std::string(candidate), std::move(values)};
-    return inPlot3dFile(solution.file->path(), Message::say("none of its arrays varies, so there is nothing to see."));
+    return inPlot3dFile(solution.path(), Message::say("none of its arrays varies, so there is nothing to see."));
 }
 
 } // namespace tetra

@@ -21,8 +21,9 @@ struct Plot3dArray {
 };
 
 /// The array called `name`; or for "automatic" the first one that is defined everywhere and varies, density first, then
-/// pressure. Errors (naming the arrays that can be taken): it is the same everywhere; it is not a number somewhere.
+/// pressure. `blanked` is as of blankedPoints(): what the array is there does not matter. Errors (naming the arrays
+/// that can be taken): it is the same everywhere; it is not a number somewhere.
 Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid, const std::string& name,
-                                    const Progress& progress);
+                                    std::span<const std::uint8_t> blanked, const Progress& progress);
 
 } // namespace tetra

@@ -23,7 +23,7 @@ template <class Real, class Bits> double realAt(const std::byte* place, std::end
 bool marksFit(const Plot3dFile& file, std::uint64_t offset, std::uint64_t payload)
 {
     const auto mark = [&](std::uint64_t at) {
-        return static_cast<std::uint32_t>(plot3dInteger(file.file->bytes(), at, file.layout.order));
+        return static_cast<std::uint32_t>(plot3dInteger(file.source.file->bytes(), at, file.layout.order));
     };
     const auto length = static_cast<std::uint32_t>(payload); // records beyond 4 GiB have what is left of it
     return mark(offset - 4) == length && mark(offset + payload) == length;
@@ -45,8 +45,13 @@ bool allMarksFit(const Plot3dFile& file)
 
 bool endsInZeros(const Plot3dFile& file)
 {
-    return std::ranges::all_of(file.file->bytes().last(file.layout.padding),
+    return std::ranges::all_of(file.source.file->bytes().last(file.layout.padding),
                                [](std::byte byte) { return byte == std::byte{}; });
+}
+
+Error changedMeanwhile(const std::filesystem::path& path)
+{
+    return inPlot3dFile(path, Message::say("it changed while it was read. Read it again."));
 }
 
 } // namespace
@@ -56,18 +61,38 @@ Error inPlot3dFile(const std::filesystem::path& path, const Message& text, Error
     return {kind, Message::say("Cannot read '%1': %2", path.string(), text)};
 }
 
-Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind)
+Result<Plot3dSource> loadPlot3d(const std::filesystem::path& path, const Progress& progress)
 {
+    constexpr std::size_t looked = 4096;
     const auto mapped = MappedFile::open(path);
     if (!mapped)
         return mapped.error();
     const std::span<const std::byte> bytes = (*mapped)->bytes();
     if (bytes.empty())
         return inPlot3dFile(path, Message::say("it is empty. Get or make the file again."));
-    const auto layout = findPlot3dLayout(bytes, bytes.size(), kind);
+    if (!isPlot3dText(bytes.first(std::min(looked, bytes.size()))))
+        return Plot3dSource{*mapped, nullptr};
+    auto text = readPlot3dText(bytes, progress);
+    if ((*mapped)->damaged())
+        return changedMeanwhile(path);
+    if (!text)
+        return text.error().kind == ErrorKind::BadInput ? inPlot3dFile(path, text.error().message) : text.error();
+    return Plot3dSource{*mapped, std::make_shared<const Plot3dText>(*std::move(text))};
+}
+
+Result<Plot3dLayout> findPlot3dLayout(const Plot3dSource& source, Plot3dKind kind)
+{
+    const std::span<const std::byte> bytes = source.file->bytes();
+    return source.text ? findPlot3dLayout(*source.text, kind) : findPlot3dLayout(bytes, bytes.size(), kind);
+}
+
+Result<Plot3dFile> openPlot3d(const Plot3dSource& source, Plot3dKind kind)
+{
+    const std::filesystem::path& path = source.file->path();
+    const auto layout = findPlot3dLayout(source, kind);
     if (!layout)
         return inPlot3dFile(path, layout.error().message);
-    Plot3dFile file{*mapped, kind, *layout};
+    Plot3dFile file{source, kind, *layout};
     if (file.layout.recordMarks && !allMarksFit(file))
         return inPlot3dFile(
             path,
@@ -82,7 +107,7 @@ Result<Plot3dFile> openPlot3d(const std::filesystem::path& path, Plot3dKind kind
 Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
 {
     const std::size_t count = file.layout.sizes.size();
-    const std::filesystem::path& path = file.file->path();
+    const std::filesystem::path& path = file.path();
     if (wanted == 0 && count > 1)
         return inPlot3dFile(
             path,
@@ -107,8 +132,12 @@ Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t gr
 {
     constexpr std::uint64_t pointsAtOnce = 1 << 20;
     const Plot3dBlock block = plot3dBlock(file.layout, file.kind, grid);
+    if (file.source.text) {
+        const double* const first = file.source.text->numbers.data() + block.reals + number * block.points;
+        return std::vector<double>(first, first + block.points);
+    }
     const std::uint32_t realBytes = file.layout.realBytes;
-    const std::byte* const first = file.file->bytes().data() + block.reals + number * block.points * realBytes;
+    const std::byte* const first = file.source.file->bytes().data() + block.reals + number * block.points * realBytes;
     std::vector<double> component(block.points);
     for (std::uint64_t point = 0; point < block.points; ++point) {
         if (point % pointsAtOnce == 0) {
@@ -120,19 +149,23 @@ Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t gr
         component[point] = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)
                                           : realAt<double, std::uint64_t>(place, file.layout.order);
     }
-    if (file.file->damaged())
-        return inPlot3dFile(file.file->path(), Message::say("it changed while it was read. Read it again."));
+    if (file.source.file->damaged())
+        return changedMeanwhile(file.path());
     return component;
 }
 
-std::uint64_t blankedPoints(const Plot3dFile& file, std::size_t grid)
+std::vector<std::uint8_t> blankedPoints(const Plot3dFile& file, std::size_t grid)
 {
     const Plot3dBlock block = plot3dBlock(file.layout, file.kind, grid);
-    std::uint64_t blanked = 0;
-    if (block.iblank != 0)
-        for (std::uint64_t point = 0; point < block.points; ++point)
-            if (plot3dInteger(file.file->bytes(), block.iblank + 4 * point, file.layout.order) == 0)
-                ++blanked;
+    if (block.iblank == 0)
+        return {};
+    std::vector<std::uint8_t> blanked(block.points);
+    for (std::uint64_t point = 0; point < block.points; ++point)
+        blanked[point] = file.source.text ? file.source.text->numbers[block.iblank + point] == 0
+                                          : plot3dInteger(file.source.file->bytes(), block.iblank + 4 * point,
+                                                          file.layout.order) == 0;
+    if (std::ranges::find(blanked, 1) == blanked.end())
+        return {};
     return blanked;
 }
 

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 struct Pair {
     fs::path grid;
     fs::path solution;
+    Plot3dSource opened; ///< the one of them that the user opened
 };
 
 std::string namesText(const std::vector<fs::path>& names)
@@ -28,26 +29,27 @@ std::string namesText(const std::vector<fs::path>& names)
     return list;
 }
 
-bool isSolution(const fs::path& path)
+bool isSolution(const Plot3dSource& source)
 {
-    const auto file = MappedFile::open(path);
-    return file && !findPlot3dLayout((*file)->bytes(), (*file)->bytes().size(), Plot3dKind::Grid) &&
-           findPlot3dLayout((*file)->bytes(), (*file)->bytes().size(), Plot3dKind::Solution);
+    return !findPlot3dLayout(source, Plot3dKind::Grid) && findPlot3dLayout(source, Plot3dKind::Solution);
 }
 
-Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven)
+Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven, const Progress& progress)
 {
+    const auto source = loadPlot3d(path, progress);
+    if (!source)
+        return source.error();
     if (!solutionGiven.empty()) {
         const fs::path solution(solutionGiven);
-        return Pair{path, solution.is_absolute() ? solution : path.parent_path() / solution};
+        return Pair{path, solution.is_absolute() ? solution : path.parent_path() / solution, *source};
     }
-    if (isSolution(path)) {
+    if (isSolution(*source)) {
         const fs::path grid = firstExisting(gridNames(path));
         if (grid.empty())
             return inPlot3dFile(path, Message::say("it is a PLOT3D solution, and its grid is not beside it (%1). Open "
                                                    "the grid, and give it the solution.",
                                                    namesText(gridNames(path))));
-        return Pair{grid, path};
+        return Pair{grid, path, *source};
     }
     const fs::path solution = firstExisting(solutionNames(path));
     if (solution.empty())
@@ -56,7 +58,15 @@ Result<Pair> findPair(const fs::path& path, const std::string& solutionGiven)
                                          "is with 'solution', or give it one of these names.",
                                          namesText(solutionNames(path))),
                             ErrorKind::WrongUsage);
-    return Pair{path, solution};
+    return Pair{path, solution, *source};
+}
+
+/// The file of the pair that is of this kind, read if it was not opened yet.
+Result<Plot3dFile> openOf(const Pair& pair, Plot3dKind kind, const Progress& progress)
+{
+    const fs::path& path = kind == Plot3dKind::Grid ? pair.grid : pair.solution;
+    const auto source = path == pair.opened.file->path() ? pair.opened : loadPlot3d(path, progress);
+    return source ? openPlot3d(*source, kind) : source.error();
 }
 
 struct OpenPair {
@@ -65,15 +75,15 @@ struct OpenPair {
     std::size_t number = 0; ///< of the grid, and of its solution
 };
 
-Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted)
+Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted, const Progress& progress)
 {
-    const auto grid = openPlot3d(pair.grid, Plot3dKind::Grid);
+    const auto grid = openOf(pair, Plot3dKind::Grid, progress);
     if (!grid)
         return grid.error();
     const auto number = chooseGrid(*grid, wanted);
     if (!number)
         return number.error();
-    const auto solution = openPlot3d(pair.solution, Plot3dKind::Solution);
+    const auto solution = openOf(pair, Plot3dKind::Solution, progress);
     if (!solution)
         return solution.error();
     if (solution->layout.sizes != grid->layout.sizes)
@@ -83,24 +93,70 @@ Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted)
     return OpenPair{*grid, *solution, *number};
 }
 
-Result<PointPositions> readPositions(const OpenPair& pair, const Progress& progress)
+Result<std::vector<Eigen::Vector3d>> readPositions(const OpenPair& pair, const Progress& progress)
 {
-    if (const std::uint64_t blanked = blankedPoints(pair.grid, pair.number); blanked > 0)
-        return inPlot3dFile(pair.grid.file->path(),
-                            Message::say("%1 of its points are blanked out (iblank 0), so that its domain has holes, "
-                                         "which cannot be refined. Take the part without them.",
-                                         blanked));
-    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>();
+    std::vector<Eigen::Vector3d> positions;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double begin = static_cast<double>(axis) / 3;
         const auto component = readComponent(pair.grid, pair.number, axis, progress.part(begin, begin + 1. / 3));
         if (!component)
             return component.error();
-        positions->resize(component->size());
+        positions.resize(component->size());
         for (std::size_t point = 0; point < component->size(); ++point)
-            (*positions)[point][static_cast<Eigen::Index>(axis)] = (*component)[point];
+            positions[point][static_cast<Eigen::Index>(axis)] = (*component)[point];
     }
-    return PointPositions(std::move(positions));
+    return positions;
+}
+
+/// The cells of a grid between its points, as hexahedra; those with a point that is blanked out are holes.
+CellComplex hexahedra(std::vector<Eigen::Vector3d> positions, const std::array<std::uint32_t, 3>& size,
+                      std::span<const std::uint8_t> blanked)
+{
+    CellComplex complex{.positions = std::move(positions), .shapes = {}, .offsets = {0}, .corners = {}, .blanked = {}};
+    const std::uint64_t row = size[0], layer = row * size[1];
+    for (std::uint64_t k = 0; k + 1 < size[2]; ++k)
+        for (std::uint64_t j = 0; j + 1 < size[1]; ++j)
+            for (std::uint64_t i = 0; i + 1 < size[0]; ++i) {
+                const std::uint64_t low = i + j * row + k * layer, high = low + layer;
+                const std::array corners = {low,  low + 1,  low + 1 + row,  low + row,
+                                            high, high + 1, high + 1 + row, high + row};
+                complex.shapes.push_back(CellShape::Hexahedron);
+                complex.corners.insert(complex.corners.end(), corners.begin(), corners.end());
+                complex.offsets.push_back(complex.corners.size());
+                complex.blanked.push_back(static_cast<std::uint8_t>(
+                    std::ranges::any_of(corners, [&](std::uint64_t corner) { return blanked[corner] != 0; })));
+            }
+    return complex;
+}
+
+std::uint64_t cellsOf(const std::array<std::uint32_t, 3>& size)
+{
+    return std::uint64_t(size[0] - 1) * (size[1] - 1) * (size[2] - 1);
+}
+
+/// A grid with points that are blanked out.
+Result<Dataset> meshWithHoles(std::vector<Eigen::Vector3d> positions, const OpenPair& pair, Plot3dArray array,
+                              std::span<const std::uint8_t> blanked, const Source& source, const Progress& progress)
+{
+    constexpr std::uint64_t most = 20'000'000;
+    const auto& size = pair.grid.layout.sizes[pair.number];
+    if (cellsOf(size) > most)
+        return inPlot3dFile(
+            pair.grid.path(),
+            Message::say(
+                "some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular "
+                "mesh, which is too large for that. Take a part of it, or replace those values by numbers.",
+                cellsOf(size)),
+            ErrorKind::OutOfResource);
+    const SampleType type = pair.solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
+    auto dataset = irregularDataset(hexahedra(std::move(positions), size, blanked),
+                                    {std::move(array.values), false, type}, source, progress);
+    if (!dataset)
+        return dataset.error();
+    dataset->remarks.insert(dataset->remarks.begin(), Message::say("A grid with cells that are blanked out, or whose "
+                                                                   "values are no numbers: an irregular mesh without "
+                                                                   "them."));
+    return dataset;
 }
 
 /// Single precision if the solution was.
@@ -121,23 +177,27 @@ Result<ScalarField> fieldOf(const Plot3dArray& array, std::uint32_t realBytes)
 Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const std::string& arrayName,
                             const Progress& progress)
 {
-    const auto positions = readPositions(pair, progress.part(0, 0.35));
+    const std::vector<std::uint8_t> blanked = blankedPoints(pair.grid, pair.number);
+    auto positions = readPositions(pair, progress.part(0, 0.3));
     if (!positions)
         return positions.error();
-    const auto array = readPlot3dArray(pair.solution, pair.number, arrayName, progress.part(0.35, 0.9));
+    auto array = readPlot3dArray(pair.solution, pair.number, arrayName, blanked, progress.part(0.3, 0.7));
     if (!array)
         return array.error();
+    const Source source = {pair.grid.path().filename().string() + ", " + array->name, path, 0};
+    if (!blanked.empty())
+        return meshWithHoles(*std::move(positions), pair, *std::move(array), blanked, source, progress.part(0.7, 1));
     const auto values = fieldOf(*array, pair.solution.layout.realBytes);
     if (!values)
         return values.error();
     Dataset dataset;
     dataset.domain = DomainClass::Curvilinear;
     dataset.lattice.size = pair.grid.layout.sizes[pair.number];
-    dataset.positions = *positions;
+    dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
     dataset.values = *values;
-    dataset.source = {pair.grid.file->path().filename().string() + ", " + array->name, path, 0};
+    dataset.source = source;
     if (const Status usable = checkGrid(dataset); !usable)
-        return inPlot3dFile(pair.grid.file->path(), usable.error().message);
+        return inPlot3dFile(pair.grid.path(), usable.error().message);
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }
@@ -151,12 +211,12 @@ std::vector<std::string> gridTexts(const Plot3dLayout& layout)
     return texts;
 }
 
-Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted)
+Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const Progress& progress)
 {
     FileContents contents{.domain = DomainClass::Curvilinear};
     for (const std::string_view name : plot3dArrayNames())
         contents.arrays.push_back({.name = std::string(name)});
-    const auto grid = openPlot3d(pair.grid, Plot3dKind::Grid);
+    const auto grid = openOf(pair, Plot3dKind::Grid, progress.part(0, 0.5));
     if (!grid)
         return grid.error();
     if (grid->layout.sizes.size() > 1) {
@@ -164,12 +224,19 @@ Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted)
         if (wanted == 0)
             return contents;
     }
-    const auto open = openPair(pair, wanted);
+    const auto open = openPair({pair.grid, pair.solution, grid->source}, wanted, progress.part(0.5, 1));
     if (!open)
         return open.error();
-    contents.lattice.size = open->grid.layout.sizes[open->number];
-    contents.points = contents.lattice.pointCount();
+    const auto& size = open->grid.layout.sizes[open->number];
     contents.type = open->solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
+    if (blankedPoints(open->grid, open->number).empty()) {
+        contents.lattice.size = size;
+        contents.points = contents.lattice.pointCount();
+        return contents;
+    }
+    contents.domain = DomainClass::Irregular;
+    contents.points = std::uint64_t(size[0]) * size[1] * size[2];
+    contents.cells = cellsOf(size);
     return contents;
 }
 
@@ -182,14 +249,20 @@ std::vector<std::string> Plot3dReader::nameFilters() const
 
 double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
 {
-    constexpr std::array<std::string_view, 6> ownNames = {".x", ".g", ".grd", ".p3d", ".q", ".qsol"};
+    constexpr std::array<std::string_view, 7> ownNames = {".x", ".g", ".grd", ".p3d", ".q", ".qsol", ".xyz"};
+    constexpr double binary = 0.9, text = 0.85, toSayWhatIsWrong = 0.2;
     std::error_code problem;
     const std::uint64_t bytes = fs::file_size(path, problem);
     if (!problem)
         for (const Plot3dKind kind : {Plot3dKind::Grid, Plot3dKind::Solution})
             if (findPlot3dLayout(firstBytes, bytes, kind))
-                return 0.9;
-    return std::ranges::find(ownNames, fileEnding(path)) != ownNames.end() ? 0.2 : 0; // to say what is wrong
+                return binary;
+    const std::string ending = fileEnding(path);
+    if (std::ranges::find(ownNames, ending) == ownNames.end())
+        return 0;
+    if (looksLikePlot3dText(firstBytes))
+        return text;
+    return ending == ".xyz" ? 0 : toSayWhatIsWrong; // .xyz has many meanings
 }
 
 std::vector<Parameter> Plot3dReader::parameters() const
@@ -223,23 +296,23 @@ std::vector<Parameter> Plot3dReader::parameters() const
 Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
 {
     const auto all = parameters();
-    const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"));
+    const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"), progress.part(0, 0.2));
     if (!pair)
         return pair.error();
-    const auto open = openPair(*pair, parameterValue<std::int64_t>(all, values, "grid"));
+    const auto open = openPair(*pair, parameterValue<std::int64_t>(all, values, "grid"), progress.part(0.2, 0.4));
     if (!open)
         return open.error();
-    return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress);
+    return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress.part(0.4, 1));
 }
 
 Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterValues& values,
-                                         const Progress& /*progress*/) const
+                                         const Progress& progress) const
 {
     const auto all = parameters();
-    const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"));
+    const auto pair = findPair(path, parameterValue<std::string>(all, values, "solution"), progress.part(0, 0.5));
     if (!pair)
         return pair.error();
-    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"));
+    return contentsOf(*pair, parameterValue<std::int64_t>(all, values, "grid"), progress.part(0.5, 1));
 }
 
 } // namespace tetra

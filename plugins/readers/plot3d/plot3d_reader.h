@@ -5,9 +5,9 @@
 
 namespace tetra {
 
-/// Reads curvilinear grids in binary PLOT3D files, a grid and a solution file: either is opened and finds the other by
-/// its name. Byte order, precision, record marks and iblank follow from the files. What is read and what is refused:
-/// docs/formats.md.
+/// Reads curvilinear grids in PLOT3D files, binary and in text, a grid and a solution file: either is opened and finds
+/// the other by its name. Byte order, precision, record marks and iblank follow from the files. Grids with points that
+/// are blanked out become irregular meshes without them. What is read and what is refused: docs/formats.md.
 class Plot3dReader : public Reader {
 public:
     std::vector<std::string> nameFilters() const override;

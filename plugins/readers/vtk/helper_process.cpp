@@ -107,7 +107,7 @@ Descriptor filledPipe(const std::string& content)
 class HelperProcess {
 public:
     /// The error is the system's.
-    static std::variant<HelperProcess, int> start(const fs::path& program, const std::string& input, char** environment)
+    static std::variant<HelperProcess, int> start(const fs::path& program, const std::string& input)
     {
         const Descriptor request = filledPipe(input);
         if (request.number() < 0)
@@ -136,7 +136,7 @@ public:
         std::string name = program.string();
         const std::array<char*, 2> arguments{name.data(), nullptr};
         pid_t process = -1;
-        const int failure = ::posix_spawn(&process, name.c_str(), &files, &attributes, arguments.data(), environment);
+        const int failure = ::posix_spawn(&process, name.c_str(), &files, &attributes, arguments.data(), environ);
         posix_spawnattr_destroy(&attributes);
         posix_spawn_file_actions_destroy(&files);
         if (failure != 0)
@@ -365,28 +365,6 @@ fs::path vtkHelperBesidePlugin()
     return fs::absolute(info.dli_fname).parent_path() / "tan-read-vtk";
 }
 
-bool canStartVtkHelper(const fs::path& helper)
-{
-    std::string listOnly = "LD_TRACE_LOADED_OBJECTS=1"; // ld.so(8): names the libraries in place of starting
-    std::vector<char*> environment;
-    for (char** entry = environ; *entry != nullptr; ++entry)
-        environment.push_back(*entry);
-    environment.push_back(listOnly.data());
-    environment.push_back(nullptr);
-    auto started = HelperProcess::start(helper, {}, environment.data());
-    auto* const process = std::get_if<HelperProcess>(&started);
-    if (process == nullptr)
-        return false;
-    const Progress progress;
-    HelperOutput output(*process, progress, std::chrono::seconds(10));
-    std::string libraries;
-    for (char c = 0; output.read(&c, 1);)
-        libraries += c;
-    const auto status = process->waitForEnd(std::chrono::seconds(2));
-    return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0 &&
-           libraries.find("not found") == std::string::npos;
-}
-
 Result<VtkAnswer> askVtkHelper(const fs::path& helper, VtkRequest request, const Progress& progress,
                                std::chrono::milliseconds idle)
 {
@@ -396,7 +374,7 @@ Result<VtkAnswer> askVtkHelper(const fs::path& helper, VtkRequest request, const
         return true;
     });
     exchange(output, request);
-    auto started = HelperProcess::start(helper, input, environ);
+    auto started = HelperProcess::start(helper, input);
     if (const int* failure = std::get_if<int>(&started))
         return notStarted(helper, *failure);
     // The answer is whole when it came: nothing that the helper still has to tidy up is worth waiting for.

@@ -17,10 +17,6 @@ using VtkAnswer = std::variant<VtkFindings, FileContents>;
 /// Where the helper program of this plugin lies: beside the plugin's own file.
 std::filesystem::path vtkHelperBesidePlugin();
 
-/// Whether the helper program is there with all its libraries, as the system's loader finds them. Takes some
-/// milliseconds; does not start VTK.
-bool canStartVtkHelper(const std::filesystem::path& helper);
-
 /// Runs the helper program on a request and waits for its answer. VTK runs in a process of its own because its readers
 /// break down on many a damaged file, print, and take a tenth of a second to load: whatever happens there is an Error
 /// here. Cancelling ends the process at once. It limits its own memory and time (process_limits.h); it is ended if for

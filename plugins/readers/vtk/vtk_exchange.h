@@ -100,7 +100,7 @@ template <class Archive, class... T> void exchangeAll(Archive& archive, T&... va
 template <class Archive> void exchange(Archive& archive, VtkRequest& request)
 {
     exchangeAll(archive, request.contentsOnly, request.format, request.path, request.array, request.component,
-                request.timeStep, request.part, request.companion);
+                request.timeStep, request.part);
 }
 
 template <class Archive> void exchange(Archive& archive, Message& message)

@@ -25,7 +25,6 @@ struct VtkRequest {
     std::string component;
     std::int64_t timeStep = 1; ///< from 1
     std::string part;          ///< a name, or a number from 1; empty: what fits together
-    std::string companion;     ///< of PLOT3D grids the file with the values; empty: what is beside the grid
 };
 
 enum class VtkDataKind : std::uint8_t { Lattice, Grid, Cells, Points };

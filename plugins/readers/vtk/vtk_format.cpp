@@ -17,9 +17,9 @@ struct FormatEntry {
 };
 
 /// Names that other readers claim too have a score that leaves those the first choice.
-constexpr std::array<FormatEntry, 17> formats = {{
+constexpr std::array<FormatEntry, 16> formats = {{
     {VtkFormat::Xml,
-     Message::marked("VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
+     Message::marked("VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)"), 0.6},
     {VtkFormat::Legacy, Message::marked("VTK legacy (*.vtk)"), 0.6},
     {VtkFormat::Hdf, Message::marked("VTK HDF (*.vtkhdf *.hdf)"), 0.6},
     {VtkFormat::Exodus, Message::marked("Exodus II (*.ex2 *.exo *.exii *.e *.g)"), 0.6},
@@ -31,7 +31,6 @@ constexpr std::array<FormatEntry, 17> formats = {{
     {VtkFormat::Mrc, Message::marked("MRC electron microscopy (*.mrc *.ccp4 *.map)"), 0.8},
     {VtkFormat::Tiff, Message::marked("TIFF stack (*.tif *.tiff)"), 0.6},
     {VtkFormat::Dicom, Message::marked("DICOM series (*.dcm *.dicom)"), 0.6},
-    {VtkFormat::Plot3d, Message::marked("PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)"), 0.15},
     {VtkFormat::Gambit, Message::marked("GAMBIT (*.neu)"), 0.8},
     {VtkFormat::Fluent, Message::marked("Fluent (*.cas)"), 0.8},
     {VtkFormat::OpenFoam, Message::marked("OpenFOAM (*.foam controlDict)"), 0.8},
@@ -73,13 +72,21 @@ bool isTiff(std::string_view bytes)
            hasAt(bytes, 0, "MM\0+"sv);
 }
 
+/// Whether the element VTKFile that `text` begins with is of the type whose files the reader of meshes reads.
+bool isUnstructuredGrid(std::string_view text)
+{
+    text = text.substr(0, text.find('>'));
+    return text.find("type=\"UnstructuredGrid\"") != std::string_view::npos ||
+           text.find("type='UnstructuredGrid'") != std::string_view::npos;
+}
+
 /// The format whose signature a file begins with; None for those without.
 VtkFormat bySignature(std::string_view bytes)
 {
     if (hasAt(bytes, 0, "# vtk DataFile"))
         return VtkFormat::Legacy;
     if (const auto element = bytes.find("<VTKFile"); element != std::string_view::npos)
-        return VtkFormat::Xml;
+        return isUnstructuredGrid(bytes.substr(element)) ? VtkFormat::None : VtkFormat::Xml;
     if (hasAt(bytes, 128, "DICM"))
         return VtkFormat::Dicom;
     if (hasAt(bytes, 208, "MAP "))
@@ -87,26 +94,6 @@ VtkFormat bySignature(std::string_view bytes)
     if (isTiff(bytes))
         return VtkFormat::Tiff;
     return looksLikeTecplot(bytes) ? VtkFormat::Tecplot : VtkFormat::None;
-}
-
-/// Whether a file begins as a PLOT3D text does: numbers alone, first one or three whole ones in a line. (Tables of
-/// points have four in each; chemical structures have names in the third line.)
-bool isPlot3dText(std::string_view bytes)
-{
-    constexpr std::string_view whole = "0123456789";
-    constexpr std::string_view blank = " \t\r\n";
-    if (bytes.find_first_not_of("0123456789+-.eEdD \t\r\n") != std::string_view::npos)
-        return false;
-    std::string_view line = bytes.substr(0, bytes.find('\n'));
-    int words = 0;
-    for (; line.find_first_not_of(blank) != std::string_view::npos; ++words) {
-        line.remove_prefix(line.find_first_not_of(blank));
-        const std::string_view word = line.substr(0, line.find_first_of(blank));
-        if (word.find_first_not_of(whole) != std::string_view::npos)
-            return false;
-        line.remove_prefix(word.size());
-    }
-    return words == 1 || words == 3;
 }
 
 /// Whether the name alone would send a file to a reader for which its beginning is nothing.
@@ -132,8 +119,6 @@ VtkGuess guessVtkFormat(const std::filesystem::path& path, std::span<const std::
     const auto entry = std::ranges::find_if(formats, [&](const FormatEntry& e) { return fitsFilter(name, e.filter); });
     if (entry == formats.end())
         return {};
-    if (entry->format == VtkFormat::Plot3d && isPlot3dText(bytes))
-        return {entry->format, 0.85};
     return {entry->format, isOutOfQuestion(entry->format, bytes) ? entry->byName / 4 : entry->byName};
 }
 

@@ -13,7 +13,7 @@ namespace tetra {
 /// The formats that VTK reads for us.
 enum class VtkFormat : std::uint8_t {
     None,
-    Xml,    ///< vti, vtr, vts, vtu, vtp, their parallel ones, vtm
+    Xml,    ///< vti, vtr, vts, vtp, the parallel ones, those of vtu too, vtm
     Legacy, ///< vtk
     Hdf,
     Exodus,
@@ -25,7 +25,6 @@ enum class VtkFormat : std::uint8_t {
     Mrc,
     Tiff,
     Dicom,
-    Plot3d,
     Gambit,
     Fluent,
     OpenFoam,

@@ -46,10 +46,7 @@ std::vector<Parameter> vtkParameters()
         Message::marked("Of files with several blocks or parts: one, by name or number from 1; without it all "
                         "irregular meshes that have the values, or the first grid."),
         "");
-    Parameter solution = textParameter(
-        "solution", Message::marked("Solution file"),
-        Message::marked("The PLOT3D solution of the grid; without it the one beside it with a matching name."), "");
-    return {array, component, time, part, solution};
+    return {array, component, time, part};
 }
 
 VtkRequest vtkRequest(const ParameterValues& values)
@@ -60,7 +57,6 @@ VtkRequest vtkRequest(const ParameterValues& values)
     request.component = parameterValue<std::string>(all, values, "component");
     request.timeStep = parameterValue<std::int64_t>(all, values, "time");
     request.part = parameterValue<std::string>(all, values, "part");
-    request.companion = parameterValue<std::string>(all, values, "solution");
     return request;
 }
 

@@ -7,7 +7,6 @@
 #include "plugins/readers/vtk/vtk_parameters.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace tetra {
 namespace {
@@ -27,7 +26,8 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     request.format = guessVtkFormat(path, bytes.first(std::min(looked, bytes.size()))).format;
     request.path = fs::absolute(path).string();
     if (request.format == VtkFormat::None)
-        return Error{ErrorKind::BadInput, Message::say("it is of no format that VTK reads.")};
+        return Error{ErrorKind::BadInput,
+                     Message::say("it is of no format that TAn leaves to VTK. Let TAn choose the reader.")};
     return request;
 }
 
@@ -52,23 +52,12 @@ std::vector<std::string> VtkReader::nameFilters() const
 
 double VtkReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
 {
-    constexpr double withoutVtk = 0.5; // to say what to install, unless another reader does without VTK
+    constexpr double withoutVtk = 0.5; // to say what to install, unless another reader reads the file
     const VtkGuess guess = guessVtkFormat(path, firstBytes);
     std::error_code ignored;
     if (guess.score > 0 && !fs::exists(helper_, ignored))
         return guess.score * withoutVtk;
-    const std::string_view bytes(reinterpret_cast<const char*>(firstBytes.data()), firstBytes.size());
-    const bool othersReadIt =
-        guess.format == VtkFormat::Xml && bytes.find("UnstructuredGrid") != std::string_view::npos;
-    return guess.score * (othersReadIt && !helperCanStart() ? withoutVtk : 1);
-}
-
-bool VtkReader::helperCanStart() const
-{
-    const std::lock_guard lock(mutex_);
-    if (!canStart_)
-        canStart_ = canStartVtkHelper(helper_);
-    return *canStart_;
+    return guess.score;
 }
 
 std::vector<Parameter> VtkReader::parameters() const

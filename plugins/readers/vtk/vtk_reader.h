@@ -3,9 +3,6 @@
 
 #include "plugins/api/reader.h"
 
-#include <mutex>
-#include <optional>
-
 namespace tetra {
 
 /// Reads what VTK reads (vtk_format.h): grids, irregular meshes and points, with the choice of array, component, time
@@ -24,11 +21,7 @@ public:
                                const Progress& progress) const override;
 
 private:
-    bool helperCanStart() const;
-
     std::filesystem::path helper_;
-    mutable std::mutex mutex_;
-    mutable std::optional<bool> canStart_; ///< once asked for
 };
 
 } // namespace tetra

@@ -238,8 +238,8 @@ private slots:
         QCOMPARE(bytes.error().kind, ErrorKind::OutOfResource);
     }
 
-    /// VTK's readers come first for .vtu; where their helper program cannot start, the others read it.
-    void anotherReaderTakesOver()
+    /// Meshes in .vtu are read without VTK, also where its helper program cannot start.
+    void meshesNeedNoVtk()
     {
         const fs::path built = fs::path(TAN_BINARY_DIR) / "lib/tan/plugins";
         if (!fs::exists(built / "libtan-reader-vtk.so"))

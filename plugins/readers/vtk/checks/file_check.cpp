@@ -53,7 +53,6 @@ Result<CheckedFile> checkBeforeVtk(const VtkRequest& request)
     case VtkFormat::Tiff: return checkTiff(numberedBeside(path));
     case VtkFormat::Dicom: return checkDicom(path);
     case VtkFormat::OpenFoam: return CheckedFile{.bytes = folderBytes(path.parent_path())};
-    case VtkFormat::Plot3d: return CheckedFile{.bytes = boundedProduct(3, fileBytes(path))}; // with its solution
     case VtkFormat::Fluent: return checkFluent(path);
     case VtkFormat::Hdf: return checkVtkHdf(path);
     case VtkFormat::Cgns:

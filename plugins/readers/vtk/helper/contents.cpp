@@ -114,8 +114,8 @@ std::optional<FileContents> contentsFromInformation(vtkAlgorithm& reader)
         contents.domain = type == VTK_IMAGE_DATA ? DomainClass::RegularLattice : DomainClass::Curvilinear;
         if (!addExtent(*information, contents))
             return std::nullopt;
-    } else if (type == VTK_UNSTRUCTURED_GRID || type == VTK_POLY_DATA) {
-        contents.domain = type == VTK_POLY_DATA ? DomainClass::Scattered : DomainClass::Irregular;
+    } else if (type == VTK_POLY_DATA) {
+        contents.domain = DomainClass::Scattered;
         addCounts(reader, contents);
     } else {
         return std::nullopt;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/helper/mesh_sources.h"
 
-#include "plugins/readers/vtk/helper/plot3d_source.h"
 #include "plugins/readers/vtk/helper/tecplot_source.h"
 
 #include <vtkCGNSReader.h>
@@ -111,8 +110,7 @@ Result<VtkSource> makeMeshSource(const VtkRequest& request)
     case VtkFormat::Gambit: return plainSource<vtkGAMBITReader>(request.path);
     case VtkFormat::Fluent: return plainSource<vtkFLUENTReader>(request.path);
     case VtkFormat::OpenFoam: return openFoamSource(request.path);
-    case VtkFormat::Tecplot: return makeTecplotSource(request.path);
-    default: return makePlot3dSource(request);
+    default: return makeTecplotSource(request.path);
     }
 }
 

@@ -14,7 +14,6 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <map>
 #include <string_view>
@@ -32,7 +31,6 @@ template <class Reader> vtkSmartPointer<vtkXMLReader> make()
 const std::map<std::string_view, Make> readers = {{"ImageData", make<vtkXMLImageDataReader>},
                                                   {"RectilinearGrid", make<vtkXMLRectilinearGridReader>},
                                                   {"StructuredGrid", make<vtkXMLStructuredGridReader>},
-                                                  {"UnstructuredGrid", make<vtkXMLUnstructuredGridReader>},
                                                   {"PolyData", make<vtkXMLPolyDataReader>},
                                                   {"PImageData", make<vtkXMLPImageDataReader>},
                                                   {"PRectilinearGrid", make<vtkXMLPRectilinearGridReader>},

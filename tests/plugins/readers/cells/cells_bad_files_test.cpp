@@ -50,7 +50,8 @@ private slots:
         row("array of garbage", "\"heat\" format=\"ascii\"", "\"h\7\" format=\"hex\"", "'h?'");
         row("format of garbage", "\"heat\" format=\"ascii\"", "\"heat\" format=\"\33[m\"", "format '?[m'");
         row("components of garbage", "NumberOfComponents=\"3\"", "NumberOfComponents=\"\33[m\"", "?[m components");
-        row("another packer", "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order", "vtkLZ4DataCompressor");
+        row("another packer", "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order",
+            "packed by vtkLZ4DataCompressor, and only zlib is read. Save it with zlib");
         row("no piece", "<Piece NumberOfPoints", "<Part NumberOfPoints", "no piece");
         row("no counts", "NumberOfCells=\"2\"", "", "how many points");
         row("negative count", "NumberOfPoints=\"6\"", "NumberOfPoints=\"-6\"", "how many points");
@@ -67,6 +68,12 @@ private slots:
         row("corner beyond", "0 1 2 3 4 1 5 2 4", "0 1 2 3 4 1 6 2 4", "corner 6 of 6");
         row("corner counts", ">14 10<", ">12 10<", "another number of corners");
         row("polyhedron", ">14 10<", ">14 42<", "polyhedra");
+        row("another shape", ">14 10<", ">14 71<", "a shape that TAn does not know: number 71");
+        row("no shape", ">14 10<", ">14 250<", "a shape that TAn does not know: number 250");
+        row("time steps", "<UnstructuredGrid", "<UnstructuredGrid TimeValues=\"0 0.5\"", "several time steps");
+        row("cut behind a piece", "</Piece>\n</UnstructuredGrid>\n</VTKFile>", "</Piece>", "damaged or cut short");
+        row("cut behind appended data", "</VTKFile>", "<AppendedData encoding=\"raw\">_123",
+            "within its appended data");
         row("components", "NumberOfComponents=\"3\"", "NumberOfComponents=\"3000000000\"", "3000000000 components");
         row("flat places", "NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"", "three coordinates");
         row("string values", "Float32\" Name=\"heat", "String\" Name=\"heat", "no values");

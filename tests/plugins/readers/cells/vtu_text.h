@@ -11,6 +11,7 @@ namespace tetra {
 struct VtuText {
     std::string fileAttributes = R"(type="UnstructuredGrid" version="0.1" byte_order="LittleEndian")";
     std::string counts = R"(NumberOfPoints="6" NumberOfCells="2")";
+    std::string pointDataAttributes;
     std::string pointData = R"(<DataArray type="Float32" Name="heat" format="ascii">1 2 3 4 5 6</DataArray>)";
     std::string cellData;
     std::string positions = R"(<DataArray type="Float32" NumberOfComponents="3" format="ascii">
@@ -24,9 +25,9 @@ struct VtuText {
     std::string text() const
     {
         return "<?xml version=\"1.0\"?>\n<!-- made > by hand -->\n<VTKFile " + fileAttributes +
-               ">\n<UnstructuredGrid>\n<Piece " + counts + ">\n<PointData>" + pointData + "</PointData>\n<CellData>" +
-               cellData + "</CellData>\n<Points>" + positions + "</Points>\n<Cells>" + connectivity + offsets + types +
-               "</Cells>\n</Piece>\n</UnstructuredGrid>\n" + after + "</VTKFile>\n";
+               ">\n<UnstructuredGrid>\n<Piece " + counts + ">\n<PointData" + pointDataAttributes + ">" + pointData +
+               "</PointData>\n<CellData>" + cellData + "</CellData>\n<Points>" + positions + "</Points>\n<Cells>" +
+               connectivity + offsets + types + "</Cells>\n</Piece>\n</UnstructuredGrid>\n" + after + "</VTKFile>\n";
     }
 };
 

@@ -108,4 +108,43 @@ inline QByteArray testFile(
     return file.bytes();
 }
 
+/// The same in text, five numbers a line. `style` may ask for several grids and iblank.
+inline QByteArray testText(
+    const Plot3dStyle& style, bool solution, const std::function<std::int32_t(int)>& iblankOf = [](int) { return 1; })
+{
+    QByteArray text;
+    int column = 0;
+    const auto add = [&](double number) {
+        constexpr int columns = 5;
+        text += " " + QByteArray::number(number, 'g', 9) + (++column % columns == 0 ? "\n" : "");
+    };
+    const auto endLine = [&] {
+        text += "\n";
+        column = 0;
+    };
+    if (style.multiGrid)
+        text += QByteArray::number(style.grids) + "\n";
+    for (std::int32_t grid = 0; grid < style.grids; ++grid) {
+        for (const std::int32_t number : testSize(grid))
+            add(number);
+        endLine();
+    }
+    for (std::int32_t grid = 0; grid < style.grids; ++grid) {
+        const int points = (3 + grid) * 20;
+        if (solution)
+            for (int i = 0; i < 4; ++i)
+                add(i);
+        endLine();
+        for (int component = 0; component < (solution ? 5 : 3); ++component)
+            for (int n = 0; n < points; ++n)
+                add(solution ? testQuantity(component, n) : testCoordinate(component, n, grid));
+        endLine();
+        if (style.iblank && !solution)
+            for (int n = 0; n < points; ++n)
+                add(iblankOf(n));
+        endLine();
+    }
+    return text;
+}
+
 } // namespace tetra

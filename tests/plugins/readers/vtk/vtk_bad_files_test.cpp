@@ -114,7 +114,7 @@ private slots:
     {
         QFETCH(QByteArray, name);
         QFETCH(QByteArray, content);
-        const auto dataset = builtVtkReader().read(folder_.write(name, content), {}, {});
+        const auto dataset = readerOf(name.toStdString()).read(folder_.write(name, content), {}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(isWhole(*dataset));
     }
@@ -124,7 +124,7 @@ private slots:
     {
         QStringList accepted;
         for (const BadFile& file : wrongFiles()) {
-            const auto dataset = builtVtkReader().read(folder_.write(file.name, file.content), {}, {});
+            const auto dataset = readerOf(file.name.toStdString()).read(folder_.write(file.name, file.content), {}, {});
             if (dataset)
                 accepted << file.name + ": " + file.what;
             else
@@ -179,19 +179,25 @@ private slots:
         row("a section that VTK does not know", "a.case",
             "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: no.geo\nMATERIAL\nmaterial set number: 1\n", "'MATERIAL'");
         row("components without end", "a.vtu",
-            with(vtuText(), "NumberOfComponents=\"1\"", "NumberOfComponents=\"4294967297\""),
-            "'4294967297' components");
+            with(vtuText(), "NumberOfComponents=\"1\"", "NumberOfComponents=\"4294967297\""), "4294967297 components");
         row("elements in one another without end", "a.vti",
             "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\" version=\"1.0\">" + QByteArray("<a>").repeated(300'000),
             "deep in one another");
         QByteArray attributes = "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\"";
         for (int n = 0; n < 100'000; ++n)
             attributes += " a" + QByteArray::number(n) + "=\"1\"";
-        row("attributes without end", "a.vtu", attributes + ">", "attributes");
+        row("attributes without end", "a.vtu", attributes + ">", "damaged or cut short");
+        row("attributes of an image without end", "a.vti",
+            QByteArray(attributes).replace("UnstructuredGrid", "ImageData") + ">", "attributes");
         row("more cells than bytes", "a.vtu", with(vtuText(), "NumberOfCells=\"2\"", "NumberOfCells=\"1000000000\""),
-            "1000000000 points or cells");
+            "too short for 1000000000 numbers");
         row("text that is none", "a.vtu",
-            "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\">" + QByteArray(1000, '\0'), "VTK says");
+            "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\">" + QByteArray(1000, '\0'),
+            "damaged or cut short");
+        row("text of points that is none", "a.vtp",
+            "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\">" + QByteArray(1000, '\0'), "VTK says");
+        row("more points than bytes", "a.vtp", with(vtpText(), "NumberOfPoints=\"5\"", "NumberOfPoints=\"1000000000\""),
+            "1000000000 points or cells");
         row("Tecplot that is cut", "hang.tec",
             "TITLE=\"TEST\"\nVARIABLES=\"X\",\"Y\",\"Z\",\"P\"\nZONE T=\"ZONE1\", N=", "ends within its header");
         row("an unknown dataset", "a.vtk", with(legacyText(), "STRUCTURED_POINTS", "TEAPOTS"), "TEAPOTS");
@@ -204,7 +210,7 @@ private slots:
         QFETCH(QByteArray, told);
         QElapsedTimer timer;
         timer.start();
-        const auto dataset = builtVtkReader().read(folder_.write(name, content), {}, {});
+        const auto dataset = readerOf(name.toStdString()).read(folder_.write(name, content), {}, {});
         QVERIFY(!dataset.ok());
         const std::string& text = dataset.error().text();
         QVERIFY2(text.find(told.toStdString()) != std::string::npos, text.c_str());
@@ -256,7 +262,7 @@ private slots:
         QFETCH(QByteArray, name);
         QFETCH(QByteArray, content);
         for (const BadFile& file : damaged(name, content)) {
-            const auto dataset = builtVtkReader().read(folder_.write(file.name, file.content), {}, {});
+            const auto dataset = readerOf(file.name.toStdString()).read(folder_.write(file.name, file.content), {}, {});
             if (dataset)
                 QVERIFY2(isWhole(*dataset), file.what.constData());
             else

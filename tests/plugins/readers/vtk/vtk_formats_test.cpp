@@ -35,7 +35,9 @@ private slots:
         for (const char* start :
              {"TITLE,VARIABLES\n1,2", "variables x y z\n", "TITLE = a poem\n", "\"TITLE = \" VARIABLES"})
             QVERIFY2(guess("flow.dat", start).format == VtkFormat::None, start);
-        QVERIFY(guess("a.vtu", "whatever").format == VtkFormat::Xml);
+        QVERIFY(guess("a.vti", "whatever").format == VtkFormat::Xml);
+        QVERIFY(guess("a.pvtu", "<VTKFile type=\"PUnstructuredGrid\">").format == VtkFormat::Xml);
+        QVERIFY(guess("a.vtu", "<VTKFile type=\"ImageData\">").format == VtkFormat::Xml);
         QVERIFY(guess("a.nrrd", "NRRD0004").format == VtkFormat::None);
         QVERIFY(guess("a.csv", "x,y,z,v").format == VtkFormat::None);
         QVERIFY(guess("vtk", "x").format == VtkFormat::None);
@@ -44,11 +46,12 @@ private slots:
     /// Other readers' files are left to them.
     void scoresLeaveRoom()
     {
-        QCOMPARE(guess("a.vtu", vtuText()).score, 0.9);
+        QCOMPARE(guess("a.vti", vtiText()).score, 0.9);
+        for (const QByteArray& text :
+             {vtuText(), QByteArray("whatever"), QByteArray("<VTKFile type='UnstructuredGrid'")})
+            QCOMPARE(guess("a.vtu", text).score, 0.);
         QVERIFY(guess("a.g", "PLOT3D?").score < 0.2);
-        QVERIFY(guess("a.xyz", "3 4 5\n0.1 0.2\n").score > 0.8);
-        QVERIFY(guess("a.xyz", "3\nwater\nO 0 0 0\n").score < 0.2);
-        QVERIFY(guess("a.xyz", "1 2 3 4\n5 6 7 8\n").score < 0.2);
+        QCOMPARE(guess("a.xyz", "3 4 5\n0.1 0.2\n").score, 0.);
         QVERIFY(guess("a.e", "no NetCDF").score < 0.2);
         QCOMPARE(guess("a.nrrd", "NRRD0004").score, 0.);
     }
@@ -66,15 +69,25 @@ private slots:
     {
         const VtkFolder folder;
         const VtkReader reader(folder.path() / "tan-read-vtk");
-        const QByteArray text = vtuText();
+        const QByteArray text = vtiText();
         const double score =
-            reader.score("a.vtu", std::as_bytes(std::span(text.constData(), std::size_t(text.size()))));
-        QVERIFY(score > 0 && score < 0.5); // a reader that needs no VTK comes first
+            reader.score("a.vti", std::as_bytes(std::span(text.constData(), std::size_t(text.size()))));
+        QVERIFY(score > 0 && score < 0.5); // a reader that reads the file comes first
         const auto dataset = reader.read(folder.write("a.vti", vtiText()), {}, {});
         QVERIFY(!dataset.ok());
         QVERIFY2(dataset.error().text().find("apt install ./tan-vtk-readers") != std::string::npos,
                  dataset.error().text().c_str());
         QVERIFY2(dataset.error().text().find("The VTK readers are not installed") != std::string::npos,
+                 dataset.error().text().c_str());
+    }
+
+    /// Of a file that another reader reads, if the user chose this one.
+    void filesOfOthersAreToldAsThat()
+    {
+        const VtkFolder folder;
+        const auto dataset = builtVtkReader().read(folder.write("a.vtu", vtuText()), {}, {});
+        QVERIFY(!dataset.ok());
+        QVERIFY2(dataset.error().text().find("Let TAn choose the reader") != std::string::npos,
                  dataset.error().text().c_str());
     }
 

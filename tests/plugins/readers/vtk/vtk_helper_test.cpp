@@ -232,28 +232,6 @@ private slots:
         QVERIFY2(busy.error().text().find("crashed") != std::string::npos, busy.error().text().c_str());
     }
 
-    /// Where the helper cannot start, another reader of .vtu comes first.
-    void aBrokenHelperLeavesFilesToOthers()
-    {
-        const auto broken = folder_.write("broken", "\x7f"
-                                                    "ELF, as it were");
-        std::filesystem::permissions(broken, std::filesystem::perms::owner_all);
-        QVERIFY(!canStartVtkHelper(broken));
-        QVERIFY(!canStartVtkHelper(folder_.path() / "missing"));
-        const QByteArray text = vtuText();
-        const auto bytes = std::as_bytes(std::span(text.constData(), std::size_t(text.size())));
-        const VtkReader reader(broken);
-        QVERIFY(reader.score("a.vtu", bytes) < 0.5);
-        const auto read = reader.read(folder_.write("a.vtu", text), {}, {});
-        QVERIFY(!read.ok());
-        QVERIFY2(read.error().text().find("cannot be started") != std::string::npos, read.error().text().c_str());
-        const auto real = std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-vtk";
-        if (std::filesystem::exists(real)) {
-            QVERIFY(canStartVtkHelper(real));
-            QVERIFY(VtkReader(real).score("a.vtu", bytes) > 0.8);
-        }
-    }
-
 private:
     std::filesystem::path scripted(const QByteArray& text)
     {

@@ -76,7 +76,7 @@ void VtkRealDataTest::numbersAreThoseOfTheDescription()
     const auto path = std::filesystem::path(TAN_SOURCE_DIR) / "../shared/data" / file.toStdString();
     if (!std::filesystem::exists(path))
         QSKIP("skipped: no data");
-    const auto dataset = builtVtkReader().read(path, {{"array", array.toStdString()}}, {});
+    const auto dataset = readerOf(path).read(path, {{"array", array.toStdString()}}, {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QCOMPARE(QString::fromStdString(std::string(domainClassName(dataset->domain))), kind);
     QCOMPARE(dataset->pointCount(), std::uint64_t(points));
@@ -88,7 +88,7 @@ void VtkRealDataTest::numbersAreThoseOfTheDescription()
     QVERIFY(std::abs(dataset->values.range().minimum - smallest) < slack);
     QVERIFY(std::abs(dataset->values.range().maximum - largest) < slack);
 
-    const auto contents = builtVtkReader().probe(path, {}, {});
+    const auto contents = readerOf(path).probe(path, {}, {});
     QVERIFY2(contents.ok(), contents.ok() ? "" : contents.error().text().c_str());
     QVERIFY(!contents->arrays.empty());
     if (contents->domain)

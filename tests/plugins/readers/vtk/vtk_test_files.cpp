@@ -2,6 +2,9 @@
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
 #include "plugins/host/plugin_guards.h"
+#include "plugins/readers/cells/cells_reader.h"
+#include "plugins/readers/plot3d/plot3d_reader.h"
+#include "tests/plugins/as_loaded.h"
 
 #include <QFile>
 
@@ -56,6 +59,14 @@ const Reader& builtVtkReader()
     static const VtkReader reader(std::filesystem::path(TAN_BINARY_DIR) / "lib/tan/plugins/tan-read-vtk");
     static const auto guard = guarded(reader, {"vtk", [](const Error&) {}});
     return *guard;
+}
+
+const Reader& readerOf(const std::filesystem::path& path)
+{
+    const std::string ending = fileEnding(path);
+    if (ending == ".vtu")
+        return asLoaded<CellsReader>();
+    return ending == ".xyz" ? asLoaded<Plot3dReader>() : builtVtkReader();
 }
 
 QByteArray vtiText()

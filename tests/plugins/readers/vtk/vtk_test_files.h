@@ -16,6 +16,10 @@ namespace tetra {
 /// The reader with the helper program of this build, as the program has it.
 const Reader& builtVtkReader();
 
+/// The reader that the program takes for a file of VTK's: builtVtkReader(), or for .vtu and PLOT3D files one of our
+/// own.
+const Reader& readerOf(const std::filesystem::path& path);
+
 /// Small VTK files in text, 3 x 3 x 3 points with the scalar "value" (n at point n), and for vtu and vtk of tetrahedra
 /// two tetrahedra over five points.
 QByteArray vtiText();
