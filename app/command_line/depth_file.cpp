@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/depth_file.h"
 
-#include "app/command_line/png_file.h"
 #include "core/base/text.h"
+#include "ui/workbench/picture_file.h"
 
 #include <QImage>
 
@@ -53,7 +53,7 @@ Result<DepthScale> writeDepth(const std::filesystem::path& path, const Picture& 
     }
     image.setText("nearest", QString::fromStdString(formatNumber(scale.nearest)));
     image.setText("farthest", QString::fromStdString(formatNumber(scale.farthest)));
-    if (const Status written = writePng(path, image); !written)
+    if (const Status written = writePicture(image, path); !written)
         return written.error();
     return scale;
 }

@@ -4,7 +4,6 @@
 #include "app/command_line/depth_file.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
-#include "app/command_line/png_file.h"
 #include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
 #include "app/command_line/render_request.h"
@@ -12,8 +11,7 @@
 #include "app/command_line/table.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/output_check.h"
-#include "ui/session/picture_texts.h"
-#include "ui/session/text_file.h"
+#include "ui/session/session_document.h"
 #include "ui/workbench/field_extent.h"
 #include "ui/workbench/view_picture.h"
 
@@ -143,20 +141,6 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     return view;
 }
 
-Result<SessionDocument> readSession(const std::filesystem::path& path)
-{
-    const auto text = isPictureFile(path) ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
-    if (!text)
-        return text.error();
-    if (text->empty() && isPictureFile(path))
-        return Error{ErrorKind::BadInput,
-                     "The picture '" + path.string() + "' does not say how it was made. Give a model or a session."};
-    auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
-    if (!document)
-        return Error{document.error().kind, path.string() + ": " + document.error().text()};
-    return document;
-}
-
 /// All else is what a session says.
 Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
 {
@@ -240,14 +224,6 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     return PreparedScene{view.picture, figures, built->mesh.tetrahedra};
 }
 
-std::size_t triangleCount(const Scene& scene)
-{
-    std::size_t count = 0;
-    for (const Surface* surface : shapesOf<Surface>(scene))
-        count += surface->mesh ? surface->mesh->triangles.size() : 0;
-    return count;
-}
-
 void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
 {
     figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
@@ -264,7 +240,7 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
 {
     const std::string cells = std::to_string(tetrahedra) + " tetrahedra";
     const std::string triangles = std::to_string(triangleCount(scene)) + " triangles";
-    if (shapesOf<Volume>(scene).empty() && shapesOf<FocusVolume>(scene).empty())
+    if (!hasVolume(scene))
         return triangles + " from " + cells;
     return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
@@ -279,7 +255,7 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, const
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    return writePng(request.output, finishedPicture(order, picture));
+    return writePicture(finishedPicture(order, picture), request.output);
 }
 
 PictureOrder orderOf(const RenderRequest& request, const PreparedScene& prepared, bool isOfSession,

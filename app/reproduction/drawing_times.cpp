@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/drawing_times.h"
 
-#include "plugins/api/scene_parameters.h"
-
-#include <tan/render.h>
+#include "ui/workbench/field_extent.h"
+#include "ui/workbench/view_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -13,27 +12,20 @@ namespace tetra {
 namespace {
 
 constexpr std::size_t turns = 3; ///< pictures, of which the median counts
-constexpr int histogramParts = 256;
 
-ParameterValues valuesFor(const ModelDescription& data, const TetrahedralMesh& mesh, double isovalue)
+Result<double> timePicture(const std::shared_ptr<const Scene>& scene, const Camera& camera, const Progress& progress)
 {
-    const FieldExtent field{data.range, data.bounds,
-                            volumeHistogram(mesh, data.range.minimum, data.range.maximum, histogramParts)};
-    Isovalue shown = std::get<std::vector<Isovalue>>(isovaluesParameter(field).defaultValue).front();
-    shown.value = isovalue;
-    return {{isovaluesId, std::vector{shown}}, {transferId, transferParameter(field).defaultValue}};
-}
-
-Result<double> timePicture(const Scene& scene, const Camera& camera, const Progress& progress)
-{
-    PictureOptions options;
-    options.width = options.height = timedPictureSide;
-    options.samplesPerAxis = 1;
+    const PictureOrder order{.scene = scene,
+                             .camera = camera,
+                             .background = {1, 1, 1},
+                             .width = timedPictureSide,
+                             .height = timedPictureSide,
+                             .samplesPerAxis = 1};
     std::array<double, turns> seconds{};
     for (double& one : seconds) {
-        const auto backend = makeCpuBackend(); // that knows nothing yet
+        ScenePipeline unused; // its back end knows nothing yet
         const auto start = std::chrono::steady_clock::now();
-        if (const auto picture = backend->render(scene, camera, options, progress); !picture)
+        if (const auto picture = unused.draw(order, false, progress); !picture)
             return picture.error();
         one = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
@@ -43,24 +35,27 @@ Result<double> timePicture(const Scene& scene, const Camera& camera, const Progr
 
 } // namespace
 
-Result<DrawingTimes> measureDrawing(PluginHost& host, const ModelDescription& data,
-                                    const std::shared_ptr<const TetrahedralMesh>& mesh, double isovalue,
-                                    const Progress& progress)
+Result<DrawingTimes> measureDrawing(PluginHost& host, const std::shared_ptr<const Model>& model, const MeshQuery& query,
+                                    double isovalue, const Progress& progress)
 {
-    const Eigen::AlignedBox3d bounds = data.bounds;
-    const Camera camera = fitted(Camera(), bounds);
-    const ParameterValues values = valuesFor(data, *mesh, isovalue);
+    const FieldExtent field = extentOf(*model);
+    ViewValue view = startingView(renderingModes(host), *model, field);
+    view.appearance.settings.clear();
+    view.isovalues = {Isovalue{isovalue}};
+    ScenePipeline pipeline;
     DrawingTimes times;
     for (const auto& [id, time] : {std::pair("isosurface", &times.surface), std::pair("volume", &times.volume),
                                    std::pair("hybrid", &times.hybrid)}) {
         const auto renderer = host.renderer(id);
         if (!renderer)
             return renderer.error();
-        const auto scene = renderer->plugin->open({.mesh = mesh, .bounds = bounds})
-                               ->prepare({values, camera, timedPictureSide, timedPictureSide}, progress);
-        if (!scene)
-            return scene.error();
-        const auto seconds = timePicture(**scene, camera, progress);
+        SceneRequest request = sceneOf(model, renderer->plugin, renderer->plugin->parameters(field), view);
+        request.query = query;
+        request.width = request.height = timedPictureSide;
+        const auto built = pipeline.make(request, progress);
+        if (!built)
+            return built.error();
+        const auto seconds = timePicture(built->scene, view.camera, progress);
         if (!seconds)
             return seconds.error();
         *time = *seconds;

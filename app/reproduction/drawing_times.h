@@ -4,8 +4,8 @@
 #include "plugins/host/plugin_host.h"
 
 #include <tan/base.h>
-#include <tan/mesh.h>
 #include <tan/model.h>
+#include <tan/query.h>
 
 #include <memory>
 
@@ -22,10 +22,9 @@ struct DrawingTimes {
 /// The pictures that are timed are square, with so many pixels along a side and one sample in each.
 inline constexpr int timedPictureSide = 512;
 
-/// Draws each picture a few times and takes the medians. Errors: a renderer that is missing, not enough memory,
-/// cancelled.
-Result<DrawingTimes> measureDrawing(PluginHost& host, const ModelDescription& data,
-                                    const std::shared_ptr<const TetrahedralMesh>& mesh, double isovalue,
-                                    const Progress& progress);
+/// Draws each picture of such a mesh a few times and takes the medians. Errors: a renderer that is missing, not enough
+/// memory, cancelled.
+Result<DrawingTimes> measureDrawing(PluginHost& host, const std::shared_ptr<const Model>& model, const MeshQuery& query,
+                                    double isovalue, const Progress& progress);
 
 } // namespace tetra

@@ -90,28 +90,44 @@ Result<ReproducedModel> build(PluginHost& host, const Job& job, const std::files
     return result;
 }
 
+/// How many triangles the surface has, and how long it takes to extract it.
+struct TimedSurface {
+    std::size_t triangles = 0;
+    double seconds = 0;
+};
+
+Result<TimedSurface> timeSurface(const Model& model, std::uint32_t sites, double isovalue, const Progress& progress)
+{
+    const auto mesh = extractPrefix(model, sites, progress);
+    if (!mesh)
+        return mesh.error();
+    const auto start = std::chrono::steady_clock::now();
+    const auto surface = extractIsosurface(*mesh, vertexGradients(*mesh), isovalue, progress);
+    if (!surface)
+        return surface.error();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    return TimedSurface{surface->triangles.size(), elapsed.count()};
+}
+
 Result<ReproducedSurface> measure(PluginHost& host, const ReproducedModel& model, const PaperSurface& paper,
                                   const Progress& progress)
 {
     const MeshSize size = meshSizeAt(*model.model, {.error = paper.error, .warping = paper.warping});
-    auto extracted = extractPrefix(*model.model, size.sites, progress);
-    if (!extracted)
-        return extracted.error();
-    const auto mesh = std::make_shared<const TetrahedralMesh>(*std::move(extracted));
-    const auto start = std::chrono::steady_clock::now();
-    const auto surface = extractIsosurface(*mesh, vertexGradients(*mesh), paper.isovalue, progress);
+    const auto surface = timeSurface(*model.model, size.sites, paper.isovalue, progress);
     if (!surface)
         return surface.error();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    const auto times = measureDrawing(host, model.model->description(), mesh, paper.isovalue, progress);
+    MeshQuery query;
+    query.error = paper.error;
+    query.warping = paper.warping;
+    const auto times = measureDrawing(host, model.model, query, paper.isovalue, progress);
     if (!times)
         return times.error();
     return ReproducedSurface{.paper = paper,
                              .variant = model.experiment.variant,
                              .sites = size.sites,
                              .tetrahedra = size.tetrahedra,
-                             .triangles = surface->triangles.size(),
-                             .extractionSeconds = elapsed.count(),
+                             .triangles = surface->triangles,
+                             .extractionSeconds = surface->seconds,
                              .times = *times};
 }
 

@@ -40,6 +40,16 @@ QIcon swatch(const QColor& colour, const QPalette& palette, qreal ratio)
 
 } // namespace
 
+QColor qtColour(const Colour& colour)
+{
+    return QColor::fromRgbF(colour.red, colour.green, colour.blue);
+}
+
+Colour colourOf(const QColor& colour)
+{
+    return {colour.redF(), colour.greenF(), colour.blueF()};
+}
+
 ColourButton::ColourButton(QWidget* parent) : QToolButton(parent)
 {
     setPopupMode(QToolButton::InstantPopup);

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/mesh.h>
+
 #include <QColor>
 #include <QToolButton>
 
 namespace tetra {
+
+/// The same colour as Qt's, and back.
+QColor qtColour(const Colour& colour);
+Colour colourOf(const QColor& colour);
 
 /// Shows a colour; its menu offers the palette's colours and any other.
 class ColourButton : public QToolButton {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures and films of what the window shows: dialogs, files and what they say of themselves.
 #include "tests/ui/sample_window.h"
-#include "ui/session/picture_texts.h"
+#include "ui/session/session_document.h"
 #include "ui/window/picture_orders.h"
 
 #include <QCheckBox>
@@ -247,7 +247,15 @@ void OutputTest::thePictureIsCopied()
     QCOMPARE(window_->find<QAction>("action.copyPicture").shortcut(), QKeySequence("Ctrl+Shift+C"));
     window_->find<QAction>("action.copyPicture").trigger();
     QTRY_VERIFY(!QGuiApplication::clipboard()->image().isNull());
-    QCOMPARE(QGuiApplication::clipboard()->image().size(), pixelsOf(window_->viewport()));
+    const QImage copied = QGuiApplication::clipboard()->image();
+    QCOMPARE(copied.size(), pixelsOf(window_->viewport()));
+    PictureOrder order = pictureOrder(window_->workbench, window_->viewport(), settings(copied.size()));
+    order.target = window_->folder.filePath("saved.png").toStdString();
+    const QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
+    window_->workbench.exporting().savePicture(order);
+    QTRY_COMPARE(saved.count(), 1);
+    const QImage expected(window_->folder.filePath("saved.png"));
+    QVERIFY(copied.convertToFormat(QImage::Format_RGB32) == expected.convertToFormat(QImage::Format_RGB32));
 }
 
 QTEST_MAIN(OutputTest)

@@ -87,7 +87,7 @@ void IsovalueRow::connectControls()
 void IsovalueRow::refresh()
 {
     visible_->setChecked(isovalue().visible);
-    colour_->setColour(QColor::fromRgbF(isovalue().red, isovalue().green, isovalue().blue));
+    colour_->setColour(qtColour({isovalue().red, isovalue().green, isovalue().blue}));
     value_->setValue(isovalue().value);
     opacity_->setValue(isovalue().opacity * 100.0);
 }

@@ -137,21 +137,12 @@ Control controlFor(const Parameter& parameter, const std::string& value)
             }};
 }
 
-QColor shownColour(const Colour& colour)
-{
-    return QColor::fromRgbF(colour.red, colour.green, colour.blue);
-}
-
 Control controlFor(const Parameter& /*parameter*/, const Colour& value)
 {
     auto* button = new ColourButton;
-    button->setColour(shownColour(value));
-    return {button,
-            [button] {
-                const QColor& colour = button->colour();
-                return Colour{colour.redF(), colour.greenF(), colour.blueF()};
-            },
-            [button](const ParameterValue& shown) { button->setColour(shownColour(std::get<Colour>(shown))); }};
+    button->setColour(qtColour(value));
+    return {button, [button] { return colourOf(button->colour()); },
+            [button](const ParameterValue& shown) { button->setColour(qtColour(std::get<Colour>(shown))); }};
 }
 
 Control controlFor(const Parameter& parameter, const Eigen::Vector3d& value)

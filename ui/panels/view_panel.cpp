@@ -44,11 +44,6 @@ constexpr std::array namedButtons{
     NamedButton{NamedView::Bottom, "bottom", QT_TRANSLATE_NOOP("tetra::ViewPanel", "Bottom")},
 };
 
-QColor qtColour(const Colour& colour)
-{
-    return QColor::fromRgbF(colour.red, colour.green, colour.blue);
-}
-
 void setUp(ValueBox& box, const char* name, const QString& text, const QString& suffix, const QString& toolTip)
 {
     box.setObjectName(QString("view.") + name);
@@ -236,11 +231,8 @@ void ViewPanel::connectControls()
     });
     connect(turning_, &QComboBox::activated, this,
             [this](int index) { edit([index](Camera& camera) { camera.trackball = index == 1; }); });
-    connect(background_, &ColourButton::colourChosen, this, [this](const QColor& colour) {
-        workbench_.session().setBackground(Colour{static_cast<float>(colour.redF()),
-                                                  static_cast<float>(colour.greenF()),
-                                                  static_cast<float>(colour.blueF())});
-    });
+    connect(background_, &ColourButton::colourChosen, this,
+            [this](const QColor& colour) { workbench_.session().setBackground(colourOf(colour)); });
     connect(usualBackground_, &QToolButton::clicked, this,
             [this] { workbench_.session().setBackground(std::nullopt); });
     connect(load_, &QPushButton::clicked, this, [this] {

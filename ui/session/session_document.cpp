@@ -2,9 +2,13 @@
 #include "ui/session/session_document.h"
 
 #include "ui/session/target_path.h"
+#include "ui/session/text_file.h"
 #include "ui/session/view_json.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
+#include <QImageReader>
 #include <QJsonDocument>
 
 #include <cstring>
@@ -52,6 +56,19 @@ Result<QJsonObject> objectOf(std::string_view text)
     if (object.value("version").toInt() != formatVersion)
         return wrong(Message::say("this program knows version %1 of sessions only.", formatVersion));
     return object;
+}
+
+const QString& sessionKey()
+{
+    static const QString key = "TAn-session"; // with a blank Qt would not find it
+    return key;
+}
+
+/// On one line, and without two blanks side by side: Qt makes one of them when it reads.
+QString oneLine(const std::string& json)
+{
+    QString text = QJsonDocument::fromJson(QByteArray::fromStdString(json)).toJson(QJsonDocument::Compact);
+    return text.replace("  ", " \\u0020");
 }
 
 } // namespace
@@ -140,6 +157,42 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
         error = Error{ErrorKind::BadInput, Message::say("it names no model in \"model.path\".")};
     if (error)
         return wrong(error->message);
+    return document;
+}
+
+std::map<QString, QString> pictureTexts(const SessionDocument& document, const QString& accuracy,
+                                        const std::filesystem::path& folder)
+{
+    return {{"Software", QString("TAn %1").arg(QCoreApplication::applicationVersion())},
+            {"Title", QFileInfo(pathText(document.model)).completeBaseName()},
+            {"Description", accuracy},
+            {sessionKey(), oneLine(sessionToText(document, folder))}};
+}
+
+std::string sessionInPicture(const std::filesystem::path& path)
+{
+    QImageReader reader(pathText(path), "png");
+    return reader.text(sessionKey()).toStdString();
+}
+
+bool isPictureFile(const std::filesystem::path& path)
+{
+    return QFileInfo(pathText(path)).suffix().compare("png", Qt::CaseInsensitive) == 0;
+}
+
+Result<SessionDocument> readSession(const std::filesystem::path& path)
+{
+    const bool isPicture = isPictureFile(path);
+    const auto text = isPicture ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
+    if (!text)
+        return text.error();
+    if (isPicture && text->empty())
+        return Error{ErrorKind::BadInput, Message::say("The picture '%1' does not say how it was made. Choose a model "
+                                                       "or a session.",
+                                                       path.string())};
+    auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
+    if (!document)
+        return Error{document.error().kind, Message::say("%1: %2", path.string(), document.error().message)};
     return document;
 }
 

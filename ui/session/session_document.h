@@ -9,9 +9,11 @@
 #include <Eigen/Geometry>
 
 #include <QJsonObject>
+#include <QString>
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,5 +52,19 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
 
 /// What the text leaves open is as `SessionDocument` has it, a focus of no shape and so on. Errors name the key.
 Result<SessionDocument> sessionFromText(std::string_view text, const std::filesystem::path& folder);
+
+/// What a PNG file says of how it was made, by keywords: "Software", "Title", "Description" with the accuracy, and in
+/// "TAn-session" the session in our JSON, by which the picture can be made again.
+std::map<QString, QString> pictureTexts(const SessionDocument& document, const QString& accuracy,
+                                        const std::filesystem::path& folder);
+
+/// The session that a PNG file holds; empty if it holds none or cannot be read. Reads no pixels.
+std::string sessionInPicture(const std::filesystem::path& path);
+
+/// Whether the file's name is that of a PNG picture.
+bool isPictureFile(const std::filesystem::path& path);
+
+/// Reads a session from a file of its own or from a picture that holds one. Errors name the file.
+Result<SessionDocument> readSession(const std::filesystem::path& path);
 
 } // namespace tetra

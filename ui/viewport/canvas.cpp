@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/canvas.h"
 
+#include "plugins/widgets/colour_button.h"
 #include "ui/session/message_text.h"
 #include "ui/workbench/picture_image.h"
+#include "ui/workbench/scene_pipeline.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -15,7 +17,6 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 namespace tetra {
 namespace {
@@ -101,9 +102,8 @@ std::vector<FrameLevel> frameLevels(const View& view)
     for (const SceneLevel& level : view.levels) {
         FrameLevel& added = levels.emplace_back();
         added.tetrahedra = static_cast<double>(level.tetrahedra);
-        added.isVolume = !shapesOf<Volume>(*level.scene).empty() || !shapesOf<FocusVolume>(*level.scene).empty();
-        for (const Surface* surface : shapesOf<Surface>(*level.scene))
-            added.triangles += surface->mesh ? static_cast<double>(surface->mesh->triangles.size()) : 0;
+        added.isVolume = hasVolume(*level.scene);
+        added.triangles = static_cast<double>(triangleCount(*level.scene));
     }
     return levels;
 }
@@ -254,9 +254,7 @@ Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::st
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
     Scene scene = order.level.scene ? *order.level.scene : nothing;
-    for (Drawable& drawable : scene.drawables)
-        if (auto* lines = std::get_if<LineSet>(&drawable.shape)) // as wide as in the full picture
-            lines->width = static_cast<float>(lines->width / order.reduction);
+    scaleLines(scene, 1 / order.reduction); // as wide as in the full picture
     const auto picture = backend.render(scene, order.camera, order.options, Progress(stop, {}));
     if (picture) {
         drawn.image = imageOf(*picture);
@@ -310,7 +308,7 @@ void Canvas::paintEvent(QPaintEvent* event)
     Q_UNUSED(event);
     QPainter painter(this);
     if (shown_.isNull()) {
-        painter.fillRect(rect(), QColor::fromRgbF(view_.background.red, view_.background.green, view_.background.blue));
+        painter.fillRect(rect(), qtColour(view_.background));
         return;
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != pixels());

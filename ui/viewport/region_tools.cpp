@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/region_tools.h"
 
+#include "plugins/widgets/colour_button.h"
 #include "ui/viewport/region_painter.h"
 #include "ui/viewport/viewport.h"
 
@@ -302,7 +303,7 @@ void RegionTools::showOutlines()
     outlined_ = std::move(outlined);
     std::vector<LineSet> outlines;
     for (const auto& [place, colour] : outlined_)
-        outlines.push_back(outlineOf(place, {colour.redF(), colour.greenF(), colour.blueF()}, outlineWidth));
+        outlines.push_back(outlineOf(place, colourOf(colour), outlineWidth));
     viewport_.setOutlines(std::move(outlines));
 }
 

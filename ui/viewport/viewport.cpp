@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
-#include <variant>
 
 namespace tetra {
 namespace {
@@ -139,7 +138,7 @@ void Viewport::setOutlines(std::vector<LineSet> outlines)
 /// The scene with the outlines, which may stick out of the domain, and lines as wide on any screen.
 SceneLevel Viewport::withOutlines(const SceneLevel& level) const
 {
-    const auto pixelsPerUnit = static_cast<float>(devicePixelRatioF());
+    const double pixelsPerUnit = devicePixelRatioF();
     if (outlines_.empty() && pixelsPerUnit == 1)
         return level;
     auto scene = std::make_shared<Scene>(*level.scene);
@@ -148,9 +147,7 @@ SceneLevel Viewport::withOutlines(const SceneLevel& level) const
             scene->bounds.extend(point.cast<double>());
         scene->drawables.push_back({.id = "tool-outline-" + std::to_string(i + 1), .shape = outlines_[i]});
     }
-    for (Drawable& drawable : scene->drawables)
-        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
-            lines->width *= pixelsPerUnit;
+    scaleLines(*scene, pixelsPerUnit);
     return {std::move(scene), level.tetrahedra};
 }
 

@@ -21,16 +21,6 @@ class ActionTexts {
     Q_DECLARE_TR_FUNCTIONS(Actions)
 };
 
-QAction* add(QMenu* menu, const char* name, const QString& text, const QKeySequence& shortcut, const QString& toolTip)
-{
-    QAction* action = menu->addAction(text);
-    action->setObjectName(QString("action.") + name);
-    action->setShortcut(shortcut);
-    const QString keys = shortcut.toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? toolTip : ActionTexts::tr("%1 (%2)").arg(toolTip, keys));
-    return action;
-}
-
 QMenu* addMenu(QMainWindow& window, const char* name, const QString& text)
 {
     QMenu* menu = window.menuBar()->addMenu(text);
@@ -55,39 +45,40 @@ void addSamples(QMenu* menu)
 void addFileMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "file", ActionTexts::tr("&File"));
-    actions.open =
-        add(menu, "open", ActionTexts::tr("&Open…"), QKeySequence::Open, ActionTexts::tr("Open a dataset or a model"));
+    actions.open = addAction(*menu, "open", ActionTexts::tr("&Open…"), QKeySequence::Open,
+                             ActionTexts::tr("Open a dataset or a model"));
     actions.open->setIcon(glyphIcon(Glyph::Open));
     actions.openWithOptions =
-        add(menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
-            ActionTexts::tr("Open a part of a dataset, or choose how its file is read"));
+        addAction(*menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
+                  ActionTexts::tr("Open a part of a dataset, or choose how its file is read"));
     actions.recent = menu->addMenu(ActionTexts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
     actions.samples = menu->addMenu(ActionTexts::tr("Open Samp&le"));
     addSamples(actions.samples);
     menu->addSeparator();
-    actions.saveSession = add(menu, "saveSession", ActionTexts::tr("&Save Session"), QKeySequence::Save,
-                              ActionTexts::tr("Save what is open and its view, to continue later"));
-    actions.saveSessionAs = add(menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
-                                ActionTexts::tr("Save the session in another file"));
+    actions.saveSession = addAction(*menu, "saveSession", ActionTexts::tr("&Save Session"), QKeySequence::Save,
+                                    ActionTexts::tr("Save what is open and its view, to continue later"));
+    actions.saveSessionAs = addAction(*menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
+                                      ActionTexts::tr("Save the session in another file"));
     menu->addSeparator();
-    actions.savePicture = add(menu, "savePicture", ActionTexts::tr("Save &Picture…"), QKeySequence("Ctrl+Shift+S"),
-                              ActionTexts::tr("Save the view as a PNG picture"));
+    actions.savePicture = addAction(*menu, "savePicture", ActionTexts::tr("Save &Picture…"),
+                                    QKeySequence("Ctrl+Shift+S"), ActionTexts::tr("Save the view as a PNG picture"));
     actions.savePicture->setIcon(glyphIcon(Glyph::Picture));
-    actions.saveFilm = add(menu, "saveFilm", ActionTexts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
-                           ActionTexts::tr("Save the animation as pictures or a video"));
-    actions.saveMesh = add(menu, "saveMesh", ActionTexts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
-                           ActionTexts::tr("Save the mesh shown, for VTK, ParaView and others"));
+    actions.saveFilm = addAction(*menu, "saveFilm", ActionTexts::tr("Save &Film…"), QKeySequence("Ctrl+Alt+S"),
+                                 ActionTexts::tr("Save the animation as pictures or a video"));
+    actions.saveMesh = addAction(*menu, "saveMesh", ActionTexts::tr("Save &Mesh…"), QKeySequence("Ctrl+M"),
+                                 ActionTexts::tr("Save the mesh shown, for VTK, ParaView and others"));
     actions.saveMesh->setIcon(glyphIcon(Glyph::Mesh));
     actions.saveSurfaces =
-        add(menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
-            ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
-    actions.saveStatistics = add(menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
-                                 ActionTexts::tr("Save the mesh size at each accuracy as a table"));
+        addAction(*menu, "saveSurfaces", ActionTexts::tr("Save S&urfaces…"), QKeySequence("Ctrl+Shift+M"),
+                  ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
+    actions.saveStatistics = addAction(*menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
+                                       ActionTexts::tr("Save the mesh size at each accuracy as a table"));
     menu->addSeparator();
-    actions.close = add(menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close,
-                        ActionTexts::tr("Close the model and its dataset"));
-    actions.quit = add(menu, "quit", ActionTexts::tr("&Quit"), QKeySequence("Ctrl+Q"), ActionTexts::tr("Quit TAn"));
+    actions.close = addAction(*menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close,
+                              ActionTexts::tr("Close the model and its dataset"));
+    actions.quit =
+        addAction(*menu, "quit", ActionTexts::tr("&Quit"), QKeySequence("Ctrl+Q"), ActionTexts::tr("Quit TAn"));
 }
 
 /// "Undo Move Camera" in some languages is "Undo: Move Camera"; what has nothing to name needs no colon.
@@ -117,17 +108,17 @@ void addEditMenu(QMainWindow& window, QUndoStack& undoStack, Actions& actions)
     menu->addAction(actions.undo);
     menu->addAction(actions.redo);
     menu->addSeparator();
-    actions.copyPicture = add(menu, "copyPicture", ActionTexts::tr("&Copy Picture"), QKeySequence("Ctrl+Shift+C"),
-                              ActionTexts::tr("Copy the view to the clipboard"));
+    actions.copyPicture = addAction(*menu, "copyPicture", ActionTexts::tr("&Copy Picture"),
+                                    QKeySequence("Ctrl+Shift+C"), ActionTexts::tr("Copy the view to the clipboard"));
     menu->addSeparator();
-    actions.addIsovalue = add(menu, "addIsovalue", ActionTexts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
-                              ActionTexts::tr("Add an isosurface at another value"));
+    actions.addIsovalue = addAction(*menu, "addIsovalue", ActionTexts::tr("&Add Isovalue"), QKeySequence("Ctrl+I"),
+                                    ActionTexts::tr("Add an isosurface at another value"));
     actions.addIsovalue->setIcon(glyphIcon(Glyph::Add));
     actions.picked = menu->addMenu(ActionTexts::tr("Picked &Value"));
     actions.picked->setObjectName("menu.picked");
     menu->addSeparator();
-    actions.palette = add(menu, "palette", ActionTexts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
-                          ActionTexts::tr("Search all commands"));
+    actions.palette = addAction(*menu, "palette", ActionTexts::tr("&Find Command…"), QKeySequence("Ctrl+Shift+P"),
+                                ActionTexts::tr("Search all commands"));
 }
 
 void addNamedViews(QMenu* menu, Actions& actions)
@@ -145,8 +136,9 @@ void addNamedViews(QMenu* menu, Actions& actions)
     int key = 1;
     for (const Entry& entry : entries) {
         const QString name = QString("view.") + entry.name;
-        QAction* action = add(menu, name.toUtf8().constData(), entry.text, QKeySequence(QString("Ctrl+%1").arg(key++)),
-                              ActionTexts::tr("Look from this side"));
+        QAction* action =
+            addAction(*menu, name.toUtf8().constData(), entry.text, QKeySequence(QString("Ctrl+%1").arg(key++)),
+                      ActionTexts::tr("Look from this side"));
         actions.namedViews.append(action);
     }
 }
@@ -154,20 +146,20 @@ void addNamedViews(QMenu* menu, Actions& actions)
 void addViewMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "view", ActionTexts::tr("&View"));
-    actions.fit =
-        add(menu, "fit", ActionTexts::tr("&Fit"), QKeySequence(Qt::Key_Home), ActionTexts::tr("Show the whole domain"));
+    actions.fit = addAction(*menu, "fit", ActionTexts::tr("&Fit"), QKeySequence(Qt::Key_Home),
+                            ActionTexts::tr("Show the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
     actions.lookFrom = menu->addMenu(ActionTexts::tr("&Look From"));
     actions.lookFrom->setObjectName("menu.namedViews");
     addNamedViews(actions.lookFrom, actions);
     actions.orientation = menu->addMenu(ActionTexts::tr("&Orientation"));
     actions.orientation->setObjectName("menu.orientation");
-    actions.perspective = add(menu, "perspective", ActionTexts::tr("&Perspective"), QKeySequence("Ctrl+P"),
-                              ActionTexts::tr("Perspective, or parallel projection"));
+    actions.perspective = addAction(*menu, "perspective", ActionTexts::tr("&Perspective"), QKeySequence("Ctrl+P"),
+                                    ActionTexts::tr("Perspective, or parallel projection"));
     actions.perspective->setCheckable(true);
     actions.perspective->setChecked(true);
-    actions.resetView = add(menu, "resetView", ActionTexts::tr("Reset &View"), {},
-                            ActionTexts::tr("Go back to the default accuracy, colours, isovalues and camera"));
+    actions.resetView = addAction(*menu, "resetView", ActionTexts::tr("Reset &View"), {},
+                                  ActionTexts::tr("Go back to the default accuracy, colours, isovalues and camera"));
     menu->addSeparator();
     actions.modes = menu->addMenu(ActionTexts::tr("&Show"));
     actions.modes->setObjectName("menu.modes");
@@ -176,14 +168,14 @@ void addViewMenu(QMainWindow& window, Actions& actions)
     menu->addSeparator();
     actions.panels = menu->addMenu(ActionTexts::tr("Pa&nels"));
     actions.panels->setObjectName("menu.panels");
-    actions.resetLayout =
-        add(menu, "resetLayout", ActionTexts::tr("Reset La&yout"), {}, ActionTexts::tr("Restore the default layout"));
-    actions.fullScreen = add(menu, "fullScreen", ActionTexts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
-                             ActionTexts::tr("Use the whole screen"));
+    actions.resetLayout = addAction(*menu, "resetLayout", ActionTexts::tr("Reset La&yout"), {},
+                                    ActionTexts::tr("Restore the default layout"));
+    actions.fullScreen = addAction(*menu, "fullScreen", ActionTexts::tr("F&ull Screen"), QKeySequence(Qt::Key_F11),
+                                   ActionTexts::tr("Use the whole screen"));
     actions.fullScreen->setCheckable(true);
     menu->addSeparator();
-    actions.reducedMotion =
-        add(menu, "reducedMotion", ActionTexts::tr("Reduced &Motion"), {}, ActionTexts::tr("Disable camera animation"));
+    actions.reducedMotion = addAction(*menu, "reducedMotion", ActionTexts::tr("Reduced &Motion"), {},
+                                      ActionTexts::tr("Disable camera animation"));
     actions.reducedMotion->setCheckable(true);
     actions.languages = menu->addMenu(ActionTexts::tr("Lan&guage"));
     actions.languages->setObjectName("menu.languages");
@@ -193,14 +185,16 @@ void addHelpMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "help", ActionTexts::tr("&Help"));
     actions.manual =
-        add(menu, "manual", ActionTexts::tr("&Manual"), {}, ActionTexts::tr("Open the manual in the browser"));
-    actions.help = add(menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
-                       ActionTexts::tr("Explain the focused control"));
-    actions.whatsThis = add(menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
-                            ActionTexts::tr("Click on a control to read what it does"));
+        addAction(*menu, "manual", ActionTexts::tr("&Manual"), {}, ActionTexts::tr("Open the manual in the browser"));
+    actions.help = addAction(*menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
+                             ActionTexts::tr("Explain the focused control"));
+    actions.whatsThis = addAction(*menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
+                                  ActionTexts::tr("Click on a control to read what it does"));
     menu->addSeparator();
-    actions.plugins = add(menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("Installed plugins"));
-    actions.about = add(menu, "about", ActionTexts::tr("&About TAn"), {}, ActionTexts::tr("Version and licence"));
+    actions.plugins =
+        addAction(*menu, "plugins", ActionTexts::tr("&Plugins…"), {}, ActionTexts::tr("Installed plugins"));
+    actions.about =
+        addAction(*menu, "about", ActionTexts::tr("&About TAn"), {}, ActionTexts::tr("Version and licence"));
 }
 
 void addToolBar(QMainWindow& window, Actions& actions)
@@ -238,6 +232,17 @@ void addNeeds(const Actions& actions)
 }
 
 } // namespace
+
+QAction* addAction(QMenu& menu, const char* name, const QString& text, const QKeySequence& shortcut,
+                   const QString& toolTip)
+{
+    QAction* action = menu.addAction(text);
+    action->setObjectName(QString("action.") + name);
+    action->setShortcut(shortcut);
+    const QString keys = shortcut.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? toolTip : ActionTexts::tr("%1 (%2)").arg(toolTip, keys));
+    return action;
+}
 
 Actions makeActions(QMainWindow& window, QUndoStack& undoStack)
 {

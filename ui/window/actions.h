@@ -53,6 +53,10 @@ struct Actions {
     QToolBar* toolBar = nullptr;
 };
 
+/// Adds an action called "action.NAME", whose tool tip ends with its shortcut.
+QAction* addAction(QMenu& menu, const char* name, const QString& text, const QKeySequence& shortcut,
+                   const QString& toolTip);
+
 /// Makes the actions, the menus and the tool bar.
 Actions makeActions(QMainWindow& window, QUndoStack& undoStack);
 

@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/panels/animation_panel.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
@@ -18,6 +19,7 @@
 #include "ui/widgets/mnemonics.h"
 #include "ui/window/annotation_actions.h"
 #include "ui/window/empty_page.h"
+#include "ui/window/film_dialog.h"
 #include "ui/window/help_actions.h"
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
@@ -26,6 +28,7 @@
 #include "ui/window/mode_actions.h"
 #include "ui/window/orientation_actions.h"
 #include "ui/window/pick_actions.h"
+#include "ui/window/picture_dialog.h"
 #include "ui/window/picture_menu.h"
 #include "ui/window/picture_orders.h"
 #include "ui/window/plugin_window.h"
@@ -35,11 +38,13 @@
 #include "ui/workbench/plugin_choice.h"
 #include "ui/workbench/recent_files.h"
 
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -352,6 +357,50 @@ void MainWindow::connectMessages()
 void MainWindow::showBackend()
 {
     status_->setBackend(viewport_->backendName());
+}
+
+void MainWindow::connectPictures()
+{
+    connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
+    connect(actions_.copyPicture, &QAction::triggered, this, &MainWindow::copyPicture);
+    connect(actions_.saveFilm, &QAction::triggered, this, &MainWindow::saveFilm);
+    connect(docks_.animationPanel, &AnimationPanel::filmWanted, this, &MainWindow::saveFilm);
+    auto* pictureLine =
+        new TaskLine("status.picture", tr("Drawing the picture"), workbench_.exporting().savingPicture());
+    statusBar()->addPermanentWidget(pictureLine);
+    statusBar()->addPermanentWidget(
+        new TaskLine("status.film", tr("Drawing the film"), workbench_.exporting().savingFilm()));
+    connect(&workbench_.exporting().savingPicture(), &LongTask::waitingChanged, pictureLine, [this, pictureLine] {
+        const int waiting = workbench_.exporting().savingPicture().waiting();
+        pictureLine->setActivity(waiting == 0 ? tr("Drawing the picture")
+                                              : tr("Drawing the picture, %1 more waiting").arg(waiting));
+    });
+    connect(&workbench_.exporting(), &Exporting::pictureDrawn, this, [this](const QImage& picture) {
+        QGuiApplication::clipboard()->setImage(picture);
+        statusBar()->showMessage(tr("Picture copied, %1 × %2 pixels").arg(picture.width()).arg(picture.height()),
+                                 statusMessageTime);
+    });
+}
+
+void MainWindow::savePicture()
+{
+    if (picture_ == nullptr)
+        picture_ = new PictureDialog(workbench_, *viewport_, *keptSession_, this);
+    picture_->ask();
+}
+
+void MainWindow::copyPicture()
+{
+    if (workbench_.session().model())
+        workbench_.exporting().savePicture(pictureOrder(
+            workbench_, *viewport_, {pixelsOf(*viewport_), 0, false, workbench_.session().view().annotations}));
+}
+
+void MainWindow::saveFilm()
+{
+    if (film_ == nullptr)
+        film_ = new FilmDialog(workbench_, *viewport_, this);
+    film_->ask();
 }
 
 void MainWindow::saveMesh()

@@ -3,6 +3,7 @@
 
 #include "ui/session/session.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/window/actions.h"
 #include "ui/window/palette_commands.h"
 
 #include <QActionGroup>
@@ -24,14 +25,16 @@ OrientationActions::OrientationActions(Session& session, QMenu& menu)
 {
     addUpAxes(menu);
     menu.addSeparator();
-    flip_ = add(menu, "flip", tr("Turn Upside Down"), "Ctrl+U", tr("Flip the up axis"));
-    rollRight_ = add(menu, "rollRight", tr("Roll Clockwise"), "Ctrl+R", tr("Turn the picture by 90° clockwise"));
-    rollLeft_ =
-        add(menu, "rollLeft", tr("Roll Anticlockwise"), "Ctrl+Shift+R", tr("Turn the picture by 90° anticlockwise"));
-    level_ = add(menu, "level", tr("Level"), "Ctrl+L", tr("Remove the roll: make the up axis vertical"));
+    flip_ = addAction(menu, "flip", tr("Turn Upside Down"), QKeySequence("Ctrl+U"), tr("Flip the up axis"));
+    rollRight_ = addAction(menu, "rollRight", tr("Roll Clockwise"), QKeySequence("Ctrl+R"),
+                           tr("Turn the picture by 90° clockwise"));
+    rollLeft_ = addAction(menu, "rollLeft", tr("Roll Anticlockwise"), QKeySequence("Ctrl+Shift+R"),
+                          tr("Turn the picture by 90° anticlockwise"));
+    level_ =
+        addAction(menu, "level", tr("Level"), QKeySequence("Ctrl+L"), tr("Remove the roll: make the up axis vertical"));
     menu.addSeparator();
-    trackball_ = add(menu, "trackball", tr("Trackball"), "Ctrl+T",
-                     tr("Dragging turns the model freely, in any direction, instead of around the up axis"));
+    trackball_ = addAction(menu, "trackball", tr("Trackball"), QKeySequence("Ctrl+T"),
+                           tr("Dragging turns the model freely, in any direction, instead of around the up axis"));
     trackball_->setCheckable(true);
     giveMnemonics(menu);
 
@@ -55,22 +58,13 @@ OrientationActions::OrientationActions(Session& session, QMenu& menu)
     follow();
 }
 
-QAction* OrientationActions::add(QMenu& menu, const char* name, const QString& text, const char* key,
-                                 const QString& toolTip)
-{
-    QAction* action = menu.addAction(text);
-    action->setObjectName(QString("action.") + name);
-    action->setShortcut(QKeySequence(key));
-    action->setToolTip(*key == '\0' ? toolTip : tr("%1 (%2)").arg(toolTip, key));
-    return action;
-}
-
 void OrientationActions::addUpAxes(QMenu& menu)
 {
     for (std::size_t i = 0; i < upActionNames.size(); ++i) {
         const auto up = static_cast<UpAxis>(i);
         const QByteArray name = QByteArray("up.") + upActionNames[i];
-        QAction* action = add(menu, name.constData(), upAxisText(up), "", tr("Show the model with this axis upright"));
+        QAction* action =
+            addAction(menu, name.constData(), upAxisText(up), {}, tr("Show the model with this axis upright"));
         action->setCheckable(true);
         action->setData(static_cast<int>(up));
         upAxes_->addAction(action);

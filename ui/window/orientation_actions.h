@@ -23,7 +23,6 @@ public:
     OrientationActions(Session& session, QMenu& menu);
 
 private:
-    QAction* add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip);
     void addUpAxes(QMenu& menu);
     void follow();
 

@@ -4,6 +4,7 @@
 #include "plugins/widgets/curves/joined_function.h"
 #include "ui/session/session.h"
 #include "ui/viewport/value_pick.h"
+#include "ui/window/actions.h"
 #include "ui/window/palette_commands.h"
 
 #include <tan/transfer.h>
@@ -14,13 +15,13 @@ namespace tetra {
 
 PickActions::PickActions(Session& session, ValuePick& pick, QMenu& menu)
     : QObject(&menu), session_(session), pick_(pick),
-      pickValue_(add(menu, "pickValue", tr("&Pick"), "P",
-                     tr("Pick the value at the pointer, or in the middle of the picture"))),
-      isovalue_(
-          add(menu, "isovalueHere", tr("&Isosurface at This Value"), "I", tr("Add an isosurface of the picked value"))),
-      point_(add(menu, "pointHere", tr("Add &Transfer-Function Point"), "T",
-                 tr("Add a point to the transfer function at the picked value"))),
-      forget_(add(menu, "forgetPicked", tr("&Clear Mark"), "", tr("Clear the picked value")))
+      pickValue_(addAction(menu, "pickValue", tr("&Pick"), QKeySequence("P"),
+                           tr("Pick the value at the pointer, or in the middle of the picture"))),
+      isovalue_(addAction(menu, "isovalueHere", tr("&Isosurface at This Value"), QKeySequence("I"),
+                          tr("Add an isosurface of the picked value"))),
+      point_(addAction(menu, "pointHere", tr("Add &Transfer-Function Point"), QKeySequence("T"),
+                       tr("Add a point to the transfer function at the picked value"))),
+      forget_(addAction(menu, "forgetPicked", tr("&Clear Mark"), {}, tr("Clear the picked value")))
 {
     setNeed(*pickValue_, tr("Open a model first"));
     for (QAction* action : {isovalue_, point_, forget_})
@@ -35,15 +36,6 @@ PickActions::PickActions(Session& session, ValuePick& pick, QMenu& menu)
     connect(&pick, &ValuePick::pickedChanged, this, &PickActions::follow);
     connect(&session, &Session::modelChanged, this, &PickActions::follow);
     follow();
-}
-
-QAction* PickActions::add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip)
-{
-    QAction* action = menu.addAction(text);
-    action->setObjectName(QString("action.") + name);
-    action->setShortcut(QKeySequence(key));
-    action->setToolTip(*key == '\0' ? toolTip : tr("%1 (%2)").arg(toolTip, key));
-    return action;
 }
 
 /// A value that has two points already, a step, gets no third one.

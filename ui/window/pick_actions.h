@@ -19,7 +19,6 @@ public:
     PickActions(Session& session, ValuePick& pick, QMenu& menu);
 
 private:
-    QAction* add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip);
     void addPoint();
     void follow();
 

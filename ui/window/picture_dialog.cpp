@@ -3,7 +3,7 @@
 
 #include "ui/panels/picture_form.h"
 #include "ui/session/mesh_text.h"
-#include "ui/session/picture_texts.h"
+#include "ui/session/session_document.h"
 #include "ui/session/target_path.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"

@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/icons.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/actions.h"
 #include "ui/window/palette_commands.h"
 
 #include <QMenu>
@@ -12,13 +13,14 @@ namespace tetra {
 
 RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, QToolBar& toolBar)
     : QObject(&menu), session_(session), viewport_(viewport),
-      sphere_(add(menu, "focusSphere", tr("Focus: &Sphere"), "F", tr("More accurate in a sphere"))),
-      box_(add(menu, "focusBox", tr("Focus: &Box"), "B", tr("More accurate in a box"))),
-      toView_(
-          add(menu, "focusToView", tr("Focus to &Centre of View"), "C", tr("Move the focus to the camera's target")))
+      sphere_(addAction(menu, "focusSphere", tr("Focus: &Sphere"), QKeySequence("F"), tr("More accurate in a sphere"))),
+      box_(addAction(menu, "focusBox", tr("Focus: &Box"), QKeySequence("B"), tr("More accurate in a box"))),
+      toView_(addAction(menu, "focusToView", tr("Focus to &Centre of View"), QKeySequence("C"),
+                        tr("Move the focus to the camera's target")))
 {
     menu.addSeparator();
-    window_ = add(menu, "window", tr("&Window"), "W", tr("Show only the part of the domain in a box"));
+    window_ =
+        addAction(menu, "window", tr("&Window"), QKeySequence("W"), tr("Show only the part of the domain in a box"));
     sphere_->setIcon(glyphIcon(Glyph::Sphere));
     box_->setIcon(glyphIcon(Glyph::Box));
     window_->setIcon(glyphIcon(Glyph::Window));
@@ -35,15 +37,6 @@ RegionActions::RegionActions(Session& session, Viewport& viewport, QMenu& menu, 
     connect(&session_, &Session::modelChanged, this, &RegionActions::follow);
     session_.whenChanged(ViewPart::Query, this, &RegionActions::follow);
     follow();
-}
-
-QAction* RegionActions::add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip)
-{
-    QAction* action = menu.addAction(text);
-    action->setObjectName(QString("action.") + name);
-    action->setShortcut(QKeySequence(key));
-    action->setToolTip(tr("%1 (%2)").arg(toolTip, key));
-    return action;
 }
 
 void RegionActions::chooseShape(FocusState::Shape shape, bool on)

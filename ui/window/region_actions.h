@@ -29,7 +29,6 @@ signals:
     void windowSwitchedOn();
 
 private:
-    QAction* add(QMenu& menu, const char* name, const QString& text, const char* key, const QString& toolTip);
     void chooseShape(FocusState::Shape shape, bool on);
     void chooseWindow(bool on);
     void follow();

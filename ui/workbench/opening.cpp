@@ -4,9 +4,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "ui/session/message_text.h"
-#include "ui/session/picture_texts.h"
 #include "ui/session/target_path.h"
-#include "ui/session/text_file.h"
 #include "ui/workbench/field_extent.h"
 #include "ui/workbench/import_memory.h"
 #include "ui/workbench/recent_files.h"
@@ -209,13 +207,9 @@ void Opening::openSession(const std::filesystem::path& path, SessionSource sourc
 /// For a worker.
 Result<OpenedModel> Opening::openedBySession(const std::filesystem::path& path, SessionSource source) const
 {
-    const auto text =
-        source == SessionSource::Picture ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
-    if (!text)
-        return text.error();
-    const auto document = sessionFromText(*text, std::filesystem::absolute(path).parent_path());
+    const auto document = readSession(path);
     if (!document)
-        return Error{document.error().kind, Message::say("%1: %2", path.string(), document.error().message)};
+        return document.error();
     const auto model = Model::open(document->model);
     if (!model)
         return Error{model.error().kind,

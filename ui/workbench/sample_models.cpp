@@ -107,17 +107,13 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
     view.appearance.settings[boundaryId] = std::string(wantedLook.boundary ? boundaryValues : boundaryOff);
     if (wantedLook.boundary)
         view.isovalues.clear();
-    const auto built = ScenePipeline().make(sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view),
-                                            progress.part(0.6, 0.8));
-    if (!built)
-        return built.error();
-    return drawPicture({.scene = built->scene,
+    return drawPicture({.scene = {},
                         .camera = view.camera,
                         .background = {},
                         .width = thumbnailWidth,
                         .height = thumbnailHeight,
                         .transparent = true},
-                       progress.part(0.8, 1));
+                       sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view), progress.part(0.6, 1));
 }
 
 Status makeFolder(const std::filesystem::path& folder)

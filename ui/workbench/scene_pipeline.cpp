@@ -24,6 +24,26 @@ Error outOfMemory()
 
 } // namespace
 
+std::uint64_t triangleCount(const Scene& scene)
+{
+    std::uint64_t count = 0;
+    for (const Surface* surface : shapesOf<Surface>(scene))
+        count += surface->mesh ? surface->mesh->triangles.size() : 0;
+    return count;
+}
+
+bool hasVolume(const Scene& scene)
+{
+    return !shapesOf<Volume>(scene).empty() || !shapesOf<FocusVolume>(scene).empty();
+}
+
+void scaleLines(Scene& scene, double factor)
+{
+    for (Drawable& drawable : scene.drawables)
+        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
+            lines->width = static_cast<float>(lines->width * factor);
+}
+
 bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
 {
     if (one.model != other.model || one.renderer != other.renderer || !(one.query == other.query) ||
@@ -169,9 +189,7 @@ try {
     }
     built.scene = *std::move(scene);
     built.mesh = shownMesh(request.query);
-    for (const Surface* surface : shapesOf<Surface>(*built.scene))
-        if (surface->mesh)
-            built.triangles += surface->mesh->triangles.size();
+    built.triangles = triangleCount(*built.scene);
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
     last_ = request;
     built_ = built;
@@ -193,9 +211,7 @@ Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, c
     options.threads = order.threads;
     options.depth = withDepth;
     Scene scene = order.scene ? *order.scene : Scene();
-    for (Drawable& drawable : scene.drawables)
-        if (auto* lines = std::get_if<LineSet>(&drawable.shape))
-            lines->width = static_cast<float>(lines->width * order.lineScale);
+    scaleLines(scene, order.lineScale);
     return backend_->render(scene, order.camera, options, progress);
 }
 

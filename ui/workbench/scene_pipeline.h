@@ -28,6 +28,13 @@ struct SceneRequest {
     int height = 768;
 };
 
+/// Of all its surfaces.
+std::uint64_t triangleCount(const Scene& scene);
+/// Whether it shows the inside of tetrahedra.
+bool hasVolume(const Scene& scene);
+/// Makes all its lines so many times as wide.
+void scaleLines(Scene& scene, double factor);
+
 /// Whether the scene of one is also that of the other.
 bool haveSameScene(const SceneRequest& one, const SceneRequest& other);
 
