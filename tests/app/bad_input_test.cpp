@@ -18,12 +18,6 @@ namespace {
 /// Where the major version stands in a .tan file (core/history/FORMAT.md).
 constexpr qsizetype majorVersionOffset = 8;
 
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 } // namespace
 
 class BadInputTest : public QObject {
@@ -41,7 +35,7 @@ private slots:
         QVERIFY(writeFile(path("good.nrrd"), nrrd("uint8", "6 6 6", bytes(216))));
         const Run build = tan({"build", "good.nrrd", "-o", "good.tan"});
         QVERIFY2(build.exitCode == 0, build.messages);
-        const QByteArray model = contentOf(path("good.tan"));
+        const QByteArray model = readFile(path("good.tan"));
         QVERIFY(writeFile(path("half.tan"), model.first(model.size() / 2)));
         QVERIFY(writeFile(path("header.tan"), model.first(100)));
         QVERIFY(writeFile(path("empty.tan"), {}));
@@ -161,13 +155,13 @@ private slots:
         QFETCH(QString, part);
         QDir(folder_.path()).mkdir("folder.png");
         const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden);
-        const QByteArray letter = contentOf(path("letter.txt")) + contentOf(path("text.tan"));
+        const QByteArray letter = readFile(path("letter.txt")) + readFile(path("text.tan"));
         const Run run = tan(words);
         QVERIFY2(run.exitCode == exitCode, QByteArray::number(run.exitCode) + ": " + run.messages);
         QVERIFY2(run.output.isEmpty(), run.output);
         QVERIFY2(run.messages.startsWith("tan: ") && QString::fromUtf8(run.messages).contains(part), run.messages);
         QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
-        QCOMPARE(contentOf(path("letter.txt")) + contentOf(path("text.tan")), letter);
+        QCOMPARE(readFile(path("letter.txt")) + readFile(path("text.tan")), letter);
     }
 
     void aReadOnlyTargetIsSpared()
@@ -175,11 +169,11 @@ private slots:
         QVERIFY(QFile::copy(path("good.tan"), path("locked.tan")));
         QFile locked(path("locked.tan"));
         QVERIFY(locked.setPermissions(QFile::ReadOwner));
-        const QByteArray before = contentOf(path("locked.tan"));
+        const QByteArray before = readFile(path("locked.tan"));
         const Run run = tan({"build", "good.nrrd", "-o", "locked.tan"});
         QVERIFY2(run.exitCode == 4, run.messages);
         QVERIFY2(run.messages.contains("locked.tan"), run.messages);
-        QCOMPARE(contentOf(path("locked.tan")), before);
+        QCOMPARE(readFile(path("locked.tan")), before);
     }
 
     void anUnreadableInputIsNamed()

@@ -26,12 +26,6 @@ const QList<QStringList> damagedModelCommands = {
     {"render", "m.tan", "--error", "2", "--isovalue", "120", "--size", "40x40", "-o", "OUT.png"},
 };
 
-QByteArray contentOfFile(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 } // namespace
 
 class DamagedModelTest : public QObject {
@@ -51,7 +45,7 @@ private:
         if (writes)
             words.last().replace("OUT", "out");
         const Run run = runTan(words, folder_.path());
-        Answer answer{run, writes ? contentOfFile(path(words.last())) : run.output};
+        Answer answer{run, writes ? readFile(path(words.last())) : run.output};
         if (writes && run.exitCode == 0)
             QFile::remove(path(words.last()));
         return answer;

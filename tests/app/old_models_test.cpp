@@ -2,6 +2,7 @@
 /// Models of the earlier versions of the format, as the commands meet them: described, proved against their data,
 /// extracted and drawn, and never written to. What they hold, tests/core/history/old_files_test.cpp shows.
 #include "tests/app/program.h"
+#include "tests/app/sample_files.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -15,12 +16,6 @@ namespace {
 
 const QString oldModelsFolder = TAN_SOURCE_DIR "/tests/core/history/old_files";
 const QString oldSessionsFolder = TAN_SOURCE_DIR "/tests/ui/old_sessions";
-
-QByteArray bytesOfFile(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 } // namespace
 
@@ -63,13 +58,13 @@ private slots:
     {
         QFETCH(QString, model);
         const QString folder = folderWith(model);
-        const QByteArray before = bytesOfFile(folder + "/m.tan");
+        const QByteArray before = readFile(folder + "/m.tan");
         const Run info = runTan({"info", "m.tan", "--lod", "10,4,1,0.1,0", "--json"}, folder);
         QVERIFY2(info.exitCode == 0, info.messages);
         const Run verify =
             runTan({"verify", "m.tan", "--against", dataOf(info), "--lod", "10,4,1,0.1,0", "--json"}, folder);
         const QJsonArray said = info.json()["levels"].toArray(), proved = verify.json()["levels"].toArray();
-        const QList<QByteArray> recorded = bytesOfFile(oldModelsFolder + "/" + model + ".csv").split('\n');
+        const QList<QByteArray> recorded = readFile(oldModelsFolder + "/" + model + ".csv").split('\n');
         QCOMPARE(said.size(), 5);
         QCOMPARE(proved.size(), 5);
         for (qsizetype level = 0; level < 5; ++level) {
@@ -99,7 +94,7 @@ private slots:
         const Run render = runTan({"render", "m.tan", "--error", "1", "--size", "60x40", "-o", "picture.png"}, folder);
         QVERIFY2(render.exitCode == 0, render.messages);
         QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), (QStringList{"m.tan", "mesh.vtu", "picture.png"}));
-        QVERIFY(bytesOfFile(folder + "/m.tan") == before);
+        QVERIFY(readFile(folder + "/m.tan") == before);
     }
 
     void sessionsOfTheirTimeAreDrawn_data()
@@ -118,8 +113,8 @@ private slots:
         QVERIFY(QFile::copy(oldSessionsFolder + "/" + session, folder.filePath(session)));
         const Run render = runTan({"render", session, "--size", "60x40", "-o", "picture.png", "--json"}, folder.path());
         QVERIFY2(render.exitCode == 0, render.messages);
-        QVERIFY(bytesOfFile(folder.filePath("picture.png")).size() > 100);
-        QVERIFY(bytesOfFile(folder.filePath(session)) == bytesOfFile(oldSessionsFolder + "/" + session));
+        QVERIFY(readFile(folder.filePath("picture.png")).size() > 100);
+        QVERIFY(readFile(folder.filePath(session)) == readFile(oldSessionsFolder + "/" + session));
     }
 };
 

@@ -6,9 +6,12 @@
 #include <QDir>
 #include <QImage>
 #include <QJsonArray>
+#include <QPolygonF>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <map>
 
 namespace tetra {
@@ -31,6 +34,37 @@ const QString table4 = "dataset,isosurface_threshold,max_warping_delta_percent_o
                        "max_error_epsilon_percent_of_value_range,vertices,tetrahedra,isosurface_triangles,"
                        "direct_volume_rendering_seconds\n"
                        "BluntFin,";
+
+/// A line or a group of dots in an SVG file: `points` is "x,y" with anything that is no number in between.
+QPolygonF pointsOf(const QString& points)
+{
+    static const QRegularExpression place("(-?[\\d.]+),(-?[\\d.]+)");
+    QPolygonF places;
+    for (auto found = place.globalMatch(points); found.hasNext();) {
+        const auto one = found.next();
+        places << QPointF(one.captured(1).toDouble(), one.captured(2).toDouble());
+    }
+    return places;
+}
+
+/// What a chart shows of its first colour.
+struct FirstSeries {
+    QPolygonF curve; ///< from left to right
+    QPolygonF rings;
+};
+
+FirstSeries firstSeriesOf(const QString& svg)
+{
+    static const QRegularExpression line("<polyline class=\"s0\"[^>]* points=\"([^\"]*)\"");
+    static const QRegularExpression ring("<path class=\"s0\"[^>]* stroke-width=\"9.0\"[^>]* d=\"([^\"]*)\"");
+    FirstSeries series;
+    for (auto found = line.globalMatch(svg); found.hasNext();)
+        if (const QPolygonF points = pointsOf(found.next().captured(1)); points.size() > series.curve.size())
+            series.curve = points; // the others are in the legend
+    for (auto found = ring.globalMatch(svg); found.hasNext();)
+        series.rings += pointsOf(found.next().captured(1));
+    return series;
+}
 
 } // namespace
 
@@ -116,14 +150,52 @@ private slots:
         QVERIFY2(run.output.contains("Skipped: there is no 'sod/sod_sub_32x32x32_uint8.nhdr'"), run.output);
     }
 
-    void writesReportsAndFigures()
+    void writesReports()
+    {
+        const Run run = runTan({"reproduce", "--tables", "2", "--data", "data", "-o", "out", "--json"}, folder_.path());
+        QCOMPARE(run.exitCode, 0);
+        const QJsonValue tables = run.json()["tables"];
+        QVERIFY(tables == QJsonDocument::fromJson(readFile(path("out/tables.json")))["tables"]);
+        for (const char* name : {"out/tables.txt", "out/tables.md"}) {
+            const QByteArray text = readFile(path(name));
+            for (const QJsonValue row : tables[0]["rows"].toArray())
+                for (const char* whose : {"ours", "paper"})
+                    for (const char* figure : {"sites", "tetrahedra"})
+                        QVERIFY2(text.contains(QByteArray::number(row[whose][figure].toInt())), name);
+        }
+    }
+
+    /// The curve of the model and the paper's number, where the axes have them, in both files.
+    void drawsTheFigureOfTheSites()
     {
         QCOMPARE(runTan({"reproduce", "--tables", "2", "--data", "data", "-o", "out"}, folder_.path()).exitCode, 0);
-        for (const char* name : {"tables.txt", "tables.md", "tables.json", "figure10.svg"})
-            QVERIFY2(QFileInfo(path("out") + "/" + name).size() > 300, name);
+        const QString svg = readFile(path("out/figure10.svg"));
+        QVERIFY(svg.contains(">BuckyBall 32</text>"));
+        const auto [curve, rings] = firstSeriesOf(svg);
+        QVERIFY(curve.size() >= 60); // twenty for each power of ten, from 0.01 % to 10 %
+        QCOMPARE(rings.size(), 1);   // an error of 0 has no place on a logarithmic axis
+        const auto sitesAt = [&](const char* percent) {
+            return double(
+                runTan({"info", "out/models/table2-BuckyBall-32x32x32.tan", "--lod", percent, "--json"}, folder_.path())
+                    .json()["levels"][0]["sites"]
+                    .toInt());
+        };
+        const double coarse = sitesAt("10"), fine = sitesAt("0.01");
+        QVERIFY(coarse >= 8 && coarse < fine);
+        const QPointF atTen = curve.last(), atOne = curve[curve.size() - 21];
+        for (qsizetype i = 1; i < curve.size(); ++i)
+            QVERIFY(curve[i].x() > curve[i - 1].x() && curve[i].y() >= curve[i - 1].y());
+        QVERIFY(std::abs(rings[0].x() - std::lerp(atOne.x(), atTen.x(), std::log10(4.0))) < 0.2);
+        const double share = std::log(7125 / coarse) / std::log(fine / coarse);
+        const double expected = std::lerp(atTen.y(), curve.first().y(), share);
+        QVERIFY2(std::abs(rings[0].y() - expected) < 0.1 + 0.1 * share, qPrintable(QString::number(expected)));
+
         const QImage figure(path("out/figure10.png"));
         QCOMPARE(figure.size(), QSize(2000, 1280));
-        QCOMPARE(figure.pixelColor(0, 0), QColor(Qt::white));
+        const auto colourAt = [&](const QPointF& place) { return figure.pixelColor((2 * place).toPoint()); };
+        QCOMPARE(colourAt(rings[0]), QColor(Qt::white));
+        for (const QPointF& aside : {QPointF(3.5, 0), QPointF(-3.5, 0), QPointF(0, 3.5), QPointF(0, -3.5)})
+            QCOMPARE(colourAt(rings[0] + aside), QColor(0x00, 0x72, 0xb2));
     }
 
     /// R31: both builders on the same data, a reason where one of them or the data cannot be had.
@@ -159,9 +231,24 @@ private slots:
         }
         QVERIFY(datasets["SOD 32"]["skipped"].toString().contains("no 'sod/sod_sub_32x32x32_uint8.nhdr'"));
         QVERIFY(datasets["SPX"]["skipped"].toString().contains("spx.vtu"));
-        for (const char* name : {"builders.txt", "builders.md", "builders.json", "builders-regular.svg",
-                                 "builders-regular.png", "builders-curvilinear.png"})
-            QVERIFY2(QFileInfo(path("out") + "/" + name).size() > 300, name);
+        QVERIFY(run.json()["comparison"] == QJsonDocument::fromJson(readFile(path("out/builders.json")))["comparison"]);
+        for (const char* name : {"out/builders.txt", "out/builders.md"}) {
+            const QByteArray text = readFile(path(name));
+            for (const char* builder : {"refinement", "decimation"})
+                for (const char* dataset : {"BuckyBall 32", "BluntFin"})
+                    for (const QJsonValue level : datasets[dataset]["levels"].toArray())
+                        QVERIFY2(text.contains(QByteArray::number(level[builder]["sites"].toInt())), name);
+        }
+        for (const auto& [name, dataset] :
+             {std::pair("regular", "BuckyBall 32"), std::pair("curvilinear", "BluntFin")}) {
+            const QString file = path(QString("out/builders-%1").arg(name));
+            const QString svg = readFile(file + ".svg");
+            QVERIFY(svg.contains(QString(">%1</text>").arg(dataset)));
+            const auto [decimated, refined] = firstSeriesOf(svg);
+            QVERIFY(decimated.size() >= 60);
+            QCOMPARE(refined.size(), decimated.size());
+            QCOMPARE(QImage(file + ".png").size(), QSize(2000, 1280));
+        }
         QVERIFY(!QFileInfo::exists(path("out/tables.txt")));
     }
 

@@ -2,6 +2,7 @@
 /// A build that is killed at any moment and resumed gives the same model, byte for byte, and leaves nothing else
 /// behind.
 #include "tests/app/program.h"
+#include "tests/app/sample_files.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -76,11 +77,7 @@ private slots:
 
 private:
     static QStringList buildWords() { return {"build", "data.nrrd", "-o", "model.tan", "--block", "6"}; }
-    QByteArray modelBytes() const
-    {
-        QFile file(folder_.filePath("model.tan"));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
+    QByteArray modelBytes() const { return readFile(folder_.filePath("model.tan")); }
     QStringList entries() const
     {
         return QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);

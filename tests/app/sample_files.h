@@ -16,6 +16,13 @@ inline bool writeFile(const QString& path, const QByteArray& bytes)
     return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
 }
 
+/// All of a file; nothing of one that cannot be read.
+inline QByteArray readFile(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 /// An attached NRRD file: the fields of its header, and its samples.
 inline QByteArray nrrd(const QByteArray& type, const QByteArray& sizes, const QByteArray& samples)
 {
