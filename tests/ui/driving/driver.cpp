@@ -120,14 +120,23 @@ Driver opening(const QString& name, const QString& widget, Driver::Step prepare)
         name, [widget](const DrivenWindow& window) { return window.isOpen(widget); }, std::move(prepare));
 }
 
-AimFrom stepOfBox(const QString& box)
+AimFrom stepOfBox(const QString& box, const Distance& step)
 {
-    return [box](const DrivenWindow& window, double before) -> Aim {
+    return [box, step](const DrivenWindow& window, double before) -> Aim {
         const auto& found = window.find<QDoubleSpinBox>(box);
         const double unit = std::pow(10.0, -found.decimals());
         const bool isAtEnd = before >= found.maximum() - unit;
+        const double by = step(window);
         // It steps from the number that it shows, and shows what comes of it.
-        return {before + (isAtEnd ? -1 : 1) * found.singleStep(), std::min(1.01 * unit, 0.4 * found.singleStep())};
+        return {before + (isAtEnd ? -1 : 1) * by, std::min(1.01 * unit, 0.4 * by)};
+    };
+}
+
+Distance hundredthOf(const Ends& ends)
+{
+    return [ends](const DrivenWindow& window) {
+        const auto [least, largest] = ends(window);
+        return sliderStep * (largest - least);
     };
 }
 

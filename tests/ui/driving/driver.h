@@ -46,10 +46,14 @@ struct Aim {
 /// Of the number before.
 using AimFrom = std::function<Aim(const DrivenWindow& window, double before)>;
 
-/// The arrow key on a number box of this name: one of its steps away from the end that it is at.
-AimFrom stepOfBox(const QString& box);
-/// The arrow key on a slider over the range that `ends` tells: a hundredth of that.
+/// The arrow key on a number box of this name: `step` away from the end that it is at.
+using Distance = std::function<double(const DrivenWindow& window)>;
+AimFrom stepOfBox(const QString& box, const Distance& step);
+/// What a box or a slider goes over.
 using Ends = std::function<TransferLimits(const DrivenWindow& window)>;
+/// The step of most boxes, a hundredth of it.
+Distance hundredthOf(const Ends& ends);
+/// The arrow key on a slider: a hundredth of it.
 AimFrom stepOfSlider(const Ends& ends);
 
 /// The number of a view that `reach` finds goes where `aim` says, and nothing else does.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions of the menus File and Edit are driven, and what each changes.
+#include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "ui/session/isovalue_defaults.h"
 #include "ui/workbench/recent_files.h"
@@ -38,6 +39,19 @@ Driver openingRecent()
             fillRecentMenu(window);
             *before = {window.session().model(), window.workbench.opening().dataset()};
         });
+}
+
+/// Each opens the model of its own sample.
+Drivers sampleCommands()
+{
+    Drivers drivers;
+    for (const SampleKind& kind : sampleKinds()) {
+        const std::string name(kind.name);
+        drivers.push_back(leaving("action.sample." + QString::fromStdString(name), [name](const DrivenWindow& window) {
+            return window.session().model() && window.session().model()->path() == sampleFolder() / (name + ".tan");
+        }));
+    }
+    return drivers;
 }
 
 Drivers savingCommands()
@@ -96,16 +110,12 @@ Drivers fileCommands()
         opening("action.open", "openDialog"),
         opening("action.openWithOptions", "importFileDialog"),
         openingRecent(),
-        leaving("action.sample.*",
-                [](const DrivenWindow& window) {
-                    return window.session().model() && window.session().model()->path().parent_path() == sampleFolder();
-                }),
         showing(
             "action.clearRecent", [](const DrivenWindow&) { return recentFiles().isEmpty(); }, &fillRecentMenu),
         leaving("action.close", [](const DrivenWindow& window) { return window.isOpen("empty"); }),
         leaving("action.quit", [](const DrivenWindow& window) { return !window.window.isVisible(); }),
     };
-    return allOf({files, savingCommands(), editCommands()});
+    return allOf({files, sampleCommands(), savingCommands(), editCommands()});
 }
 
 } // namespace tetra

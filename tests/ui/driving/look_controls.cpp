@@ -97,9 +97,26 @@ Drivers renderingControls()
 }
 
 /// A number box of the camera.
-template <class Reach> Driver ofCamera(const QString& name, Reach reach)
+template <class Reach> Driver ofCamera(const QString& name, const Distance& step, Reach reach)
 {
-    return edit("view." + name, moves(reach, stepOfBox("view." + name)), inDock("dock.view"));
+    return edit("view." + name, moves(reach, stepOfBox("view." + name, step)), inDock("dock.view"));
+}
+
+double oneDegree(const DrivenWindow&)
+{
+    return 1;
+}
+
+/// Nearer or farther in about twenty steps.
+double partOfDiagonal(const DrivenWindow& window)
+{
+    return window.session().model()->diagonal() / 20;
+}
+
+/// A target may be as far from the middle as the diagonal is long, to both sides.
+TransferLimits twoDiagonals(const DrivenWindow& window)
+{
+    return {0, 2 * window.session().model()->diagonal()};
 }
 
 Driver lookingFrom(const QString& side, double azimuth, double elevation)
@@ -119,15 +136,16 @@ Driver lookingFrom(const QString& side, double azimuth, double elevation)
 
 Drivers cameraControls()
 {
+    const Distance targetStep = hundredthOf(&twoDiagonals);
     return {
-        ofCamera("azimuth", [](ViewValue& view) -> double& { return view.camera.azimuth; }),
-        ofCamera("elevation", [](ViewValue& view) -> double& { return view.camera.elevation; }),
-        ofCamera("roll", [](ViewValue& view) -> double& { return view.camera.roll; }),
-        ofCamera("distance", [](ViewValue& view) -> double& { return view.camera.distance; }),
-        ofCamera("fieldOfView", [](ViewValue& view) -> double& { return view.camera.fieldOfView; }),
-        ofCamera("target.x", [](ViewValue& view) -> double& { return view.camera.target.x(); }),
-        ofCamera("target.y", [](ViewValue& view) -> double& { return view.camera.target.y(); }),
-        ofCamera("target.z", [](ViewValue& view) -> double& { return view.camera.target.z(); }),
+        ofCamera("azimuth", &oneDegree, [](ViewValue& view) -> double& { return view.camera.azimuth; }),
+        ofCamera("elevation", &oneDegree, [](ViewValue& view) -> double& { return view.camera.elevation; }),
+        ofCamera("roll", &oneDegree, [](ViewValue& view) -> double& { return view.camera.roll; }),
+        ofCamera("distance", &partOfDiagonal, [](ViewValue& view) -> double& { return view.camera.distance; }),
+        ofCamera("fieldOfView", &oneDegree, [](ViewValue& view) -> double& { return view.camera.fieldOfView; }),
+        ofCamera("target.x", targetStep, [](ViewValue& view) -> double& { return view.camera.target.x(); }),
+        ofCamera("target.y", targetStep, [](ViewValue& view) -> double& { return view.camera.target.y(); }),
+        ofCamera("target.z", targetStep, [](ViewValue& view) -> double& { return view.camera.target.z(); }),
         edit(
             "view.up", [](ViewValue& view, const DrivenWindow&) { view.camera.up = UpAxis::MinusZ; },
             inDock("dock.view")),
@@ -213,7 +231,7 @@ Drivers isovalueControls()
             "isovalue.0.remove",
             [](ViewValue& view, const DrivenWindow&) { view.isovalues.erase(view.isovalues.begin()); }, dock),
         edit("isovalue.0.value.slider", moves(value, stepOfSlider(&rangeOf)), dock),
-        edit("isovalue.0.value.box", moves(value, stepOfBox("isovalue.0.value.box")), dock),
+        edit("isovalue.0.value.box", moves(value, stepOfBox("isovalue.0.value.box", hundredthOf(&rangeOf))), dock),
         edit("isovalue.0.opacity.slider", moves(opacity, lessOpaque), dock),
         edit("isovalue.0.opacity.box", moves(opacity, lessOpaque), dock),
         edit("isovalue.0.colour", change([](Isovalue& isovalue) {

@@ -32,9 +32,9 @@ Driver toShape(const QString& name, Shape before, Shape after)
     return ofFocus(name, before, [after](FocusState& focus) { focus.shape = after; });
 }
 
-template <class Reach> Driver steps(const QString& name, const Driver::Step& prepare, Reach reach)
+template <class Reach> Driver steps(const QString& name, const Driver::Step& prepare, Reach reach, const Ends& ends)
 {
-    return edit(name, moves(reach, stepOfBox(name)), prepare);
+    return edit(name, moves(reach, stepOfBox(name, hundredthOf(ends))), prepare);
 }
 
 template <class Reach> Driver slides(const QString& name, const Driver::Step& prepare, Reach reach, const Ends& ends)
@@ -42,13 +42,19 @@ template <class Reach> Driver slides(const QString& name, const Driver::Step& pr
     return edit(name, moves(reach, stepOfSlider(ends)), prepare);
 }
 
-/// The three number boxes of a place or a size.
-template <class Reach> Drivers vectorControls(const QString& name, const Driver::Step& prepare, Reach reach)
+/// The three number boxes of a place or a size, which go over `parts` of the domain.
+template <class Reach>
+Drivers vectorControls(const QString& name, const Driver::Step& prepare, Reach reach, double parts = 1)
 {
     Drivers drivers;
-    for (int axis = 0; axis < 3; ++axis)
-        drivers.push_back(steps(name + '.' + QChar('x' + axis), prepare,
-                                [reach, axis](ViewValue& view) -> double& { return reach(view)[axis]; }));
+    for (int axis = 0; axis < 3; ++axis) {
+        const Ends ends = [axis, parts](const DrivenWindow& window) -> TransferLimits {
+            return {0, parts * window.session().model()->description().bounds.sizes()[axis]};
+        };
+        drivers.push_back(steps(
+            name + '.' + QChar('x' + axis), prepare,
+            [reach, axis](ViewValue& view) -> double& { return reach(view)[axis]; }, ends));
+    }
     return drivers;
 }
 
@@ -85,13 +91,13 @@ Drivers focusControls()
         ofFocus("error.slider", Shape::Box, [](FocusState& focus) { focus.error = 0.15; }), // the next finer one
         ofFocus("error.box", Shape::Box, [](FocusState& focus) { focus.error = 0.25; }),
         slides("focus.falloff.slider", box, falloff, &halfDiagonal),
-        steps("focus.falloff.box", box, falloff),
+        steps("focus.falloff.box", box, falloff, &halfDiagonal),
         slides("focus.radius.slider", sphere, radius, &halfDiagonal),
-        steps("focus.radius.box", sphere, radius),
+        steps("focus.radius.box", sphere, radius, &halfDiagonal),
         edit("focus.toView", &moveFocusToView, box),
         edit("focus.reset", &resetFocus, box),
     };
-    return allOf({others, vectorControls("focus.centre", box, centre), vectorControls("focus.size", box, size)});
+    return allOf({others, vectorControls("focus.centre", box, centre), vectorControls("focus.size", box, size, 2)});
 }
 
 /// A window and a range of values, smaller than all there is.
@@ -143,9 +149,9 @@ Drivers regionControls()
             },
             begin),
         slides("region.least.slider", begin, least, &rangeOf),
-        steps("region.least.box", begin, least),
+        steps("region.least.box", begin, least, &rangeOf),
         slides("region.largest.slider", begin, largest, &rangeOf),
-        steps("region.largest.box", begin, largest),
+        steps("region.largest.box", begin, largest, &rangeOf),
     };
     return allOf(
         {focusControls(), others, vectorControls("region.from", begin, from), vectorControls("region.to", begin, to)});
