@@ -24,9 +24,9 @@ struct PictureTolerance {
 /// in twenty of those is more than a compiler was ever seen to change, and far less than a wrong colour or an edge that
 /// moves by a pixel.
 inline constexpr PictureTolerance renderedTolerance{1, 0.005};
-/// Of what QPainter draws: releases of Qt round the coverage of an edge otherwise, by a few of 255. A line that is
-/// gone, or has moved by a pixel, changes more.
-inline constexpr PictureTolerance paintedTolerance{0.5, 0.004};
+/// Of what QPainter draws: releases of Qt round the coverage of an edge otherwise, by a few of 255, which is not
+/// striking. A line or a handle that is gone, or has moved by a pixel, changes more.
+inline constexpr PictureTolerance paintedTolerance{0.5, 0.001};
 
 /// Compares a picture with tests/ui/baselines/NAME.png. Empty if it is the same within the tolerance; else says how it
 /// differs and where the picture, and one of the baseline, the picture and their difference side by side, were kept (in

@@ -95,6 +95,7 @@ void RenderedSessionTest::asTheWindowDrawsIt_data()
     QTest::addColumn<QString>("region");
     for (const char* mode : {"isosurface", "volume", "hybrid", "focus"}) {
         QTest::addRow("%s at first", mode) << QString(mode) << false << QString();
+        QTest::addRow("%s", mode) << QString(mode) << true << QString();
         QTest::addRow("%s, focus", mode) << QString(mode) << true << QString("focus");
         QTest::addRow("%s, window", mode) << QString(mode) << true << QString("window");
     }
