@@ -71,6 +71,7 @@ private slots:
     void leavesNothingBehindOnAFullDisk();
     void refusesWhatCannotBeWritten();
     void refusesUnknownEncodings();
+    void endingsChooseTheWriter();
 };
 
 void NrrdWriterTest::roundTrip_data()
@@ -146,7 +147,10 @@ void NrrdWriterTest::overwritesAtTheEndOnly()
     const Dataset dataset = volume(SampleType::Float64, 100);
     for (const char* encoding : {"raw", "gzip"}) {
         std::stop_source stop;
-        const Progress cancelling(stop.get_token(), [&](double, const Message&) { stop.request_stop(); });
+        const Progress cancelling(stop.get_token(), [&](double fraction, const Message&) {
+            if (fraction > 0.1) // in the midst of it
+                stop.request_stop();
+        });
         const Status cancelled = saveNrrd(dataset, path, encoded(encoding), cancelling);
         QVERIFY(!cancelled.ok());
         QCOMPARE(cancelled.error().kind, ErrorKind::Cancelled);
@@ -198,6 +202,30 @@ void NrrdWriterTest::refusesUnknownEncodings()
     QVERIFY(!written.ok());
     QCOMPARE(written.error().kind, ErrorKind::WrongUsage);
     QCOMPARE(filesIn(folder.path()), 0);
+}
+
+/// In small or in capital letters; and what there is to choose from is told.
+void NrrdWriterTest::endingsChooseTheWriter()
+{
+    PluginHost& host = pluginsOfThisBuild();
+    for (const char* name : {"a.nrrd", "a.NRRD"})
+        QVERIFY2(checkWritable(host, WrittenContent::Dataset, name, encoded("gzip")).ok(), name);
+    for (const char* name : {"a.nrrd.gz", "nrrd", "a.csv"}) // the table has no encoding
+        QCOMPARE(checkWritable(host, WrittenContent::Dataset, name, encoded("gzip")).error().kind,
+                 ErrorKind::WrongUsage);
+    QVERIFY(checkWritable(host, WrittenContent::Dataset, "a.csv").ok());
+    QVERIFY(!checkWritable(host, WrittenContent::Mesh, "a.nrrd").ok());
+    QCOMPARE(writableEndings(host, WrittenContent::Dataset),
+             (std::vector<std::string>{".csv", ".nrrd", ".vtu", ".xyz"}));
+    QCOMPARE(writableEndings(host, WrittenContent::Mesh), writableEndings(host, WrittenContent::Surface));
+    QVERIFY(isSurfaceFileOnly(host, "a.STL") && !isSurfaceFileOnly(host, "a.vtk") && !isSurfaceFileOnly(host, "a.b"));
+    const auto meshes = writableFormats(host, WrittenContent::Mesh);
+    QCOMPARE(meshes.size(), std::size_t(3)); // without those that hold a boundary alone
+    QVERIFY(std::ranges::is_sorted(meshes, {}, &FileFormat::name));
+    const auto parameters = writerParameters(host, WrittenContent::Dataset);
+    QCOMPARE(parameters.size(), std::size_t(1));
+    QCOMPARE(parameters.front().id, std::string("encoding"));
+    QVERIFY(writerParameters(host, WrittenContent::Mesh).empty());
 }
 
 QTEST_GUILESS_MAIN(NrrdWriterTest)
