@@ -4,7 +4,6 @@
 #include "core/base/file_writer.h"
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
-#include "ui/session/plugin_translations.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/window/main_window.h"
 #include "ui/work/steady_heap.h"

@@ -12,7 +12,6 @@
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/output_check.h"
 #include "ui/session/session_document.h"
-#include "ui/workbench/field_extent.h"
 #include "ui/workbench/view_picture.h"
 
 #include <tan/query.h>

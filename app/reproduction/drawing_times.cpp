@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/drawing_times.h"
 
-#include "ui/workbench/field_extent.h"
 #include "ui/workbench/view_picture.h"
 
 #include <algorithm>

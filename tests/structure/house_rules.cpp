@@ -285,7 +285,7 @@ std::vector<std::string> houseBreaches(const fs::path& root)
     std::map<std::string, std::set<std::string>> unitsOf;
     for (const auto& path : sourcesUnder(root)) {
         readFile(root, path, breaches);
-        if (liesIn(path, "core"))
+        if (liesIn(path, "core") || liesIn(path, "ui"))
             unitsOf[fs::path(path).parent_path()].insert(fs::path(path).stem());
     }
     for (const auto& [folder, units] : unitsOf)

@@ -80,6 +80,10 @@ private slots:
                  QStringList("core/base: 26 units, more than 25; divide the folder, or join what is one idea"));
         fs::remove(root / "core/base/unit7.h");
         QCOMPARE(breachesIn(root), QStringList());
+        for (int i = 0; i < 26; ++i)
+            writeFile(root / ("ui/panels/unit" + std::to_string(i) + ".h"), header);
+        QCOMPARE(breachesIn(root),
+                 QStringList("ui/panels: 26 units, more than 25; divide the folder, or join what is one idea"));
     }
 
     void acceptsWhatIsAllowed_data();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tan-torture-writes write FOLDER: writes a session and settings into the folder until it is killed. ... check FOLDER:
 // whether what is there is whole, and whether nothing else is left once both have been written again.
+#include "ui/session/files.h"
 #include "ui/session/session_document.h"
-#include "ui/session/text_file.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -6,8 +6,8 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/annotations/annotation_content.h"
 #include "ui/panels/parameter_form.h"
+#include "ui/session/files.h"
 #include "ui/session/session_document.h"
-#include "ui/session/text_file.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/workbench/import_texts.h"
 

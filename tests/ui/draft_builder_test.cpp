@@ -2,7 +2,7 @@
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
 #include "ui/viewport/canvas.h"
-#include "ui/workbench/draft_builder.h"
+#include "ui/workbench/scene_builder.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

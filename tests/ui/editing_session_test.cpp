@@ -4,7 +4,7 @@
 #include "tests/ui/random_edits.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
-#include "ui/session/text_file.h"
+#include "ui/session/files.h"
 #include "ui/work/steady_heap.h"
 
 #include <QElapsedTimer>

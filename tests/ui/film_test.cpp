@@ -3,7 +3,6 @@
 #include "tests/ui/sample_window.h"
 #include "ui/window/picture_orders.h"
 #include "ui/workbench/film_file.h"
-#include "ui/workbench/video_encoding.h"
 
 #include <QComboBox>
 #include <QLabel>

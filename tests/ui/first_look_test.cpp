@@ -2,7 +2,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/widgets/motion.h"
-#include "ui/workbench/picture_image.h"
+#include "ui/workbench/picture_file.h"
 
 #include <tan/data.h>
 #include <tan/render.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/fuzzy_match.h"
+#include "ui/window/command_palette.h"
 
 #include <QRandomGenerator>
 #include <QTest>

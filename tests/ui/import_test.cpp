@@ -2,7 +2,7 @@
 #include "tests/ui/sample_files.h"
 #include "ui/panels/import_form.h"
 #include "ui/panels/slice_preview.h"
-#include "ui/workbench/import_memory.h"
+#include "ui/workbench/import_question.h"
 #include "ui/workbench/import_texts.h"
 
 #include <QFile>

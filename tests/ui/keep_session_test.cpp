@@ -2,8 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
-#include "ui/session/target_path.h"
-#include "ui/session/text_file.h"
+#include "ui/session/files.h"
 #include "ui/workbench/kept_views.h"
 
 #include <QElapsedTimer>

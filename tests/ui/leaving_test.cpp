@@ -2,7 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 #include "ui/window/picture_orders.h"
 #include "ui/workbench/recent_files.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Help finds the manual beside the program, and says what to do where it is not.
 #include "tests/ui/window_fixture.h"
-#include "ui/window/manual.h"
+#include "ui/window/help_actions.h"
 
 #include <QDesktopServices>
 #include <QDir>

@@ -2,8 +2,8 @@
 #include "plugins/samples/samples.h"
 #include "tests/ui/sample_files.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/mesh_text.h"
 #include "ui/session/session.h"
+#include "ui/session/shown_mesh.h"
 
 #include <QLocale>
 #include <QTemporaryDir>

@@ -2,9 +2,9 @@
 #include "plugins/host/plugin_guards.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/sample_files.h"
-#include "ui/workbench/draft_builder.h"
 #include "ui/workbench/film_file.h"
 #include "ui/workbench/mesh_saving.h"
+#include "ui/workbench/scene_builder.h"
 
 #include <tan/query.h>
 

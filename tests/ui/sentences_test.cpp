@@ -11,8 +11,8 @@
 #include "plugins/host/parameter_text.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/sample_files.h"
+#include "ui/session/language.h"
 #include "ui/session/message_text.h"
-#include "ui/session/plugin_translations.h"
 #include "ui/session/session_document.h"
 
 #include <tan/data.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as text: they come back the same, keep what they do not know, and say what is wrong with them.
+#include "ui/session/files.h"
 #include "ui/session/session_document.h"
-#include "ui/session/target_path.h"
-#include "ui/session/text_file.h"
 #include "ui/workbench/kept_views.h"
 
 #include <QDir>

@@ -2,8 +2,8 @@
 #include "core/render/volume/volume_mesh.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/sample_window.h"
+#include "ui/panels/model_statistics.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/workbench/model_statistics.h"
 
 #include <tan/query.h>
 #include <tan/render.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/ui/sample_files.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/main_window.h"

@@ -3,8 +3,8 @@
 
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/field_name.h"
-#include "ui/session/mesh_text.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
+#include "ui/session/shown_mesh.h"
 
 #include <tan/model.h>
 

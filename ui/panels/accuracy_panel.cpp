@@ -6,7 +6,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/accuracy_curve.h"
 #include "ui/panels/accuracy_inputs.h"
-#include "ui/session/mesh_text.h"
+#include "ui/session/shown_mesh.h"
 #include "ui/widgets/checked_button.h"
 
 #include <QEvent>

@@ -5,8 +5,8 @@
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/parameter_form.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
 #include "ui/workbench/import_texts.h"
 
 #include <QButtonGroup>

@@ -2,8 +2,8 @@
 #include "ui/panels/session_editor_host.h"
 
 #include "plugins/api/scene_parameters.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
 #include "ui/viewport/value_pick.h"
 #include "ui/widgets/file_dialogs.h"
 

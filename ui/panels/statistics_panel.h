@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/workbench/model_statistics.h"
+#include "ui/panels/model_statistics.h"
 #include "ui/workbench/workbench.h"
 
 #include <QWidget>

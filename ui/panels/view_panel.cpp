@@ -6,7 +6,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "plugins/widgets/value_box.h"
 #include "ui/panels/annotation_rows.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/vector_input.h"

@@ -50,4 +50,8 @@ std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameter
 /// Whether one of the parameters has this id.
 bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id);
 
+/// An isovalue to add to `existing`: in the middle of the widest part of `range` that has none, in the first of the
+/// distinct colours (tan/render.h) that is not in use. Translucent unless it is the only one.
+Isovalue nextIsovalue(const std::vector<Isovalue>& existing, const ValueRange& range);
+
 } // namespace tetra

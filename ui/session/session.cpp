@@ -2,7 +2,7 @@
 #include "ui/session/session.h"
 
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/isovalue_defaults.h"
+#include "ui/session/appearance.h"
 
 #include <QCoreApplication>
 

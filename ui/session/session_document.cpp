@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session_document.h"
 
-#include "ui/session/target_path.h"
-#include "ui/session/text_file.h"
+#include "ui/session/files.h"
 #include "ui/session/view_json.h"
 
 #include <QCoreApplication>

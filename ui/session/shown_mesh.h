@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <tan/model.h>
 #include <tan/query.h>
 #include <tan/transfer.h>
+
+#include <QString>
 
 #include <cstdint>
 #include <memory>
@@ -24,5 +27,15 @@ struct ShownMesh {
     /// The same of the values' natural logarithms; none if the range is not positive.
     std::shared_ptr<const ValueHistogram> logarithmicHistogram{};
 };
+
+/// The errors that the mesh keeps: "error 0.5 % in the focus, 4 % outside".
+QString errorText(const ShownMesh& mesh);
+
+/// How many pieces the window cuts its tetrahedra into; empty if it cuts none.
+QString piecesText(const ShownMesh& mesh);
+
+/// What holds of the mesh that is shown, in a sentence or two: the errors, what limits them, and which part of it is
+/// seen.
+QString meshText(const ShownMesh& mesh, const Model& model);
 
 } // namespace tetra

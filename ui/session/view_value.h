@@ -2,15 +2,45 @@
 #pragma once
 
 #include "ui/animation/animation.h"
-#include "ui/session/annotation_state.h"
 #include "ui/session/appearance.h"
 #include "ui/session/query_state.h"
 
 #include <QFlags>
 
+#include <array>
+#include <cstddef>
 #include <variant>
 
 namespace tetra {
+
+/// What can be written over a picture.
+enum class AnnotationKind { ColourBar, Axes, ScaleBar, Title, Accuracy };
+inline constexpr std::size_t annotationCount = 5;
+/// As files and object names call them, in the order of AnnotationKind.
+inline constexpr std::array<const char*, annotationCount> annotationNames{"colourBar", "axes", "scaleBar", "title",
+                                                                          "accuracy"};
+
+enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
+inline constexpr std::array<const char*, 4> cornerNames{"topLeft", "topRight", "bottomLeft", "bottomRight"};
+
+struct AnnotationPlace {
+    bool shown = false;
+    Corner corner = Corner::TopLeft;
+    bool operator==(const AnnotationPlace&) const = default;
+};
+
+/// Which annotations are shown, and in which corner of the picture: a value.
+struct AnnotationState {
+    std::array<AnnotationPlace, annotationCount> places{{{true, Corner::TopRight},
+                                                         {true, Corner::BottomLeft},
+                                                         {false, Corner::BottomRight},
+                                                         {false, Corner::TopLeft},
+                                                         {false, Corner::TopLeft}}};
+    bool operator==(const AnnotationState&) const = default;
+
+    AnnotationPlace& operator[](AnnotationKind kind) { return places[static_cast<std::size_t>(kind)]; }
+    const AnnotationPlace& operator[](AnnotationKind kind) const { return places[static_cast<std::size_t>(kind)]; }
+};
 
 /// How a model is looked at, all of it: a value. Session shows it and makes its changes undoable, files keep it
 /// (view_json.h), pictures and films are made of it (view_picture.h).

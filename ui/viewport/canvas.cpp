@@ -3,7 +3,7 @@
 
 #include "plugins/widgets/colour_button.h"
 #include "ui/session/message_text.h"
-#include "ui/workbench/picture_image.h"
+#include "ui/workbench/picture_file.h"
 #include "ui/workbench/scene_pipeline.h"
 
 #include <QGuiApplication>

@@ -4,12 +4,20 @@
 #include "ui/window/palette_commands.h"
 
 #include <QFrame>
+#include <QString>
+
+#include <optional>
 
 class QLineEdit;
 class QMainWindow;
 class QTreeWidget;
 
 namespace tetra {
+
+/// How well what somebody types names `text`: each word of the query has to occur, its letters in order but not
+/// necessarily side by side. More is better; nothing if it does not match. Case and accents do not matter. An empty
+/// query matches everything equally. O(query * text).
+std::optional<int> fuzzyMatch(const QString& query, const QString& text);
 
 /// Finds whatever the program can do by a few letters of its name, and does it: keys alone are enough. Lies over the
 /// window, and goes when it loses the keys. What cannot be done now is grey and says why.

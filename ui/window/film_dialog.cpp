@@ -2,12 +2,12 @@
 #include "ui/window/film_dialog.h"
 
 #include "plugins/widgets/number_text.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/form_labels.h"
 #include "ui/window/picture_orders.h"
-#include "ui/workbench/video_encoding.h"
+#include "ui/workbench/film_file.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

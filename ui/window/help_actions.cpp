@@ -11,8 +11,12 @@
 
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
+#include <QUrl>
 #include <QWhatsThis>
 
 namespace tetra {
@@ -42,6 +46,10 @@ void fillLanguages(QMenu& menu, MessageBar& messages)
     giveMnemonics(menu);
 }
 
+class ManualTexts {
+    Q_DECLARE_TR_FUNCTIONS(Manual)
+};
+
 } // namespace
 
 void connectHelp(QMainWindow& window, const Actions& actions, Session& session, MessageBar& messages)
@@ -54,6 +62,26 @@ void connectHelp(QMainWindow& window, const Actions& actions, Session& session, 
     actions.reducedMotion->setChecked(motionReduced());
     QObject::connect(actions.reducedMotion, &QAction::toggled, &window, &setMotionReduced);
     fillLanguages(*actions.languages, messages);
+}
+
+QString manualPage(const QString& programFolder)
+{
+    const QString page = QDir::cleanPath(programFolder + "/../share/doc/tan/manual/index.html");
+    return QFileInfo(page).isFile() ? page : QString();
+}
+
+QString openManual(const QString& programFolder)
+{
+    const QString page = manualPage(programFolder);
+    if (page.isEmpty())
+        return ManualTexts::tr(
+            "The manual is not installed. Install the package tan again with its documentation, or build TAn where "
+            "Sphinx "
+            "is installed (python3-sphinx, python3-myst-parser, furo); the same texts are in the folder docs of its "
+            "sources.");
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+        return ManualTexts::tr("No program opens web pages here. Install a web browser, or read %1.").arg(page);
+    return {};
 }
 
 } // namespace tetra

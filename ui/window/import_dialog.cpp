@@ -5,8 +5,8 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "ui/panels/import_region.h"
 #include "ui/panels/slice_preview.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
 #include "ui/widgets/check_label.h"
 #include "ui/workbench/import_texts.h"
 

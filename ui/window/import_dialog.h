@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ui/panels/import_form.h"
-#include "ui/workbench/import_probe.h"
 #include "ui/workbench/import_question.h"
 #include "ui/workbench/workbench.h"
 

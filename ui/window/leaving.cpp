@@ -2,7 +2,7 @@
 #include "ui/window/leaving.h"
 
 #include "plugins/widgets/number_text.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 
 #include <QMessageBox>
 #include <QPushButton>

@@ -6,8 +6,8 @@
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
 #include "ui/viewport/annotation_overlay.h"
 #include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
@@ -24,12 +24,10 @@
 #include "ui/window/import_dialog.h"
 #include "ui/window/keep_session.h"
 #include "ui/window/leaving.h"
-#include "ui/window/manual.h"
 #include "ui/window/mode_actions.h"
 #include "ui/window/orientation_actions.h"
 #include "ui/window/pick_actions.h"
 #include "ui/window/picture_dialog.h"
-#include "ui/window/picture_menu.h"
 #include "ui/window/picture_orders.h"
 #include "ui/window/plugin_window.h"
 #include "ui/window/region_actions.h"
@@ -75,6 +73,30 @@ QStringList filesOf(const QMimeData* data)
         if (url.isLocalFile())
             files.append(url.toLocalFile());
     return files;
+}
+
+/// A right click in the picture picks the value there and opens menu.picture: what can be made of the value, where to
+/// look from, and what becomes of the picture. The actions are those of the window's menus.
+void givePictureMenu(Viewport& viewport, ValuePick& pick, const Actions& actions)
+{
+    auto* menu = new QMenu(&viewport);
+    menu->setObjectName("menu.picture");
+    for (QAction* action : actions.picked->actions())
+        if (action->objectName() != "action.pickValue") // the click has done that
+            menu->addAction(action);
+    menu->addSeparator();
+    menu->addAction(actions.fit);
+    menu->addMenu(actions.lookFrom);
+    menu->addSeparator();
+    menu->addActions({actions.copyPicture, actions.savePicture});
+    viewport.setContextMenuPolicy(Qt::CustomContextMenu);
+    QObject::connect(&viewport, &QWidget::customContextMenuRequested, menu,
+                     [&viewport, &pick, menu](const QPoint& place) {
+                         if (!viewport.scene())
+                             return;
+                         pick.pickAt(place);
+                         menu->popup(viewport.mapToGlobal(place));
+                     });
 }
 
 } // namespace

@@ -2,9 +2,9 @@
 #include "ui/window/picture_dialog.h"
 
 #include "ui/panels/picture_form.h"
-#include "ui/session/mesh_text.h"
+#include "ui/session/files.h"
 #include "ui/session/session_document.h"
-#include "ui/session/target_path.h"
+#include "ui/session/shown_mesh.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/keep_session.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/plugin_window.h"
 
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
 #include "ui/workbench/plugin_choice.h"
 
 #include <QClipboard>

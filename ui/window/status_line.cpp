@@ -3,7 +3,7 @@
 
 #include "core/base/memory.h"
 #include "plugins/widgets/number_text.h"
-#include "ui/session/mesh_text.h"
+#include "ui/session/shown_mesh.h"
 
 #include <QLabel>
 #include <QLocale>

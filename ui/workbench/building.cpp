@@ -2,10 +2,10 @@
 #include "ui/workbench/building.h"
 
 #include "plugins/host/model_building.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
-#include "ui/workbench/field_extent.h"
 #include "ui/workbench/recent_files.h"
+#include "ui/workbench/view_picture.h"
 
 namespace tetra {
 namespace {

@@ -2,9 +2,8 @@
 #include "ui/workbench/exporting.h"
 
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
-#include "ui/session/text_file.h"
 
 #include <tan/query.h>
 

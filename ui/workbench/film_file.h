@@ -5,6 +5,11 @@
 #include "ui/session/view_value.h"
 #include "ui/workbench/picture_file.h"
 
+#include <tan/base.h>
+
+#include <QStringList>
+
+#include <filesystem>
 #include <vector>
 
 namespace tetra {
@@ -32,5 +37,18 @@ std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& ta
 /// Draws all frames into a folder beside the target; when all are done they take their names, or become the video.
 /// Cancelled or failed it leaves nothing behind, and what was there stays.
 Status writeFilm(const FilmOrder& order, const Progress& progress);
+
+/// The ffmpeg program in PATH; empty if there is none.
+QString findVideoEncoder();
+
+/// Whether the name is that of a video that encodeVideo() writes: .mp4 (H.264) or .webm (VP9), both in yuv420p.
+bool isVideoFile(const std::filesystem::path& path);
+
+/// What the program is told, run in the folder of the frames: `pattern` as in "%06d.png".
+QStringList encoderArguments(const QString& pattern, double framesPerSecond, const QString& output);
+
+/// Runs it, without a shell, and shows what it has to say against it. Ends it within a second when cancelled.
+Status encodeVideo(const QString& encoder, const QStringList& arguments, const std::filesystem::path& folder,
+                   const Progress& progress);
 
 } // namespace tetra

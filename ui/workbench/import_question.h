@@ -3,7 +3,9 @@
 
 #include "plugins/host/import_options.h"
 #include "plugins/host/plugin_host.h"
+#include "ui/work/latest_job.h"
 
+#include <QObject>
 #include <QString>
 
 #include <filesystem>
@@ -21,5 +23,30 @@ struct ImportQuestion {
 
 /// Whether a file offers a choice that a user wants to be asked about: an array, a time step, a block, a layout.
 bool offersChoice(const FileContents& contents);
+
+/// Looks into files for what there is to choose, in a worker: the newest request wins.
+class ImportProbe : public QObject {
+    Q_OBJECT
+public:
+    /// `host` outlives it.
+    explicit ImportProbe(PluginHost& host, QObject* parent = nullptr) : QObject(parent), host_(host) {}
+
+    void request(const std::filesystem::path& path, const ImportOptions& options);
+
+signals:
+    /// Of the newest request.
+    void probed(const tetra::Result<tetra::FileContents>& contents);
+
+private:
+    PluginHost& host_;
+    std::uint64_t newest_ = 0;
+    LatestJob job_; ///< last: ends before what it uses
+};
+
+/// How a file was opened last, kept in the user's settings for the fifty files that were opened so last.
+void rememberImport(const std::filesystem::path& path, const ImportOptions& options);
+
+/// As far as its reader still knows it; nothing chosen if the file was never opened so.
+ImportOptions rememberedImport(const std::filesystem::path& path, PluginHost& host);
 
 } // namespace tetra

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/kept_views.h"
 
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
-#include "ui/session/text_file.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>

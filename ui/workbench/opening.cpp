@@ -3,10 +3,9 @@
 
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
-#include "ui/workbench/field_extent.h"
-#include "ui/workbench/import_memory.h"
+#include "ui/workbench/import_question.h"
 #include "ui/workbench/recent_files.h"
 #include "ui/workbench/sample_models.h"
 #include "ui/workbench/view_picture.h"

@@ -2,11 +2,11 @@
 #include "ui/workbench/picture_file.h"
 
 #include "core/base/file_writer.h"
-#include "ui/workbench/picture_image.h"
 
 #include <QBuffer>
 
 #include <cmath>
+#include <cstring>
 
 namespace tetra {
 namespace {
@@ -14,6 +14,16 @@ namespace {
 constexpr double inchesPerMetre = 1 / 0.0254;
 
 } // namespace
+
+QImage imageOf(const Picture& picture)
+{
+    QImage image(picture.width, picture.height, QImage::Format_RGBA8888);
+    const std::size_t rowBytes = static_cast<std::size_t>(picture.width) * 4;
+    for (int row = 0; row < picture.height; ++row)
+        std::memcpy(image.scanLine(row), picture.pixels.data() + static_cast<std::size_t>(row) * picture.width,
+                    rowBytes);
+    return image;
+}
 
 QImage finishedPicture(const PictureOrder& order, const Picture& picture)
 {

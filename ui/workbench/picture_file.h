@@ -13,6 +13,9 @@
 
 namespace tetra {
 
+/// The same pixels as Qt's image. O(pixels).
+QImage imageOf(const Picture& picture);
+
 /// A picture to save, in the still resolution.
 struct PictureOrder {
     std::shared_ptr<const Scene> scene;

@@ -3,8 +3,8 @@
 
 #include "plugins/host/file_saving.h"
 #include "plugins/host/plugin_folders.h"
+#include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/session/target_path.h"
 
 #include <QCoreApplication>
 #include <QSettings>

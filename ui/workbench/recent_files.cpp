@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/recent_files.h"
 
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 #include "ui/workbench/sample_models.h"
 
 #include <QFileInfo>

@@ -10,9 +10,8 @@
 #include "plugins/samples/samples.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/appearance.h"
+#include "ui/session/files.h"
 #include "ui/session/query_state.h"
-#include "ui/session/target_path.h"
-#include "ui/workbench/field_extent.h"
 #include "ui/workbench/picture_file.h"
 #include "ui/workbench/view_picture.h"
 

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/scene_builder.h"
 
+#include "ui/animation/frame_pacer.h"
+
+#include <tan/query.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <new>
+#include <optional>
 
 namespace tetra {
 namespace {
@@ -19,6 +26,32 @@ std::chrono::milliseconds patienceFor(double seconds)
 {
     const auto wanted = std::chrono::milliseconds(std::llround(1000 * muchLonger * seconds));
     return std::clamp(wanted, leastPatience, mostPatience);
+}
+
+/// A draft on its way is finished before a newer one begins, if it does not take longer.
+constexpr auto draftPatience = std::chrono::milliseconds(300);
+
+bool haveSameMesh(const SceneRequest& first, const SceneRequest& second)
+{
+    return first.model == second.model && first.query == second.query;
+}
+
+/// The budgets of the meshes before window and values that leave a quarter of the last one each.
+std::vector<std::uint64_t> budgetsFor(const ShownMesh& shown)
+{
+    const double whole = static_cast<double>(shown.wholeTetrahedra) / static_cast<double>(shown.tetrahedra);
+    std::vector<std::uint64_t> budgets;
+    for (const std::uint64_t size : coarserMeshes(shown.tetrahedra))
+        budgets.push_back(static_cast<std::uint64_t>(whole * static_cast<double>(size)));
+    return budgets;
+}
+
+/// Closed sets are found at once, whatever the field; a draft need not be the smallest mesh.
+MeshQuery coarserQuery(MeshQuery query, std::uint64_t budget)
+{
+    query.budget = query.budget ? std::min(*query.budget, budget) : budget;
+    query.method = VariableMethod::ClosedSet;
+    return query;
 }
 
 } // namespace
@@ -81,6 +114,107 @@ void SceneBuilder::setBusy(bool busy)
         return;
     busy_ = busy;
     emit busyChanged(busy);
+}
+
+/// What the worker keeps between two requests: a pipeline for each mesh.
+struct DraftBuilder::Workshop {
+    using Tell = std::function<void(std::vector<DraftScene>)>;
+
+    std::optional<SceneRequest> present;                   ///< that the meshes belong to
+    std::vector<std::uint64_t> budgets;                    ///< of the meshes, the finest first
+    std::vector<std::unique_ptr<ScenePipeline>> pipelines; ///< the coarsest first, as far as they were made
+    std::size_t made = 0;                                  ///< of them, so many have had a scene
+    ScenePipeline::Extractor extractor = std::make_shared<std::optional<MeshExtractor>>();
+
+    void make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress, const Tell& tell);
+    void clear();
+};
+
+/// What fails or is cancelled leaves fewer drafts: the full scene tells what is wrong.
+void DraftBuilder::Workshop::make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress,
+                                  const Tell& tell)
+try {
+    if (!present || !haveSameMesh(*present, request)) {
+        pipelines.clear();
+        made = 0;
+        budgets = budgetsFor(shown);
+    }
+    present = request;
+    std::vector<DraftScene> drafts;
+    for (std::size_t i = 0; i < budgets.size(); ++i) {
+        if (i == pipelines.size())
+            pipelines.push_back(std::make_unique<ScenePipeline>(makeCpuBackend(), extractor));
+        SceneRequest coarser = request;
+        coarser.query = coarserQuery(request.query, budgets[budgets.size() - 1 - i]);
+        const auto built = pipelines[i]->make(coarser, progress);
+        if (!built || built->mesh.tetrahedra == 0)
+            return;
+        drafts.insert(drafts.begin(), {built->scene, built->mesh.tetrahedra});
+        const bool isNew = i == made;
+        made = std::max(made, i + 1);
+        if (isNew || i + 1 == budgets.size())
+            tell(drafts);
+    }
+} catch (const std::bad_alloc&) {
+    clear();
+}
+
+void DraftBuilder::Workshop::clear()
+{
+    pipelines.clear();
+    made = 0;
+    present.reset();
+    extractor->reset();
+}
+
+DraftBuilder::DraftBuilder(QObject* parent) : QObject(parent), workshop_(std::make_shared<Workshop>()) {}
+
+DraftBuilder::~DraftBuilder() = default;
+
+void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
+{
+    if (shown.tetrahedra == 0)
+        return clear();
+    const bool isSameMesh = last_ && haveSameMesh(*last_, request);
+    const bool isKnown = last_ && haveSameScene(*last_, request);
+    shown_ = shown;
+    if (!isSameMesh) {
+        cleared_ = newest_; // drafts of another mesh, on their way yet
+        emit draftsReady({});
+    }
+    if (!isKnown)
+        submit(request);
+}
+
+void DraftBuilder::requestLook(const SceneRequest& request)
+{
+    if (last_ && haveSameMesh(*last_, request))
+        submit(request);
+}
+
+void DraftBuilder::submit(const SceneRequest& request)
+{
+    last_ = request;
+    job_.submit(
+        [this, request, shown = shown_, workshop = workshop_, number = ++newest_](const std::stop_token& stop) {
+            workshop->make(request, shown, Progress(stop, {}), [this, number](std::vector<DraftScene> drafts) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, number, drafts = std::move(drafts)] {
+                        if (number > cleared_)
+                            emit draftsReady(drafts);
+                    },
+                    Qt::QueuedConnection);
+            });
+        },
+        draftPatience);
+}
+
+void DraftBuilder::clear()
+{
+    last_.reset();
+    cleared_ = newest_;
+    job_.submit([workshop = workshop_](const std::stop_token&) { workshop->clear(); });
 }
 
 } // namespace tetra

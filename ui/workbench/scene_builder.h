@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 namespace tetra {
 
@@ -44,6 +45,44 @@ private:
     std::optional<BuiltScene> last_;
     std::chrono::milliseconds patience_;
     std::shared_ptr<ScenePipeline> pipeline_;
+    LatestJob job_;
+};
+
+/// A scene of a coarser mesh than that which is seen.
+struct DraftScene {
+    std::shared_ptr<const Scene> scene;
+    std::uint64_t tetrahedra = 0;
+};
+
+/// Prepares in a worker what can be drawn quickly while the camera moves or a slider is dragged (R23): the same scene
+/// of a few coarser meshes. Meshes are extracted only when the query changes; what the renderer keeps of them makes
+/// other changes quick. The newest request wins. Used from the thread that it lives in, where it emits its signals.
+class DraftBuilder : public QObject {
+    Q_OBJECT
+public:
+    explicit DraftBuilder(QObject* parent = nullptr);
+    ~DraftBuilder() override;
+
+    /// The scene of `request`, whose mesh is `shown`.
+    void request(const SceneRequest& request, const ShownMesh& shown);
+    /// The same meshes as the last request, seen otherwise; nothing if that was about other meshes.
+    void requestLook(const SceneRequest& request);
+    /// Nothing that was asked for arrives any more, and meshes are given back.
+    void clear();
+
+signals:
+    /// The finest first; coarse ones come before all are there, and none at once when the mesh is another one.
+    void draftsReady(const std::vector<tetra::DraftScene>& drafts);
+
+private:
+    struct Workshop;
+    void submit(const SceneRequest& request);
+
+    quint64 newest_ = 0;
+    quint64 cleared_ = 0;              ///< requests up to this number are dropped
+    std::optional<SceneRequest> last_; ///< that was asked for
+    ShownMesh shown_;                  ///< of it
+    std::shared_ptr<Workshop> workshop_;
     LatestJob job_;
 };
 

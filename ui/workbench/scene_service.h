@@ -4,7 +4,6 @@
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
 #include "ui/session/session.h"
-#include "ui/workbench/draft_builder.h"
 #include "ui/workbench/scene_builder.h"
 
 #include <tan/data.h>

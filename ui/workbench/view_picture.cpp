@@ -5,10 +5,25 @@
 #include "ui/annotations/annotation_painter.h"
 #include "ui/session/accuracy_scale.h"
 
+#include <tan/query.h>
+#include <tan/render.h>
+
 #include <algorithm>
+#include <new>
 
 namespace tetra {
 namespace {
+
+constexpr std::uint64_t largestMesh = 100'000; // tetrahedra
+constexpr int volumeParts = 256;
+constexpr double anyError = 1e9; ///< %
+
+/// The finest that is small, or the coarsest if that is not.
+std::uint32_t sitesOfCoarseMesh(const Model& model)
+{
+    const auto size = meshSizeWithin(model, {}, largestMesh);
+    return size ? size->sites : meshSizeAt(model, {.error = anyError}).sites;
+}
 
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
 constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
@@ -38,6 +53,23 @@ void leaveWhatFits(SessionDocument& kept, const ViewValue& start)
 }
 
 } // namespace
+
+FieldExtent roughExtentOf(const Model& model)
+{
+    return {model.description().range, model.description().bounds};
+}
+
+FieldExtent extentOf(const Model& model)
+try {
+    FieldExtent field = roughExtentOf(model);
+    if (const auto mesh = extractPrefix(model, sitesOfCoarseMesh(model))) {
+        field.volumes = volumeHistogram(*mesh, field.range.minimum, field.range.maximum, volumeParts);
+        field.surface = surfaceValue(*mesh, field.range.minimum, field.range.maximum);
+    }
+    return field;
+} catch (const std::bad_alloc&) {
+    return roughExtentOf(model);
+}
 
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio)

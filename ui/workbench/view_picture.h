@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
 #include "ui/session/session_document.h"
 #include "ui/workbench/picture_file.h"
 #include "ui/workbench/scene_pipeline.h"
+
+#include <tan/model.h>
 
 #include <QSize>
 
@@ -13,6 +16,13 @@ namespace tetra {
 
 // The way from how a model is seen to a picture of that: the window's and the command line's, so that both draw the
 // same.
+
+/// What is known of a model before there is a mesh of it: its range and its box.
+FieldExtent roughExtentOf(const Model& model);
+/// What defaults follow from: the model's range and box, and by a coarse mesh of it how the values share the volume, so
+/// that transfer functions to begin with show what is rare, and where the data have a surface. The same for window and
+/// command line. Takes some milliseconds: not for the GUI thread.
+FieldExtent extentOf(const Model& model);
 
 /// How a model is seen that nobody has looked at yet, in a picture of this width / height.
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,

@@ -2,7 +2,7 @@
 #include "tests/ui/driving/driven_window.h"
 
 #include "tests/waiting.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
 
 #include <QApplication>
 #include <QDialog>

@@ -2,7 +2,7 @@
 // How the actions of the menus File and Edit are driven, and what each changes.
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
-#include "ui/session/isovalue_defaults.h"
+#include "ui/session/appearance.h"
 #include "ui/workbench/recent_files.h"
 #include "ui/workbench/sample_models.h"
 

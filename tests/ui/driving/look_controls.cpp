@@ -2,7 +2,7 @@
 // How the controls of the docks Rendering, View and Isovalues are driven, and what each changes (R19, R20, R21, R27).
 #include "tests/ui/driving/driver.h"
 #include "tests/ui/driving/scene_facts.h"
-#include "ui/session/isovalue_defaults.h"
+#include "ui/session/appearance.h"
 
 #include <QSettings>
 #include <QToolButton>

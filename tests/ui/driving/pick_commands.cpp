@@ -3,7 +3,7 @@
 #include "plugins/widgets/curves/joined_function.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
-#include "ui/session/isovalue_defaults.h"
+#include "ui/session/appearance.h"
 #include "ui/viewport/value_pick.h"
 
 namespace tetra {

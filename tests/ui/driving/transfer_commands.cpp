@@ -8,7 +8,7 @@
 #include "plugins/widgets/curves/reshaping.h"
 #include "plugins/widgets/curves/whole_function.h"
 #include "tests/ui/driving/driver.h"
-#include "ui/session/isovalue_defaults.h"
+#include "ui/session/appearance.h"
 
 #include <QAbstractButton>
 #include <QClipboard>

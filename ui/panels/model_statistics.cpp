@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/workbench/model_statistics.h"
+#include "ui/panels/model_statistics.h"
 
 #include "plugins/widgets/number_text.h"
 #include "ui/session/accuracy_scale.h"
-#include "ui/session/mesh_text.h"
-#include "ui/session/target_path.h"
+#include "ui/session/files.h"
+#include "ui/session/shown_mesh.h"
 
 #include <tan/query.h>
 

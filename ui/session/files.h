@@ -3,11 +3,23 @@
 
 #include <tan/base.h>
 
+#include <QString>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace tetra {
+
+/// The user's documents, or home where there is no folder for them.
+QString documentFolder();
+
+/// Where the model of a dataset goes unless the user says otherwise: beside it, or into the user's documents if that
+/// folder cannot be written to.
+QString proposedModelPath(const std::filesystem::path& dataset);
+
+std::filesystem::path filePath(const QString& path);
+QString pathText(const std::filesystem::path& path);
 
 /// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/mesh_text.h"
+#include "ui/session/shown_mesh.h"
 
 #include "plugins/widgets/number_text.h"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/text_file.h"
+#include "ui/session/files.h"
 
 #include "core/base/file_writer.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
 
 #include <span>
 
@@ -13,6 +16,30 @@ namespace {
 constexpr qint64 largestFile = 64 << 20; // a session with a long film has some megabytes
 
 } // namespace
+
+std::filesystem::path filePath(const QString& path)
+{
+    return QFile::encodeName(path).toStdString();
+}
+
+QString pathText(const std::filesystem::path& path)
+{
+    return QFile::decodeName(QByteArray::fromStdString(path.native()));
+}
+
+QString documentFolder()
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
+
+QString proposedModelPath(const std::filesystem::path& dataset)
+{
+    const QFileInfo file(pathText(dataset));
+    const QString folder = QFileInfo(file.absolutePath()).isWritable() ? file.absolutePath() : documentFolder();
+    const QString name = file.completeBaseName().isEmpty() ? QString("model") : file.completeBaseName();
+    return folder + "/" + name + ".tan";
+}
 
 Result<std::string> readTextFile(const std::filesystem::path& path)
 {
