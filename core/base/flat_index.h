@@ -110,11 +110,13 @@ private:
 
         /// The key is put at the end first, as if it were new, with the next number: then an empty slot, whose `none`
         /// is larger than all numbers, reads as that number, and the search ends there, too.
-        std::uint32_t numberOf(const Key& key)
+        /// Key and slot are copied first: through references, the search would take a branch and more loads.
+        std::uint32_t numberOf(const Key key)
         {
             keys[count] = key;
             for (std::size_t slot = hash(key) >> shift;; slot = (slot + 1) & mask) {
-                const std::uint32_t number = std::min(table[slot], count);
+                const std::uint32_t found = table[slot];
+                const std::uint32_t number = std::min(found, count);
                 table[slot] = number;
                 if (equal(keys[number], key)) {
                     count += number == count ? 1 : 0;
