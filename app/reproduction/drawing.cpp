@@ -13,13 +13,13 @@
 namespace tetra {
 namespace {
 
-struct InkLook {
+struct InkColours {
     const char* name;
     QRgb light; ///< on a white ground
     QRgb dark;
 };
 constexpr std::size_t seriesInks = 8;
-constexpr std::array<InkLook, std::size_t(Ink::Series) + seriesInks> inks = {{
+constexpr std::array<InkColours, std::size_t(Ink::Series) + seriesInks> inks = {{
     {"ground", 0xffffffff, 0xff1b1e21},
     {"text", 0xff1c1e21, 0xffe3e6e8},
     {"soft", 0xff565c63, 0xffa9b1b8},
@@ -35,20 +35,20 @@ constexpr std::array<InkLook, std::size_t(Ink::Series) + seriesInks> inks = {{
     {"s7", 0xff7a7a1f, 0xffcccc66},
 }};
 
-const InkLook& lookOf(Ink ink)
+const InkColours& coloursOf(Ink ink)
 {
     return inks[std::size_t(ink)];
 }
 
-struct LettersLook {
+struct LetterStyle {
     int size;
     bool isBold;
 };
-constexpr std::array<LettersLook, 4> letterLooks = {{{13, false}, {12, false}, {13, true}, {15, true}}};
+constexpr std::array<LetterStyle, 4> letterStyles = {{{13, false}, {12, false}, {13, true}, {15, true}}};
 
-const LettersLook& lookOf(Letters letters)
+const LetterStyle& styleOf(Letters letters)
 {
-    return letterLooks[std::size_t(letters)];
+    return letterStyles[std::size_t(letters)];
 }
 
 QString number(double value)
@@ -56,10 +56,10 @@ QString number(double value)
     return QString::number(value, 'f', 1);
 }
 
-QString colourRules(QRgb InkLook::*colour)
+QString colourRules(QRgb InkColours::*colour)
 {
     QString rules;
-    for (const InkLook& ink : inks)
+    for (const InkColours& ink : inks)
         rules += QString(".%1 { color: %2; } ").arg(QString(ink.name), QColor::fromRgb(ink.*colour).name());
     return rules;
 }
@@ -114,7 +114,7 @@ void Drawing::dots(const QPolygonF& places, Ink ink, double diameter)
 
 QString Drawing::svgOf(const Shape& shape)
 {
-    const QString ink = lookOf(shape.ink).name;
+    const QString ink = coloursOf(shape.ink).name;
     switch (shape.kind) {
     case Kind::Line:
         return QString(R"(<polyline class="%1" fill="none" stroke="currentColor" stroke-width="%2" points="%3"/>)")
@@ -128,7 +128,7 @@ QString Drawing::svgOf(const Shape& shape)
     case Kind::Text: break;
     }
     const char* const anchors[] = {"start", "middle", "end"};
-    const auto [size, isBold] = lookOf(shape.letters);
+    const auto [size, isBold] = styleOf(shape.letters);
     return QString(R"(<text class="%1" fill="currentColor" font-size="%2" font-weight="%3" text-anchor="%4" x="%5" )"
                    R"(y="%6">%7</text>)")
         .arg(ink, QString::number(size), QString(isBold ? "600" : "400"), QString(anchors[std::size_t(shape.anchor)]),
@@ -137,8 +137,9 @@ QString Drawing::svgOf(const Shape& shape)
 
 QByteArray Drawing::svg() const
 {
-    QString text = QString(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %1 %2" width="%1" height="%2" )"
-                           R"(role="img" aria-labelledby="title description">
+    QString text =
+        QString(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %1 %2" width="%1" height="%2" )"
+                R"(role="img" aria-labelledby="title description">
 <title id="title">%3</title>
 <desc id="description">%4</desc>
 <style>
@@ -147,8 +148,8 @@ text { font-family: system-ui, sans-serif; }
 @media (prefers-color-scheme: dark) { %6}
 </style>
 )")
-                       .arg(QString::number(size_.width()), QString::number(size_.height()), title_.toHtmlEscaped(),
-                            description_.toHtmlEscaped(), colourRules(&InkLook::light), colourRules(&InkLook::dark));
+            .arg(QString::number(size_.width()), QString::number(size_.height()), title_.toHtmlEscaped(),
+                 description_.toHtmlEscaped(), colourRules(&InkColours::light), colourRules(&InkColours::dark));
     for (const Shape& shape : shapes_)
         text += svgOf(shape) + '\n';
     return (text + "</svg>\n").toUtf8();
@@ -156,7 +157,7 @@ text { font-family: system-ui, sans-serif; }
 
 void Drawing::paint(QPainter& painter, const Shape& shape)
 {
-    const QColor colour = QColor::fromRgb(lookOf(shape.ink).light);
+    const QColor colour = QColor::fromRgb(coloursOf(shape.ink).light);
     painter.setPen(QPen(colour, shape.width, Qt::SolidLine, shape.kind == Kind::Dots ? Qt::RoundCap : Qt::FlatCap));
     painter.setBrush(colour);
     switch (shape.kind) {
@@ -169,8 +170,8 @@ void Drawing::paint(QPainter& painter, const Shape& shape)
     case Kind::Text: break;
     }
     QFont font = painter.font();
-    font.setPixelSize(lookOf(shape.letters).size);
-    font.setBold(lookOf(shape.letters).isBold);
+    font.setPixelSize(styleOf(shape.letters).size);
+    font.setBold(styleOf(shape.letters).isBold);
     painter.setFont(font);
     const double width = QFontMetricsF(font).horizontalAdvance(shape.words);
     painter.drawText(shape.points[0] - QPointF(width / 2 * static_cast<int>(shape.anchor), 0), shape.words);

@@ -148,14 +148,14 @@ void DraftBuilderTest::anotherLookKeepsTheMeshes()
     const auto before = newest();
     SceneRequest other = full.request;
     other.values["shaded"] = true;
-    builder.requestLook(other);
+    builder.requestAppearance(other);
     QTRY_VERIFY(newest().size() == expected && testing::partsOf(*newest().front().scene).volume->shaded);
     QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
              testing::partsOf(*before.front().scene).volume->mesh);
     SceneRequest elsewhere = full.request;
     elsewhere.query.error = 3.0;
-    builder.requestLook(elsewhere); // of a mesh that is not known yet: as if it had not been asked for
-    builder.requestLook(full.request);
+    builder.requestAppearance(elsewhere); // of a mesh that is not known yet: as if it had not been asked for
+    builder.requestAppearance(full.request);
     QTRY_VERIFY(newest().size() == expected && !testing::partsOf(*newest().front().scene).volume->shaded);
     QCOMPARE(testing::partsOf(*newest().front().scene).volume->mesh,
              testing::partsOf(*before.front().scene).volume->mesh);

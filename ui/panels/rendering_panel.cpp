@@ -44,7 +44,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
     connect(settings_, &ParameterForm::edited, this, [this](const QString& id) { setSetting(id.toStdString()); });
     connect(frameRate_, &QSpinBox::valueChanged, this, &RenderingPanel::setFrameRate);
     connect(&workbench_.session(), &Session::modelChanged, this, &RenderingPanel::showModel);
-    workbench_.session().whenChanged(ViewPart::Mode | ViewPart::Settings, this, &RenderingPanel::showLook);
+    workbench_.session().whenChanged(ViewPart::Mode | ViewPart::Settings, this, &RenderingPanel::showAppearance);
     frameRate_->setValue(QSettings().value(frameRateKey, automatic).toInt());
     setFrameRate(frameRate_->value());
     showModel();
@@ -113,20 +113,20 @@ void RenderingPanel::showModel()
     for (const Provided<Renderer>& mode : workbench_.scenes().modes())
         mode_->addItem(inUsersLanguage(mode.name, mode.names), QString::fromStdString(mode.id));
     shownMode_.clear();
-    showLook();
+    showAppearance();
 }
 
-void RenderingPanel::showLook()
+void RenderingPanel::showAppearance()
 {
-    const Appearance& look = workbench_.session().view().appearance;
-    mode_->setCurrentIndex(mode_->findData(QString::fromStdString(look.mode)));
-    explanation_->setText(explanationOf(workbench_.host(), look.mode));
-    if (look.mode != shownMode_ || look.mode.empty()) {
+    const Appearance& appearance = workbench_.session().view().appearance;
+    mode_->setCurrentIndex(mode_->findData(QString::fromStdString(appearance.mode)));
+    explanation_->setText(explanationOf(workbench_.host(), appearance.mode));
+    if (appearance.mode != shownMode_ || appearance.mode.empty()) {
         settings_->setParameters(settingParameters(workbench_.scenes().renderingParameters()));
         showExample();
     }
-    shownMode_ = look.mode;
-    settings_->setValues(look.settings);
+    shownMode_ = appearance.mode;
+    settings_->setValues(appearance.settings);
 }
 
 /// How a clip plane is written: one that cuts the domain in two.

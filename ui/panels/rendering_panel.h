@@ -33,7 +33,7 @@ signals:
 private:
     QWidget* makeContent();
     void showModel();
-    void showLook();
+    void showAppearance();
     void showExample();
     void setFrameRate(int perSecond);
 

@@ -67,12 +67,12 @@ QString sampleSizeText(const std::string& name)
 
 /// How a sample looks best in a small picture: grids and meshes by the values on their boundary, which shows their
 /// shape.
-struct ThumbnailLook {
+struct ThumbnailStyle {
     std::string mode;
     bool boundary = false;
 };
 
-ThumbnailLook thumbnailLook(const SampleKind& kind)
+ThumbnailStyle thumbnailStyle(const SampleKind& kind)
 {
     if (kind.domain == DomainClass::Curvilinear || kind.domain == DomainClass::Irregular)
         return {"isosurface", true};
@@ -97,14 +97,14 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
         return model.error();
     const FieldExtent field = extentOf(**model);
     const auto modes = renderingModes(host);
-    const ThumbnailLook wantedLook = thumbnailLook(kind);
-    const auto mode = std::ranges::find(modes, wantedLook.mode, &Provided<Renderer>::id);
+    const ThumbnailStyle style = thumbnailStyle(kind);
+    const auto mode = std::ranges::find(modes, style.mode, &Provided<Renderer>::id);
     if (mode == modes.end())
         return Error{ErrorKind::OutOfResource, host.explainMissing(PluginKind::Renderer)};
     ViewValue view = startingView(modes, **model, field, double(thumbnailWidth) / thumbnailHeight);
     view.appearance.settings[outlineId] = false;
-    view.appearance.settings[boundaryId] = std::string(wantedLook.boundary ? boundaryValues : boundaryOff);
-    if (wantedLook.boundary)
+    view.appearance.settings[boundaryId] = std::string(style.boundary ? boundaryValues : boundaryOff);
+    if (style.boundary)
         view.isovalues.clear();
     return drawPicture({.scene = {},
                         .camera = view.camera,

@@ -117,7 +117,7 @@ void SceneBuilder::setBusy(bool busy)
 }
 
 /// What the worker keeps between two requests: a pipeline for each mesh.
-struct DraftBuilder::Workshop {
+struct DraftBuilder::Pipelines {
     using Tell = std::function<void(std::vector<DraftScene>)>;
 
     std::optional<SceneRequest> present;                   ///< that the meshes belong to
@@ -131,8 +131,8 @@ struct DraftBuilder::Workshop {
 };
 
 /// What fails or is cancelled leaves fewer drafts: the full scene tells what is wrong.
-void DraftBuilder::Workshop::make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress,
-                                  const Tell& tell)
+void DraftBuilder::Pipelines::make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress,
+                                   const Tell& tell)
 try {
     if (!present || !haveSameMesh(*present, request)) {
         pipelines.clear();
@@ -159,7 +159,7 @@ try {
     clear();
 }
 
-void DraftBuilder::Workshop::clear()
+void DraftBuilder::Pipelines::clear()
 {
     pipelines.clear();
     made = 0;
@@ -167,7 +167,7 @@ void DraftBuilder::Workshop::clear()
     extractor->reset();
 }
 
-DraftBuilder::DraftBuilder(QObject* parent) : QObject(parent), workshop_(std::make_shared<Workshop>()) {}
+DraftBuilder::DraftBuilder(QObject* parent) : QObject(parent), pipelines_(std::make_shared<Pipelines>()) {}
 
 DraftBuilder::~DraftBuilder() = default;
 
@@ -186,7 +186,7 @@ void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
         submit(request);
 }
 
-void DraftBuilder::requestLook(const SceneRequest& request)
+void DraftBuilder::requestAppearance(const SceneRequest& request)
 {
     if (last_ && haveSameMesh(*last_, request))
         submit(request);
@@ -196,8 +196,8 @@ void DraftBuilder::submit(const SceneRequest& request)
 {
     last_ = request;
     job_.submit(
-        [this, request, shown = shown_, workshop = workshop_, number = ++newest_](const std::stop_token& stop) {
-            workshop->make(request, shown, Progress(stop, {}), [this, number](std::vector<DraftScene> drafts) {
+        [this, request, shown = shown_, pipelines = pipelines_, number = ++newest_](const std::stop_token& stop) {
+            pipelines->make(request, shown, Progress(stop, {}), [this, number](std::vector<DraftScene> drafts) {
                 QMetaObject::invokeMethod(
                     this,
                     [this, number, drafts = std::move(drafts)] {
@@ -214,7 +214,7 @@ void DraftBuilder::clear()
 {
     last_.reset();
     cleared_ = newest_;
-    job_.submit([workshop = workshop_](const std::stop_token&) { workshop->clear(); });
+    job_.submit([pipelines = pipelines_](const std::stop_token&) { pipelines->clear(); });
 }
 
 } // namespace tetra

@@ -66,7 +66,7 @@ public:
     /// The scene of `request`, whose mesh is `shown`.
     void request(const SceneRequest& request, const ShownMesh& shown);
     /// The same meshes as the last request, seen otherwise; nothing if that was about other meshes.
-    void requestLook(const SceneRequest& request);
+    void requestAppearance(const SceneRequest& request);
     /// Nothing that was asked for arrives any more, and meshes are given back.
     void clear();
 
@@ -75,14 +75,14 @@ signals:
     void draftsReady(const std::vector<tetra::DraftScene>& drafts);
 
 private:
-    struct Workshop;
+    struct Pipelines;
     void submit(const SceneRequest& request);
 
     quint64 newest_ = 0;
     quint64 cleared_ = 0;              ///< requests up to this number are dropped
     std::optional<SceneRequest> last_; ///< that was asked for
     ShownMesh shown_;                  ///< of it
-    std::shared_ptr<Workshop> workshop_;
+    std::shared_ptr<Pipelines> pipelines_;
     LatestJob job_;
 };
 

@@ -120,7 +120,7 @@ void SceneService::requestScene()
     if (!session_.model() || renderer() == nullptr)
         return;
     const SceneRequest request = sceneRequest();
-    draftBuilder_.requestLook(request);
+    draftBuilder_.requestAppearance(request);
     sceneBuilder_.request(request);
 }
 

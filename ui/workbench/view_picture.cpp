@@ -40,7 +40,7 @@ Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& m
 }
 
 /// Of a view that was kept of another field: what is not a place in it nor a value of it.
-void leaveWhatFits(SessionDocument& kept, const ViewValue& start)
+void dropWhatDoesNotFit(SessionDocument& kept, const ViewValue& start)
 {
     kept.view.query.focus = start.query.focus;
     kept.view.query.window = start.query.window;
@@ -85,7 +85,7 @@ SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Re
 {
     const ViewValue start = startingView(modes, model, field);
     if (!isOfSameField(kept, model))
-        leaveWhatFits(kept, start);
+        dropWhatDoesNotFit(kept, start);
     kept.view.appearance = known(std::move(kept.view.appearance), modes, start.appearance);
     kept.view.query = corrected(kept.view.query, start.query, model);
     for (Isovalue& isovalue : kept.view.isovalues)
