@@ -26,14 +26,6 @@ using Pixel = std::array<std::uint8_t, 4>;
 /// Looks along +y at the origin.
 const Camera fromFront{.target = {0, 0, 0}, .distance = 5, .azimuth = 0, .elevation = 0};
 
-Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options)
-{
-    auto picture = makeCpuBackend()->render(scene, camera, options);
-    if (!picture)
-        qFatal("%s", picture.error().text().c_str());
-    return std::move(picture).value();
-}
-
 Pixel toPixel(const Colour& colour)
 {
     const auto byte = [](float channel) { return static_cast<std::uint8_t>(std::lround(channel * 255)); };
@@ -84,7 +76,7 @@ private slots:
         SceneParts scene{{{sphere({0, 0, 0}, 1), colour, 1}}, {}, cube(1)};
         Camera camera{.target = {0.1, 0, 0.05}, .distance = 4, .perspective = perspective};
         const PictureOptions options{.width = 230, .height = 171, .samplesPerAxis = 1};
-        const Picture picture = rendered(scene, camera, options);
+        const Picture picture = renderedByCpu(scene, camera, options);
 
         const Eigen::Matrix4d inverse =
             (projectionMatrix(camera, 230.0 / 171, scene.bounds) * viewMatrix(camera)).inverse();
@@ -119,7 +111,7 @@ private slots:
             scene.surfaces.push_back({quad({-9, depths[i], -9}, {18, 0, 0}, {0, 0, 18}), colours[i], opacities[i]});
         Camera camera = fromFront;
         camera.perspective = false; // the same light everywhere: c = 1
-        const Picture picture = rendered(scene, camera, {.width = 70, .height = 70});
+        const Picture picture = renderedByCpu(scene, camera, {.width = 70, .height = 70});
         Colour expected{1, 1, 1};
         for (const std::size_t i : {2, 0, 3, 4, 1}) // from the farthest
             expected = mixed(shaded(colours[i], 1, 1), opacities[i], expected);
@@ -134,7 +126,7 @@ private slots:
         scene.surfaces.push_back({quad({-6, 3, -6}, {12, -6, 0}, {0, 0, 12}), {0, 0, 1}, 0.6f});
         Camera camera = fromFront;
         camera.perspective = false;
-        const Picture picture = rendered(scene, camera, {.width = 100, .height = 50, .samplesPerAxis = 1});
+        const Picture picture = renderedByCpu(scene, camera, {.width = 100, .height = 50, .samplesPerAxis = 1});
         const float squared = 0.8f; // of the cosine: the planes are inclined by 1 : 2
         const Colour red = shaded({1, 0, 0}, std::sqrt(squared), squared);
         const Colour blue = shaded({0, 0, 1}, std::sqrt(squared), squared);
@@ -171,7 +163,7 @@ private slots:
             camera.fieldOfView = 25;
             const PictureOptions options{
                 .width = 131, .height = 97, .transparentBackground = true, .samplesPerAxis = samples};
-            const Picture picture = rendered(scene, camera, options);
+            const Picture picture = renderedByCpu(scene, camera, options);
             const Eigen::Matrix4d view = projectionMatrix(camera, 131.0 / 97, scene.bounds) * viewMatrix(camera);
             const Eigen::Matrix4d inverse = view.inverse();
             int covered = 0;
@@ -201,7 +193,8 @@ private slots:
             for (int turn = 0; turn < 5; ++turn) {
                 Camera camera{.target = {0.2, 0, 0.1}, .distance = 0.5, .fieldOfView = field};
                 camera = turned(camera, turn * 70, turn * 17 - 50);
-                const Picture picture = rendered(scene, camera, {.width = 90, .height = 60, .background = {1, 0, 0}});
+                const Picture picture =
+                    renderedByCpu(scene, camera, {.width = 90, .height = 60, .background = {1, 0, 0}});
                 for (const Pixel& pixel : picture.pixels)
                     QVERIFY(pixel[0] < 60);
             }
@@ -218,7 +211,7 @@ private slots:
         const Pixel white{255, 255, 255, 255};
         const Pixel red{255, 0, 0, 255};
 
-        Picture picture = rendered(scene, camera, options);
+        Picture picture = renderedByCpu(scene, camera, options);
         QCOMPARE(pixelAt(picture, 50, 50), white);
         for (const int place : {16, 83}) {
             QCOMPARE(pixelAt(picture, place, 50), red);
@@ -234,7 +227,7 @@ private slots:
         scene.surfaces.push_back({quad({-2, -2, -2}, {2, 0, 0}, {0, 0, 4}), green, 1});      // left, before
         scene.surfaces.push_back({quad({0, 2, -2}, {2, 0, 0}, {0, 0, 4}), {0, 0, 1}, 1});    // right, behind
         scene.surfaces.push_back({quad({-2, -2.5, -2}, {4, 0, 0}, {0, 0, 2}), green, 0.5f}); // below, before all
-        picture = rendered(scene, camera, options);
+        picture = renderedByCpu(scene, camera, options);
         QCOMPARE(pixelAt(picture, 16, 30), toPixel(shaded(green, 1, 1)));
         QCOMPARE(pixelAt(picture, 83, 30), red);
         QVERIFY(difference(pixelAt(picture, 83, 60), toPixel(mixed(shaded(green, 1, 1), 0.5f, {1, 0, 0}))) <= 1);
@@ -247,8 +240,8 @@ private slots:
         camera.perspective = false;
         camera.distance = 1 / (2 * std::tan(15 * std::numbers::pi / 180)); // 1 unit high, 20 pixels
         SceneParts scene{{{quad({-1, 0, -1}, {1 + 0.5f / 20, 0, 0}, {0, 0, 2}), {0, 0, 0}, 1}}, {}, cube(1)};
-        const Picture picture =
-            rendered(scene, camera, {.width = 20, .height = 20, .transparentBackground = true, .samplesPerAxis = 2});
+        const Picture picture = renderedByCpu(
+            scene, camera, {.width = 20, .height = 20, .transparentBackground = true, .samplesPerAxis = 2});
         QCOMPARE(int(pixelAt(picture, 9, 9)[3]), 255);
         QCOMPARE(int(pixelAt(picture, 10, 9)[3]), 128);
         QCOMPARE(int(pixelAt(picture, 11, 9)[3]), 0);
@@ -272,7 +265,7 @@ private slots:
         const SceneParts scene{{{quad({-900, 0, -900}, {1800, 0, 0}, {0, 0, 1800}), colour, 1}}, {}, cube(1)};
         for (int samples = 1; samples <= 4; ++samples) {
             const Picture picture =
-                rendered(scene, camera, {.width = width, .height = height, .samplesPerAxis = samples});
+                renderedByCpu(scene, camera, {.width = width, .height = height, .samplesPerAxis = samples});
             QCOMPARE(picture.pixels.size(), std::size_t(width) * std::size_t(height));
             QVERIFY(everyPixel(picture, 1, [&](int, int) { return toPixel(shaded(colour, 1, 1)); }));
         }
@@ -286,18 +279,19 @@ private slots:
                                {boxOutline(cube(1), {0, 0, 0}, 2)},
                                cube(1)};
         const Camera camera = fitted({}, scene.bounds);
-        const Picture one = rendered(scene, camera, {.width = 300, .height = 200, .threads = 1});
+        const Picture one = renderedByCpu(scene, camera, {.width = 300, .height = 200, .threads = 1});
         for (const int threads : {0, 2, 7})
-            QVERIFY(rendered(scene, camera, {.width = 300, .height = 200, .threads = threads}).pixels == one.pixels);
+            QVERIFY(renderedByCpu(scene, camera, {.width = 300, .height = 200, .threads = threads}).pixels ==
+                    one.pixels);
     }
 
     void emptySceneIsBackground()
     {
         const PictureOptions options{.width = 5, .height = 4, .background = {0, 1, 0}};
-        for (const Pixel& pixel : rendered({}, {}, options).pixels)
+        for (const Pixel& pixel : renderedByCpu({}, {}, options).pixels)
             QCOMPARE(pixel, (Pixel{0, 255, 0, 255}));
         const PictureOptions transparent{.width = 5, .height = 4, .transparentBackground = true};
-        for (const Pixel& pixel : rendered({}, {}, transparent).pixels)
+        for (const Pixel& pixel : renderedByCpu({}, {}, transparent).pixels)
             QCOMPARE(pixel, (Pixel{0, 0, 0, 0}));
     }
 
@@ -335,7 +329,7 @@ private slots:
         const SceneParts scene{{{mesh, {0, 0, 0}, 1}, {nullptr, {}, 1}, {mesh, {1, 0, 0}, 0}}, {}, cube(1)};
         Camera camera = fromFront;
         camera.perspective = false;
-        const Picture picture = rendered(scene, camera, {.width = 20, .height = 20});
+        const Picture picture = renderedByCpu(scene, camera, {.width = 20, .height = 20});
         QVERIFY(everyPixel(picture, 1, [](int, int) { return toPixel(shaded({0, 0, 0}, 1, 1)); }));
     }
 

@@ -155,10 +155,7 @@ SceneParts sceneOf(const TetrahedralMesh& coarse, const TetrahedralMesh& fine, c
 
 Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
-    auto picture = makeCpuBackend()->render(scene, camera, options);
-    if (!picture)
-        qFatal("%s", picture.error().text().c_str());
-    return std::move(picture).value();
+    return renderedByCpu(scene, camera, options);
 }
 
 int largestDifference(const Picture& one, const Picture& other)

@@ -38,10 +38,7 @@ SceneParts linearCube(std::shared_ptr<const OpticalModel> model)
 
 Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
-    auto picture = makeCpuBackend()->render(scene, camera, options);
-    if (!picture)
-        qFatal("%s", picture.error().text().c_str());
-    return *std::move(picture);
+    return renderedByCpu(scene, camera, options);
 }
 
 std::shared_ptr<const TriangleMesh> wallAt(double y)

@@ -23,6 +23,15 @@ inline QString savePicture(const Picture& picture, const QString& name)
     return image.save(path) ? path : "(could not write " + path + ")";
 }
 
+/// By the CPU back end, which is the reference.
+inline Picture renderedByCpu(const Scene& scene, const Camera& camera, const PictureOptions& options)
+{
+    auto picture = makeCpuBackend()->render(scene, camera, options);
+    if (!picture)
+        qFatal("%s", picture.error().text().c_str());
+    return *std::move(picture);
+}
+
 inline const std::array<std::uint8_t, 4>& pixelAt(const Picture& picture, int x, int y)
 {
     return picture

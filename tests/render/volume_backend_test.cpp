@@ -23,10 +23,7 @@ const PictureOptions usual{.width = 28, .height = 20, .samplesPerAxis = 1};
 
 Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
-    auto picture = makeCpuBackend()->render(scene, camera, options);
-    if (!picture)
-        qFatal("%s", picture.error().text().c_str());
-    return std::move(picture).value();
+    return renderedByCpu(scene, camera, options);
 }
 
 /// A picture's pixels are the means of those of a picture `axis` times as large, of one sample each.

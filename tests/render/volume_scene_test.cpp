@@ -39,10 +39,7 @@ const TetrahedralMesh& meshNamed(const QString& name)
 
 Picture rendered(const SceneParts& scene, const Camera& camera, const PictureOptions& options = usual)
 {
-    auto picture = makeCpuBackend()->render(scene, camera, options);
-    if (!picture)
-        qFatal("%s", picture.error().text().c_str());
-    return std::move(picture).value();
+    return renderedByCpu(scene, camera, options);
 }
 
 /// What the integrator sees, over white.
