@@ -96,6 +96,16 @@ class Page(Making):
                     self.assertTrue(0 <= x <= width and 0 <= y <= height, f"{plot}: {point}")
             self.assertNotRegex(plot.read_text(encoding="utf-8"), r"\b(nan|inf|None)\b")
 
+    def bars(self, name):
+        """Lengths and colours of a plot's bars, by the numbers behind them."""
+        shapes = list(ElementTree.parse(self.folder / f"plots/{name}.svg").getroot())
+        found = {}
+        for bar, number in zip(shapes, shapes[1:]):
+            if bar.tag == SVG + "polygon" and number.tag == SVG + "text":
+                across = [float(point.split(",")[0]) for point in bar.get("points").split()]
+                found[number.text] = (max(across) - min(across), bar.get("class"))
+        return found
+
     def test_numbers_are_those_of_the_results(self):
         self.change_case("refinement", "c60 9^3 uint16 to error 0, one thread", ratio=0.12345)
         self.change_case("refinement-large", "c60 18^3 uint16 to error 0, one thread", ratio=7.7777)
@@ -111,6 +121,9 @@ class Page(Making):
         for words in ("9^3, whole: 0.123, asked for at most 0.33, reached", "18^3, whole: 7.78, asked for at most 0.6, missed",
                       ">≤ 0.6, missed<", ">0.123<"):
             self.assertIn(words, plot)
+        bars = self.bars("refinement")
+        self.assertAlmostEqual(bars["7.78"][0] / bars["0.123"][0], 7.7777 / 0.12345, delta=2)
+        self.assertNotEqual(bars["7.78"][1], bars["0.123"][1])  # the colour of what misses
 
     def test_how_many_are_reached_is_counted(self):
         text = self.text()
