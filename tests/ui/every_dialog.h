@@ -53,23 +53,21 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
         {"importDialog", import(raw)},
         {"leaving.build",
          [](WindowFixture& window) {
-             askAboutBuild({LeavingWay::Quit, "headsq_64x64x93_int16.nhdr", "7 % is done, about 1 min 20 s are left.",
+             askAboutBuild({LeavingWay::Quit, "headsq_64x64x93_int16.nhdr", "7 % done, about 1 min 20 s left.",
                             "headsq_64x64x93_int16.tan", true},
                            &window.window);
          }},
         {"leaving.build",
          [](WindowFixture& window) {
-             askAboutBuild({LeavingWay::OpenModel, "headsq_64x64x93_int16.nhdr",
-                            "7 % is done, about 1 min 20 s are left.", "headsq_64x64x93_int16.tan", true},
+             askAboutBuild({LeavingWay::OpenModel, "headsq_64x64x93_int16.nhdr", "7 % done, about 1 min 20 s left.",
+                            "headsq_64x64x93_int16.tan", true},
                            &window.window);
          }},
         {"leaving.film",
          [](WindowFixture& window) {
-             askAboutFilm({LeavingWay::OpenModel,
-                           "headsq_64x64x93_int16-film.png",
-                           "7 % is done, about 1 min 20 s are left.",
-                           {}},
-                          &window.window);
+             askAboutFilm(
+                 {LeavingWay::OpenModel, "headsq_64x64x93_int16-film.png", "7 % done, about 1 min 20 s left.", {}},
+                 &window.window);
          }},
         {"leaving.session",
          [](WindowFixture& window) {

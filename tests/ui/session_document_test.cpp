@@ -162,7 +162,7 @@ void SessionDocumentTest::badSessionsAreRefused_data()
     };
     row("no model", R"("x": 1)", "model.path");
     row("model is a text", R"("model": "a.tan")", "\"model\" must be an object");
-    row("path is a number", R"("model": {"path": 3})", "\"model.path\" must be a text");
+    row("path is a number", R"("model": {"path": 3})", "\"model.path\" must be text in quotes");
     row("error is a text", R"("model": {"path": "a"}, "mesh": {"error": "1 %"})", "\"mesh.error\" must be a number");
     row("two coordinates", R"("model": {"path": "a"}, "mesh": {"focus": {"centre": [1, 2]}})",
         "\"mesh.focus.centre\" must be three numbers");

@@ -99,7 +99,7 @@ void takeMessages(Sitting& sitting)
     sitting.window().open(sitting.fixture().folder.filePath("missing.nrrd"));
     sitting.waitUntil([&messages] { return !messages.texts().isEmpty(); }, "no message came");
     messages.ask(
-        KeepSession::tr("TAn ended unexpectedly while %1 was open. How it was seen can be restored.").arg("c60.tan"),
+        KeepSession::tr("TAn ended unexpectedly while %1 was open. Its view can be restored.").arg("c60.tan"),
         KeepSession::tr("&Restore"), [] {}, [] {});
     sitting.take("messages", messages);
     messages.clear();

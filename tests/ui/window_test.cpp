@@ -510,7 +510,8 @@ void WindowTest::aPictureOfAnotherStateIsMarked()
     const auto& notice = window_->find<QWidget>("viewport.notice");
     emit window_->workbench.scenes().sceneBuilder().failed({ErrorKind::OutOfResource, "There is not enough memory."});
     QTRY_VERIFY(notice.isVisible());
-    QVERIFY2(notice.accessibleName().contains("not of the present settings"), qPrintable(notice.accessibleName()));
+    QVERIFY2(notice.accessibleName().contains("does not show the current settings"),
+             qPrintable(notice.accessibleName()));
     window_->workbench.session().setError(5);
     QTRY_VERIFY(window_->settled() && window_->workbench.session().showsQuery());
     QVERIFY(!notice.isVisible());

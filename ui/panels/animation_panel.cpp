@@ -53,7 +53,7 @@ QWidget* AnimationPanel::makeContent()
     kind_->addItems({tr("Turntable"), tr("Key frames")});
     kind_->setToolTip(tr("Turntable, or a camera path through key frames"));
     rate_->setObjectName("animation.rate");
-    rate_->setAccessibleName(tr("Frames a second"));
+    rate_->setAccessibleName(tr("Frames per second"));
     rate_->setRange(1, mostRate);
     rate_->setAlignment(Qt::AlignRight);
     rate_->setSuffix(tr(" frames/s"));
@@ -86,13 +86,13 @@ QWidget* AnimationPanel::makeTurntable()
     axis_->setObjectName("animation.axis");
     axis_->setAccessibleName(tr("Axis to turn around"));
     axis_->addItems({tr("Around the vertical axis"), tr("Up and down")});
-    axis_->setToolTip(tr("Up and down the camera comes back to where it began, and stops at the poles"));
+    axis_->setToolTip(tr("Up and down: the camera returns to its start, and stops at the poles"));
     degrees_->setObjectName("animation.degrees");
     degrees_->setAccessibleName(tr("Angle to turn by"));
     degrees_->setValueRange(-3600, 3600);
     degrees_->setSuffix(tr("°"));
     degrees_->setSingleStep(90);
-    degrees_->setToolTip(tr("Angle to turn by, in degrees; negative the other way round"));
+    degrees_->setToolTip(tr("Angle to turn by, in degrees; negative turns the other way"));
     frames_->setObjectName("animation.frames");
     frames_->setAccessibleName(tr("Number of frames"));
     frames_->setRange(1, mostFrames);
@@ -181,7 +181,7 @@ void AnimationPanel::showAnimation()
     for (QWidget* widget : std::initializer_list<QWidget*>{play_, position_, write_})
         widget->setEnabled(count > 0);
     summary_->setText(
-        count == 0 ? tr("Add two views or more.")
+        count == 0 ? tr("Add at least two views.")
                    : tr("%1 frames, %2")
                          .arg(countText(static_cast<std::uint64_t>(count)), durationText(durationOf(animation))));
 }

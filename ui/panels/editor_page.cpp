@@ -40,7 +40,8 @@ QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string
     const auto widget = callPlugin(id, [&]() -> Result<QWidget*> { return editor->plugin->makeWidget(*host); });
     if (!widget)
         return makeReasonPage(id, widget.error().message);
-    return *widget != nullptr ? *widget : makeReasonPage(id, Message::say("It makes no widget. Tell its author."));
+    return *widget != nullptr ? *widget
+                              : makeReasonPage(id, Message::say("It returned no widget. Please tell its author."));
 }
 
 } // namespace tetra

@@ -53,7 +53,7 @@ RenderingPanel::RenderingPanel(Workbench& workbench, Viewport& viewport, QWidget
 QWidget* RenderingPanel::makeContent()
 {
     mode_->setObjectName("rendering.mode");
-    mode_->setToolTip(tr("What is shown of the data"));
+    mode_->setToolTip(tr("Rendering mode"));
     mode_->setAccessibleName(tr("Rendering mode"));
     explanation_->setObjectName("rendering.explanation");
     explanation_->setWordWrap(true);

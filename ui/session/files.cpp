@@ -51,7 +51,8 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
     const QByteArray bytes = file.read(largestFile + 1);
     if (bytes.size() > largestFile)
         return Error{ErrorKind::BadInput,
-                     Message::say("The file '%1' is too large to be what is looked for here.", path.string())};
+                     Message::say("The file '%1' is larger than 64 MiB. Choose a session, camera or transfer function.",
+                                  path.string())};
     return bytes.toStdString();
 }
 

@@ -43,8 +43,8 @@ public:
     /// chosen a camera it shows all of the model.
     void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true);
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
-    /// Unless somebody left it as it is, the accuracy follows what is quick to draw as long as nothing was edited, and
-    /// isovalues and transfer function become these as long as they were not.
+    /// Unless the view was restored, the accuracy follows what is quick to draw until the first edit; isovalues and
+    /// transfer function become these until they are edited.
     void grow(std::shared_ptr<const Model> model, const std::vector<Isovalue>& isovalues, const Appearance& appearance);
     void close();
     /// The width / height of the picture. A camera that shows all of the model, as it was opened, goes on doing so

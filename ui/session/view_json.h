@@ -52,7 +52,7 @@ public:
         if (const QJsonValue found = object_.value(key); found.isString())
             value = found.toString().toStdString();
         else
-            refuse(key, found, Message::marked("a text"));
+            refuse(key, found, Message::marked("text in quotes"));
     }
     /// Three numbers.
     template <class Vector> void readThree(const QString& key, Vector& value) const
@@ -112,7 +112,7 @@ readName(const JsonFields& fields, const QString& key, const std::array<const ch
             value = static_cast<Enumeration>(i);
             return;
         }
-    fields.refuse(key, fields.object().value(key), Message::marked("a name that is known here"));
+    fields.refuse(key, fields.object().value(key), Message::marked("one of the known names"));
 }
 
 /// A view as JSON, and back: the one form that sessions, views that are kept, and pictures have of it.

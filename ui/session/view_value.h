@@ -80,7 +80,7 @@ public:
     PartialView(const ViewValue& view, ViewParts parts);
     ViewValue putInto(ViewValue view) const;
     ViewParts parts() const;
-    /// With the parts of `others` that it has not.
+    /// Adds the parts of `others` that it lacks.
     void complete(const PartialView& others);
     bool operator==(const PartialView&) const = default;
 

@@ -80,8 +80,8 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
     docks.build =
         add("build", DockTexts::tr("Build"),
-            DockTexts::tr("A dataset is turned into a model once: a mesh of tetrahedra that can be had at any "
-                          "accuracy from then on. Choose a method and a file, and start."),
+            DockTexts::tr("Build a model from a dataset once; its mesh is then available at any accuracy. Choose a "
+                          "builder and a file, and press Build."),
             new BuildPanel(workbench));
     docks.accuracy =
         add("accuracy", DockTexts::tr("Accuracy"),
@@ -91,11 +91,10 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.rendering =
         add("rendering", DockTexts::tr("Rendering"),
             DockTexts::tr("Rendering mode and its settings: surfaces, volume or both."), docks.renderingPanel);
-    docks.view =
-        add("view", DockTexts::tr("View"),
-            DockTexts::tr("From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag "
-                          "to move, the wheel zooms."),
-            new ViewPanel(workbench, viewport));
+    docks.view = add("view", DockTexts::tr("View"),
+                     DockTexts::tr("The camera in numbers. In the picture: drag to turn, Shift and drag "
+                                   "to move, the wheel zooms."),
+                     new ViewPanel(workbench, viewport));
     docks.statisticsPanel = new StatisticsPanel(workbench, viewport);
     docks.statistics = add(
         "statistics", DockTexts::tr("Statistics"),

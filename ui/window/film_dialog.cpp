@@ -73,7 +73,7 @@ void FilmDialog::addTarget(QLayout& layout)
                                            : tr("Videos are made by %1").arg(encoder_));
     format_->setCurrentIndex(std::max(0, format_->findData(QSettings().value(formatKey))));
     target_->setObjectName("film.target");
-    target_->setToolTip(tr("The video, or the name that numbers are added to"));
+    target_->setToolTip(tr("Video file, or base name of the numbered pictures"));
     browse_->setObjectName("film.browse");
     browse_->setAutoDefault(false); // Enter in the line above saves
     hint_->setObjectName("film.hint");

@@ -119,7 +119,7 @@ void KeepSession::offerInBar()
         return;
     for (const LostView& lost : std::exchange(lost_, {}))
         messages_.ask(
-            tr("TAn ended unexpectedly while %1 was open. How it was seen can be restored.")
+            tr("TAn ended unexpectedly while %1 was open. Its view can be restored.")
                 .arg(openedFile(lost.document).fileName()),
             tr("&Restore"), [this, lost] { workbench_.opening().openSession(lost.path, SessionSource::Lost); },
             [this, lost] { removeLost(lost.path); }, MessageSubject::Program);
@@ -136,8 +136,9 @@ void KeepSession::removeLost(const std::filesystem::path& path)
 void KeepSession::offerPicture(const QString& path)
 {
     messages_.ask(
-        tr("%1 holds the view that it shows, which can be restored.").arg(QFileInfo(path).fileName()), tr("&Restore"),
-        [this, path] { workbench_.opening().openSession(filePath(path), SessionSource::Picture); }, [] {});
+        tr("%1 contains the session it was made with, which can be restored.").arg(QFileInfo(path).fileName()),
+        tr("&Restore"), [this, path] { workbench_.opening().openSession(filePath(path), SessionSource::Picture); },
+        [] {});
 }
 
 void KeepSession::changed()

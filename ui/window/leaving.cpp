@@ -47,10 +47,9 @@ private:
 QString progressText(const TaskProgress& progress)
 {
     const int percent = static_cast<int>(100 * progress.fraction);
-    return progress.remainingSeconds ? Leaving::tr("%1 % is done, about %2 are left.")
-                                           .arg(percent)
-                                           .arg(durationText(*progress.remainingSeconds))
-                                     : Leaving::tr("%1 % is done.").arg(percent);
+    return progress.remainingSeconds
+               ? Leaving::tr("%1 % done, about %2 left.").arg(percent).arg(durationText(*progress.remainingSeconds))
+               : Leaving::tr("%1 % done.").arg(percent);
 }
 
 } // namespace

@@ -538,7 +538,7 @@ void MainWindow::showNotice()
             tr("%1 is not built yet. The picture still shows %2.")
                 .arg(QString::fromStdString(dataset->source.name), QFileInfo(pathText(model->path())).fileName()));
     else
-        notice_->tell(isOutdated_ ? tr("The picture is not of the present settings, which could not be shown.")
+        notice_->tell(isOutdated_ ? tr("The picture does not show the current settings, which could not be drawn.")
                                   : QString());
 }
 

@@ -74,7 +74,7 @@ PluginWindow::PluginWindow(const PluginHost& host, QWidget* parent)
     QStringList folders;
     for (const auto& folder : host.folders())
         folders.append(pathText(folder));
-    auto* where = new QLabel(tr("Looked for in: %1").arg(folders.join(", ")));
+    auto* where = new QLabel(tr("Searched in: %1").arg(folders.join(", ")));
     where->setWordWrap(true);
     where->setTextInteractionFlags(Qt::TextSelectableByMouse);
     atNextStart_->setObjectName("plugins.atNextStart");

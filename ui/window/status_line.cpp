@@ -33,17 +33,17 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     busy_->setToolTip(tr("Drawing the picture at the chosen accuracy"));
     bar_->addPermanentWidget(busy_);
     busy_->hide();
-    picked_ = add("status.picked", tr("Value and place that were picked in the picture, in the units of the data. "
-                                      "Click elsewhere to pick another one, Esc takes the mark away."));
+    picked_ = add("status.picked",
+                  tr("Picked value and its position, in data units. Click elsewhere to pick another; Esc clears "
+                     "the mark."));
     errors_ = add("status.errors", {});
     sites_ = add("status.sites", tr("Vertices of the mesh shown"));
     tetrahedra_ = add("status.tetrahedra", {});
     triangles_ = add("status.triangles", tr("Triangles of all surfaces shown"));
     extraction_ = add("status.extraction", tr("Time to extract the mesh from the model"));
-    frame_ =
-        add("status.frame",
-            tr("Time for drawing the last picture; while it moves the frames a second, and how much smaller and of "
-               "how many tetrahedra they are"));
+    frame_ = add("status.frame",
+                 tr("Time to draw the last picture; while moving, the frame rate, and the reduced size and number of "
+                    "tetrahedra"));
     memory_ = add("status.memory", tr("Memory used by the program, including mapped files"));
     backend_ = add("status.backend", {});
 

@@ -33,8 +33,7 @@ public:
     void saveStatistics(const std::filesystem::path& target);
     /// Writes a small text: a transfer function, a camera.
     void saveText(const std::filesystem::path& target, const std::string& text);
-    /// Reads one and gives it to `use`, in this thread; what that says against it is told with the file's name, by
-    /// failed().
+    /// Reads one and gives it to `use`, in this thread; an error of `use` is told with the file's name, by failed().
     void loadText(const std::filesystem::path& path, std::function<Status(const std::string& text)> use);
 
     LongTask& savingPicture() noexcept { return savingPicture_; }

@@ -142,7 +142,7 @@ std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& ta
 Status writeFilm(const FilmOrder& order, const Progress& progress)
 {
     if (frameCount(order.view.animation) == 0)
-        return Error{ErrorKind::WrongUsage, Message::say("A film needs two key frames at least. Add another view.")};
+        return Error{ErrorKind::WrongUsage, Message::say("A film needs at least two key frames. Add another view.")};
     std::filesystem::path beside = behindLinks(order.target);
     beside += ".frames";
     const auto folder = WorkFolder::open(beside, WorkFolder::Leftovers::Remove);

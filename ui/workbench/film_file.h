@@ -30,7 +30,7 @@ struct FilmOrder {
 /// The file of a frame: NAME_0001.png, of as many digits as `count` needs, four at least.
 std::filesystem::path framePath(const std::filesystem::path& target, int frame, int count);
 
-/// The files there that the film would take the place of. O(files in the folder), which may lie far away: not for the
+/// Existing files that the film would replace. O(files in the folder), which may lie far away: not for the
 /// GUI thread.
 std::vector<std::filesystem::path> filesInTheWay(const std::filesystem::path& target, int count);
 

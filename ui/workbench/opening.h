@@ -132,7 +132,7 @@ signals:
     void datasetOpened();
     void datasetClosed();
     void choicesNeeded(const tetra::ImportQuestion& question);
-    /// What the reader has against the choices; empty if the user stopped it.
+    /// Why the reader refuses the choices; empty if the user stopped it.
     void importFailed(const QString& reason);
     /// A model is shown as somebody left it; `from` is the file of the session or picture that says so, empty if that
     /// is how the model was seen last.

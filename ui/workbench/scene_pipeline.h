@@ -48,9 +48,9 @@ struct BuiltScene {
     double sceneSeconds = 0;      ///< of the renderer
 };
 
-/// The way from a model to a picture of it, for the window, its drafts, films and the command line: extracts the mesh
-/// from what the last extraction left, or uses the last one again, and lets the renderer prepare it. What the last
-/// request asked for is there already. Used from one thread at a time, but for mesh().
+/// The way from a model to a picture of it, for the window, its drafts, films and the command line: extracts the mesh,
+/// or uses the last one again, and lets the renderer prepare it. A request like the last one returns at once. Used from
+/// one thread at a time, but for mesh().
 class ScenePipeline {
 public:
     /// What one extraction leaves to the next: pipelines that work in turn can share it.

@@ -39,7 +39,7 @@ Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& m
     return appearance;
 }
 
-/// Of a view that was kept of another field: what is not a place in it nor a value of it.
+/// Drops from a view of another field what depends on its places or values.
 void dropWhatDoesNotFit(SessionDocument& kept, const ViewValue& start)
 {
     kept.view.query.focus = start.query.focus;
