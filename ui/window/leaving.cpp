@@ -152,8 +152,9 @@ Leaving::Obstacle Leaving::obstacle(LeavingWay way) const
     if (savesSession_ || (workbench_.opening().sessionModified() && way != LeavingWay::OpenDataset && !discards_))
         return Obstacle::Session;
     // Until it is written the session counts as saved, and is not.
-    const bool savesFile =
-        quits ? workbench_.saving() : way != LeavingWay::OpenDataset && workbench_.opening().savingSession().running();
+    const LongTask& session = workbench_.opening().savingSession();
+    const bool savesSession = session.running() || session.waiting() > 0; // none runs between two
+    const bool savesFile = quits ? workbench_.saving() : way != LeavingWay::OpenDataset && savesSession;
     return savesFile ? Obstacle::Saving : Obstacle::None;
 }
 
