@@ -503,20 +503,12 @@
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
-        <translation>Aus einem Datensatz wird einmal ein Modell: ein Netz aus Tetraedern, das es von da an in jeder Genauigkeit gibt. Ein Verfahren und eine Datei wählen und beginnen.</translation>
-    </message>
-    <message>
         <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
         <translation>Wie weit das Netz von den Daten abweichen darf, in Prozent des Wertebereichs, oder wie viele Tetraeder es haben darf. Die Kurve zeigt, was jeder Fehler kostet.</translation>
     </message>
     <message>
         <source>Rendering mode and its settings: surfaces, volume or both.</source>
         <translation>Darstellungsart und ihre Einstellungen: Flächen, Volumen oder beides.</translation>
-    </message>
-    <message>
-        <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
-        <translation>Von wo das Modell zu sehen ist, in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
     </message>
     <message>
         <source>Statistics</source>
@@ -549,6 +541,14 @@
     <message>
         <source>Transfer</source>
         <translation>Transfer</translation>
+    </message>
+    <message>
+        <source>Build a model from a dataset once; its mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
+        <translation>Ein Modell wird einmal aus einem Datensatz gebaut; danach gibt es sein Netz in jeder Genauigkeit. Wählen Sie ein Verfahren und eine Datei und drücken Sie „Bauen“.</translation>
+    </message>
+    <message>
+        <source>The camera in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <translation>Die Kamera in Zahlen. Im Bild: Ziehen dreht, Ziehen mit Umschalt verschiebt, das Rad zoomt.</translation>
     </message>
 </context>
 <context>
@@ -1202,16 +1202,8 @@ Verwerfung %2</translation>
         <translation>Auf und ab</translation>
     </message>
     <message>
-        <source>Up and down the camera comes back to where it began, and stops at the poles</source>
-        <translation>Auf und ab kommt die Kamera an ihren Anfang zurück und hält an den Polen</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>Angle to turn by, in degrees; negative the other way round</source>
-        <translation>Drehwinkel in Grad; negativ anders herum</translation>
     </message>
     <message>
         <source>Number of frames of the film</source>
@@ -1238,10 +1230,6 @@ Verwerfung %2</translation>
         <translation>Gezeigtes Bild</translation>
     </message>
     <message>
-        <source>Add two views or more.</source>
-        <translation>Fügen Sie zwei oder mehr Ansichten hinzu.</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Halt</translation>
     </message>
@@ -1258,10 +1246,6 @@ Verwerfung %2</translation>
         <translation>Art des Films</translation>
     </message>
     <message>
-        <source>Frames a second</source>
-        <translation>Bilder pro Sekunde</translation>
-    </message>
-    <message>
         <source>Axis to turn around</source>
         <translation>Achse der Drehung</translation>
     </message>
@@ -1272,6 +1256,22 @@ Verwerfung %2</translation>
     <message>
         <source>Number of frames</source>
         <translation>Zahl der Bilder</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Up and down: the camera returns to its start, and stops at the poles</source>
+        <translation>Auf und ab: Die Kamera kehrt an ihren Anfang zurück und hält an den Polen</translation>
+    </message>
+    <message>
+        <source>Angle to turn by, in degrees; negative turns the other way</source>
+        <translation>Drehwinkel in Grad; negativ dreht andersherum</translation>
+    </message>
+    <message>
+        <source>Add at least two views.</source>
+        <translation>Fügen Sie mindestens zwei Ansichten hinzu.</translation>
     </message>
 </context>
 <context>
@@ -1699,6 +1699,13 @@ Verwerfung %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Exporting</name>
+    <message>
+        <source>Nothing was saved: the model was closed meanwhile.</source>
+        <translation>Nichts wurde gespeichert: Das Modell wurde inzwischen geschlossen.</translation>
+    </message>
+</context>
+<context>
     <name>tetra::FilmDialog</name>
     <message>
         <source>Numbered PNG pictures</source>
@@ -1727,10 +1734,6 @@ Verwerfung %2</translation>
     <message>
         <source>Videos are made by %1</source>
         <translation>Videos macht %1</translation>
-    </message>
-    <message>
-        <source>The video, or the name that numbers are added to</source>
-        <translation>Das Video oder der Name, an den Nummern gehängt werden</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -1799,6 +1802,10 @@ Verwerfung %2</translation>
     <message>
         <source>Files of this name are there already and will be replaced: %1.</source>
         <translation>Dateien dieses Namens gibt es schon, sie werden ersetzt: %1.</translation>
+    </message>
+    <message>
+        <source>Video file, or base name of the numbered pictures</source>
+        <translation>Videodatei oder Name der nummerierten Bilder, ohne die Nummer</translation>
     </message>
 </context>
 <context>
@@ -2146,20 +2153,20 @@ Verwerfung %2</translation>
         <translation>Sitzungen (*.tansession)</translation>
     </message>
     <message>
-        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
-        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>%1 holds the view that it shows, which can be restored.</source>
-        <translation>%1 enthält die Ansicht, die es zeigt; sie kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
         <source>Saved automatically on %1. Model: %2</source>
         <translation>Automatisch gesichert am %1. Modell: %2</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. Its view can be restored.</source>
+        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>%1 contains the session it was made with, which can be restored.</source>
+        <translation>%1 enthält die Sitzung, mit der es entstanden ist; sie kann wiederhergestellt werden.</translation>
     </message>
 </context>
 <context>
@@ -2251,14 +2258,6 @@ Verwerfung %2</translation>
 </context>
 <context>
     <name>tetra::Leaving</name>
-    <message>
-        <source>%1 % is done, about %2 are left.</source>
-        <translation>%1 % sind fertig, es dauert noch etwa %2.</translation>
-    </message>
-    <message>
-        <source>%1 % is done.</source>
-        <translation>%1 % sind fertig.</translation>
-    </message>
     <message>
         <source>It can continue in the background.</source>
         <translation>Das kann im Hintergrund weitergehen.</translation>
@@ -2354,6 +2353,22 @@ Verwerfung %2</translation>
     <message>
         <source>&amp;Quit Without Saving</source>
         <translation>Ohne Speichern &amp;beenden</translation>
+    </message>
+    <message>
+        <source>%1 % done, about %2 left.</source>
+        <translation>%1 % fertig, noch etwa %2.</translation>
+    </message>
+    <message>
+        <source>%1 % done.</source>
+        <translation>%1 % fertig.</translation>
+    </message>
+    <message>
+        <source>TAn will continue when it is done.</source>
+        <translation>TAn fährt fort, sobald das getan ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue Without Saving</source>
+        <translation>Ohne Speichern &amp;fortfahren</translation>
     </message>
 </context>
 <context>
@@ -2474,16 +2489,16 @@ Verwerfung %2</translation>
         <translation>%1 ist noch nicht gebaut. Das Bild zeigt noch %2.</translation>
     </message>
     <message>
-        <source>The picture is not of the present settings, which could not be shown.</source>
-        <translation>Das Bild gehört nicht zu den jetzigen Einstellungen: Die ließen sich nicht darstellen.</translation>
-    </message>
-    <message>
         <source>Save Mesh</source>
         <translation>Netz speichern</translation>
     </message>
     <message>
         <source>Save Surfaces</source>
         <translation>Flächen speichern</translation>
+    </message>
+    <message>
+        <source>The picture does not show the current settings, which could not be drawn.</source>
+        <translation>Das Bild zeigt nicht die jetzigen Einstellungen: Sie konnten nicht gezeichnet werden.</translation>
     </message>
 </context>
 <context>
@@ -5321,10 +5336,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält ein %1, kein UnstructuredGrid. Das VTK-Plugin liest solche.</translation>
     </message>
     <message>
-        <source>it is packed by %1, which the VTK plugin unpacks; zlib is read without it.</source>
-        <translation>Sie ist mit %1 gepackt, was das VTK-Plugin entpackt; zlib wird ohne dieses gelesen.</translation>
-    </message>
-    <message>
         <source>a piece does not say how many points and cells it has.</source>
         <translation>Ein Stück sagt nicht, wie viele Punkte und Zellen es hat.</translation>
     </message>
@@ -5729,10 +5740,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sie enthält ein zweidimensionales Gitter. TAn nimmt Volumen: Gitter mit mindestens zwei Punkten entlang jeder der drei Achsen.</translation>
     </message>
     <message>
-        <source>it is no binary PLOT3D file: it does not begin with the sizes of its grids. Text files are not read.</source>
-        <translation>Sie ist keine binäre PLOT3D-Datei: Sie beginnt nicht mit den Größen ihrer Gitter. Textdateien werden nicht gelesen.</translation>
-    </message>
-    <message>
         <source>it begins like a grid of %1 points, which takes %2 bytes or more, and has %3</source>
         <translation>Sie beginnt wie ein Gitter aus %1 Punkten, das mindestens %2 Bytes braucht, und hat %3</translation>
     </message>
@@ -5755,10 +5762,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it is the solution of another grid: its sizes are not those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
         <translation>Sie ist die Lösung eines anderen Gitters: Ihre Größen sind nicht die von „%1“. Wählen Sie mit „solution“ eine andere.</translation>
-    </message>
-    <message>
-        <source>%1 of its points are blanked out (iblank 0), so that its domain has holes, which cannot be refined. Take the part without them.</source>
-        <translation>%1 ihrer Punkte sind ausgeblendet (iblank 0), sodass ihr Gebiet Löcher hat, die nicht verfeinert werden können. Nehmen Sie den Teil ohne sie.</translation>
     </message>
     <message>
         <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
@@ -6545,18 +6548,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>VTK sagt: %1. Sie ist beschädigt.</translation>
     </message>
     <message>
-        <source>it is a PLOT3D solution, and its grid (.xyz, .x, .g, .p3d) is not beside it. Open the grid.</source>
-        <translation>Sie ist eine PLOT3D-Lösung, und ihr Gitter (.xyz, .x, .g, .p3d) ist nicht daneben. Öffnen Sie das Gitter.</translation>
-    </message>
-    <message>
-        <source>it is a PLOT3D grid without values, and neither a solution (.q) nor a function file (.f, .fun) of its name is beside it. Name it with &apos;solution&apos;.</source>
-        <translation>Sie ist ein PLOT3D-Gitter ohne Werte, und weder eine Lösung (.q) noch eine Funktionsdatei (.f, .fun) ihres Namens ist daneben. Nennen Sie sie mit „solution“.</translation>
-    </message>
-    <message>
-        <source>it is a text, but not as many numbers stand in it as a PLOT3D grid of its size has. It is damaged, or of another format.</source>
-        <translation>Sie ist ein Text, aber darin stehen nicht so viele Zahlen, wie ein PLOT3D-Gitter ihrer Größe hat. Sie ist beschädigt oder von einem anderen Format.</translation>
-    </message>
-    <message>
         <source>VTK says: %1. The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
         <translation>VTK sagt: %1. Die Datei ist beschädigt, unvollständig oder von einer Art, die VTK nicht kennt: Kopieren oder exportieren Sie sie noch einmal.</translation>
     </message>
@@ -6769,10 +6760,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Keiner ihrer Werte ist eine Zahl.</translation>
     </message>
     <message>
-        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
-        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
-    </message>
-    <message>
         <source>VTK legacy (*.vtk)</source>
         <translation>VTK, altes Format (*.vtk)</translation>
     </message>
@@ -6817,10 +6804,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>DICOM-Serie (*.dcm *.dicom)</translation>
     </message>
     <message>
-        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
-        <translation>PLOT3D, auch Text (*.xyz *.x *.g *.p3d *.q)</translation>
-    </message>
-    <message>
         <source>GAMBIT (*.neu)</source>
         <translation>GAMBIT (*.neu)</translation>
     </message>
@@ -6859,10 +6842,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
         <translation>Bei Dateien mit mehreren Blöcken oder Teilen: einer, mit Namen oder Nummer ab 1; ohne ihn alle unregelmäßigen Netze, die die Werte haben, oder das erste Gitter.</translation>
-    </message>
-    <message>
-        <source>it is of no format that VTK reads.</source>
-        <translation>Ihr Format liest VTK nicht.</translation>
     </message>
     <message>
         <source>with-cell</source>
@@ -6973,10 +6952,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
-        <source>A film needs two key frames at least. Add another view.</source>
-        <translation>Ein Film braucht mindestens zwei Schlüsselbilder. Fügen Sie noch eine Ansicht hinzu.</translation>
-    </message>
-    <message>
         <source>three numbers in brackets</source>
         <translation>drei Zahlen in eckigen Klammern</translation>
     </message>
@@ -6987,10 +6962,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>&quot;%1&quot; must be %2.</source>
         <translation>„%1“ muss so sein: %2.</translation>
-    </message>
-    <message>
-        <source>a name that is known here</source>
-        <translation>ein hier bekannter Name</translation>
     </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
@@ -7035,10 +7006,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>The file &apos;%1&apos; cannot be read: %2.</source>
         <translation>Die Datei „%1“ kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
-        <translation>Die Datei „%1“ ist zu groß für das, was hier gesucht wird.</translation>
     </message>
     <message>
         <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
@@ -7131,10 +7098,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
         <translation>„%1“ hätte mehr, als eine Legacy-VTK-Datei nummerieren kann. Schreiben Sie eine .vtp-Datei oder eine Fläche mit größerem Fehler.</translation>
-    </message>
-    <message>
-        <source>It makes no widget. Tell its author.</source>
-        <translation>Er zeigt nichts an. Sagen Sie es seinem Autor.</translation>
     </message>
     <message>
         <source>Tables of points</source>
@@ -7260,6 +7223,70 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>two drawables are called &apos;%1&apos;.</source>
         <translation>zweierlei darin heißt „%1“.</translation>
     </message>
+    <message>
+        <source>It failed without saying why when it was started. Install it again.</source>
+        <translation>Es ist beim Start gescheitert, ohne zu sagen, warum. Installieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>it is packed by %1, and only zlib is read. Save it with zlib, or as .vtk, for instance with ParaView.</source>
+        <translation>Sie ist mit %1 gepackt, und nur zlib wird gelesen. Speichern Sie sie mit zlib oder als .vtk, etwa mit ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds several time steps. Save each as a file of its own, for instance with ParaView.</source>
+        <translation>Sie enthält mehrere Zeitschritte. Speichern Sie jeden als eigene Datei, etwa mit ParaView.</translation>
+    </message>
+    <message>
+        <source>it is no PLOT3D file: it does not begin with the sizes of its grids.</source>
+        <translation>Sie ist keine PLOT3D-Datei: Sie beginnt nicht mit den Größen ihrer Gitter.</translation>
+    </message>
+    <message>
+        <source>it begins like a grid of %1 points, which takes %2 numbers or more, and has %3</source>
+        <translation>Sie beginnt wie ein Gitter aus %1 Punkten, das mindestens %2 Zahlen braucht, und hat %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in line %2 is no number, or one too large. The file is damaged, or of another format.</source>
+        <translation>„%1“ in Zeile %2 ist keine Zahl oder eine zu große. Die Datei ist beschädigt oder von einem anderen Format.</translation>
+    </message>
+    <message>
+        <source>it ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <translation>Sie endet gleich hinter ihrer letzten Zahl, oder mitten darin. Ist die Datei vollständig, setzen Sie ein Zeilenende dahinter; sonst kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>with &apos;%1&apos; it repeats numbers more often than TAn believes a file of its size. Write them one by one.</source>
+        <translation>Mit „%1“ wiederholt sie Zahlen öfter, als TAn einer Datei ihrer Größe glaubt. Schreiben Sie sie einzeln.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>it is of no format that TAn leaves to VTK. Let TAn choose the reader.</source>
+        <translation>Sie hat kein Format, das TAn VTK überlässt. Lassen Sie TAn den Leser wählen.</translation>
+    </message>
+    <message>
+        <source>It returned no widget. Please tell its author.</source>
+        <translation>Er hat nichts geliefert, das angezeigt werden kann. Bitte sagen Sie es seinem Autor.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; is larger than 64 MiB. Choose a session, camera or transfer function.</source>
+        <translation>Die Datei „%1“ ist größer als 64 MiB. Wählen Sie eine Sitzung, eine Kamera oder eine Transferfunktion.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; does not say how it was made. Choose a model or a session.</source>
+        <translation>Das Bild „%1“ sagt nicht, wie es entstanden ist. Wählen Sie ein Modell oder eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>one of the known names</source>
+        <translation>einer der bekannten Namen</translation>
+    </message>
+    <message>
+        <source>A film needs at least two key frames. Add another view.</source>
+        <translation>Ein Film braucht mindestens zwei Schlüsselbilder. Fügen Sie noch eine Ansicht hinzu.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -7376,10 +7403,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Ziehen dreht das Modell frei in jede Richtung, statt um die Achse, die nach oben zeigt</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Show the model with this axis upright</source>
         <translation>Das Modell so zeigen, dass diese Achse senkrecht steht</translation>
     </message>
@@ -7444,10 +7467,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Click a place in the picture first, or pick one</source>
         <translation>Erst eine Stelle im Bild anklicken oder wählen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -7599,10 +7618,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Grund</translation>
     </message>
     <message>
-        <source>Looked for in: %1</source>
-        <translation>Gesucht in: %1</translation>
-    </message>
-    <message>
         <source>The plugin %1 cannot be used. %2</source>
         <translation>Das Plugin %1 kann nicht benutzt werden. %2</translation>
     </message>
@@ -7629,6 +7644,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Copy for a bug report</source>
         <translation>Für einen Fehlerbericht kopieren</translation>
+    </message>
+    <message>
+        <source>Searched in: %1</source>
+        <translation>Gesucht in: %1</translation>
     </message>
 </context>
 <context>
@@ -7818,10 +7837,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nur den Teil des Gebiets in einem Quader zeigen</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Switch on a focus first</source>
         <translation>Erst einen Fokus einschalten</translation>
     </message>
@@ -7915,10 +7930,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
 </context>
 <context>
     <name>tetra::RenderingPanel</name>
-    <message>
-        <source>What is shown of the data</source>
-        <translation>Was von den Daten gezeigt wird</translation>
-    </message>
     <message>
         <source>Rendering mode</source>
         <translation>Darstellungsart</translation>
@@ -8068,10 +8079,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 je Bild</translation>
     </message>
     <message>
-        <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
-        <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bilder in der Sekunde, und wie viel kleiner und aus wie vielen Tetraedern sie sind</translation>
-    </message>
-    <message>
         <source>%1 frames/s</source>
         <translation>%1 Bilder/s</translation>
     </message>
@@ -8084,8 +8091,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>, </translation>
     </message>
     <message>
-        <source>Value and place that were picked in the picture, in the units of the data. Click elsewhere to pick another one, Esc takes the mark away.</source>
-        <translation>Wert und Ort, die im Bild gewählt wurden, in den Einheiten der Daten. Ein Klick anderswo wählt einen anderen, Esc nimmt die Markierung weg.</translation>
+        <source>Picked value and its position, in data units. Click elsewhere to pick another; Esc clears the mark.</source>
+        <translation>Gewählter Wert und sein Ort, in den Einheiten der Daten. Ein Klick anderswo wählt einen anderen, Esc nimmt die Markierung weg.</translation>
+    </message>
+    <message>
+        <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
+        <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bildrate, die verringerte Bildgröße und die verringerte Zahl der Tetraeder</translation>
     </message>
 </context>
 <context>

@@ -503,20 +503,12 @@
         <translation>Regione</translation>
     </message>
     <message>
-        <source>A dataset is turned into a model once: a mesh of tetrahedra that can be had at any accuracy from then on. Choose a method and a file, and start.</source>
-        <translation>Un insieme di dati diventa una volta sola un modello: una mesh di tetraedri disponibile da allora con qualsiasi accuratezza. Scegliere un metodo e un file, e cominciare.</translation>
-    </message>
-    <message>
         <source>How far the mesh may deviate from the data, in percent of the range of values; or how many tetrahedra it may have. The curve shows what each error costs.</source>
         <translation>Di quanto la mesh può scostarsi dai dati, in percento dell&apos;intervallo dei valori, oppure quanti tetraedri può avere. La curva mostra quanto costa ogni errore.</translation>
     </message>
     <message>
         <source>Rendering mode and its settings: surfaces, volume or both.</source>
         <translation>Modo di rendering e impostazioni: superfici, volume o entrambi.</translation>
-    </message>
-    <message>
-        <source>From where the model is seen, in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
-        <translation>Da dove si vede il modello, in numeri. Nell&apos;immagine: trascinare per ruotare, Maiusc e trascinare per spostare, la rotella ingrandisce.</translation>
     </message>
     <message>
         <source>Statistics</source>
@@ -549,6 +541,14 @@
     <message>
         <source>Transfer</source>
         <translation>Trasferimento</translation>
+    </message>
+    <message>
+        <source>Build a model from a dataset once; its mesh is then available at any accuracy. Choose a builder and a file, and press Build.</source>
+        <translation>Il modello si costruisce una volta sola da un insieme di dati; la sua mesh è poi disponibile con qualsiasi accuratezza. Scegliere un metodo e un file, e premere «Costruisci».</translation>
+    </message>
+    <message>
+        <source>The camera in numbers. In the picture: drag to turn, Shift and drag to move, the wheel zooms.</source>
+        <translation>La camera in numeri. Nell&apos;immagine: trascinare per ruotare, Maiusc e trascinare per spostare, la rotella ingrandisce.</translation>
     </message>
 </context>
 <context>
@@ -1178,10 +1178,6 @@ deformazione %2</translation>
         <translation>Piattaforma girevole, o percorso della camera per fotogrammi chiave</translation>
     </message>
     <message>
-        <source>Frames a second</source>
-        <translation>Fotogrammi al secondo</translation>
-    </message>
-    <message>
         <source> frames/s</source>
         <translation> immagini/s</translation>
     </message>
@@ -1214,20 +1210,12 @@ deformazione %2</translation>
         <translation>In su e in giù</translation>
     </message>
     <message>
-        <source>Up and down the camera comes back to where it began, and stops at the poles</source>
-        <translation>In su e in giù la camera torna da dove è partita, e si ferma ai poli</translation>
-    </message>
-    <message>
         <source>Angle to turn by</source>
         <translation>Angolo di rotazione</translation>
     </message>
     <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>Angle to turn by, in degrees; negative the other way round</source>
-        <translation>Angolo di rotazione, in gradi; negativo nel verso opposto</translation>
     </message>
     <message>
         <source>Number of frames</source>
@@ -1258,10 +1246,6 @@ deformazione %2</translation>
         <translation>Fotogramma mostrato</translation>
     </message>
     <message>
-        <source>Add two views or more.</source>
-        <translation>Aggiungere due viste o più.</translation>
-    </message>
-    <message>
         <source>%1 frames, %2</source>
         <translation>%1 fotogrammi, %2</translation>
     </message>
@@ -1272,6 +1256,22 @@ deformazione %2</translation>
     <message>
         <source>Play</source>
         <translation>Riproduci</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Fotogrammi al secondo</translation>
+    </message>
+    <message>
+        <source>Up and down: the camera returns to its start, and stops at the poles</source>
+        <translation>In su e in giù: la camera torna al punto di partenza, e si ferma ai poli</translation>
+    </message>
+    <message>
+        <source>Angle to turn by, in degrees; negative turns the other way</source>
+        <translation>Angolo di rotazione, in gradi; se negativo, nel verso opposto</translation>
+    </message>
+    <message>
+        <source>Add at least two views.</source>
+        <translation>Aggiungere almeno due viste.</translation>
     </message>
 </context>
 <context>
@@ -1699,6 +1699,13 @@ deformazione %2</translation>
     </message>
 </context>
 <context>
+    <name>tetra::Exporting</name>
+    <message>
+        <source>Nothing was saved: the model was closed meanwhile.</source>
+        <translation>Non è stato salvato nulla: nel frattempo il modello è stato chiuso.</translation>
+    </message>
+</context>
+<context>
     <name>tetra::FilmDialog</name>
     <message>
         <source>Numbered PNG pictures</source>
@@ -1727,10 +1734,6 @@ deformazione %2</translation>
     <message>
         <source>Videos are made by %1</source>
         <translation>I video sono fatti da %1</translation>
-    </message>
-    <message>
-        <source>The video, or the name that numbers are added to</source>
-        <translation>Il video, o il nome a cui si aggiungono i numeri</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -1799,6 +1802,10 @@ deformazione %2</translation>
     <message>
         <source>%1, about %2 left</source>
         <translation>%1, restano circa %2</translation>
+    </message>
+    <message>
+        <source>Video file, or base name of the numbered pictures</source>
+        <translation>File video, o nome di base delle immagini numerate</translation>
     </message>
 </context>
 <context>
@@ -2146,20 +2153,20 @@ deformazione %2</translation>
         <translation>Sessioni (*.tansession)</translation>
     </message>
     <message>
-        <source>TAn ended unexpectedly while %1 was open. How it was seen can be restored.</source>
-        <translation>TAn è terminato inaspettatamente mentre %1 era aperto. Si può ripristinare come lo si vedeva.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Ripristina</translation>
     </message>
     <message>
-        <source>%1 holds the view that it shows, which can be restored.</source>
-        <translation>%1 contiene la vista che mostra; si può ripristinare.</translation>
-    </message>
-    <message>
         <source>Saved automatically on %1. Model: %2</source>
         <translation>Salvata automaticamente il %1. Modello: %2</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open. Its view can be restored.</source>
+        <translation>TAn è terminato inaspettatamente mentre %1 era aperto. Se ne può ripristinare la vista.</translation>
+    </message>
+    <message>
+        <source>%1 contains the session it was made with, which can be restored.</source>
+        <translation>%1 contiene la sessione con cui è stata fatta, che si può ripristinare.</translation>
     </message>
 </context>
 <context>
@@ -2251,14 +2258,6 @@ deformazione %2</translation>
 </context>
 <context>
     <name>tetra::Leaving</name>
-    <message>
-        <source>%1 % is done, about %2 are left.</source>
-        <translation>Fatto il %1 %, mancano circa %2.</translation>
-    </message>
-    <message>
-        <source>%1 % is done.</source>
-        <translation>Fatto il %1 %.</translation>
-    </message>
     <message>
         <source>It can continue in the background.</source>
         <translation>Può continuare in secondo piano.</translation>
@@ -2354,6 +2353,22 @@ deformazione %2</translation>
     <message>
         <source>&amp;Quit Without Saving</source>
         <translation>&amp;Esci senza salvare</translation>
+    </message>
+    <message>
+        <source>%1 % done, about %2 left.</source>
+        <translation>Fatto il %1 %, mancano circa %2.</translation>
+    </message>
+    <message>
+        <source>%1 % done.</source>
+        <translation>Fatto il %1 %.</translation>
+    </message>
+    <message>
+        <source>TAn will continue when it is done.</source>
+        <translation>TAn continuerà al termine.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue Without Saving</source>
+        <translation>&amp;Continua senza salvare</translation>
     </message>
 </context>
 <context>
@@ -2474,16 +2489,16 @@ deformazione %2</translation>
         <translation>%1 non è ancora costruito. L&apos;immagine mostra ancora %2.</translation>
     </message>
     <message>
-        <source>The picture is not of the present settings, which could not be shown.</source>
-        <translation>L&apos;immagine non corrisponde alle impostazioni attuali, che non si sono potute mostrare.</translation>
-    </message>
-    <message>
         <source>Save Mesh</source>
         <translation>Salva mesh</translation>
     </message>
     <message>
         <source>Save Surfaces</source>
         <translation>Salva superfici</translation>
+    </message>
+    <message>
+        <source>The picture does not show the current settings, which could not be drawn.</source>
+        <translation>L&apos;immagine non mostra le impostazioni attuali, che non è stato possibile disegnare.</translation>
     </message>
 </context>
 <context>
@@ -5321,10 +5336,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>contiene un %1, non un UnstructuredGrid. Il plugin VTK li legge.</translation>
     </message>
     <message>
-        <source>it is packed by %1, which the VTK plugin unpacks; zlib is read without it.</source>
-        <translation>è compresso con %1, che il plugin VTK decomprime; zlib si legge senza di esso.</translation>
-    </message>
-    <message>
         <source>a piece does not say how many points and cells it has.</source>
         <translation>un pezzo non dice quanti punti e celle ha.</translation>
     </message>
@@ -5729,10 +5740,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>contiene una griglia bidimensionale. TAn accetta volumi: griglie con almeno due punti lungo ciascuno dei tre assi.</translation>
     </message>
     <message>
-        <source>it is no binary PLOT3D file: it does not begin with the sizes of its grids. Text files are not read.</source>
-        <translation>non è un file PLOT3D binario: non comincia con le dimensioni delle griglie. I file di testo non si leggono.</translation>
-    </message>
-    <message>
         <source>it begins like a grid of %1 points, which takes %2 bytes or more, and has %3</source>
         <translation>comincia come una griglia di %1 punti, che occupa %2 byte o più, e ne ha %3</translation>
     </message>
@@ -5755,10 +5762,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>it is the solution of another grid: its sizes are not those of &apos;%1&apos;. Choose another one with &apos;solution&apos;.</source>
         <translation>è la soluzione di un&apos;altra griglia: le sue dimensioni non sono quelle di «%1». Sceglierne un&apos;altra con «solution».</translation>
-    </message>
-    <message>
-        <source>%1 of its points are blanked out (iblank 0), so that its domain has holes, which cannot be refined. Take the part without them.</source>
-        <translation>%1 dei suoi punti sono esclusi (iblank 0), perciò il suo dominio ha buchi, che non si possono raffinare. Prendere la parte senza di essi.</translation>
     </message>
     <message>
         <source>PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)</source>
@@ -6545,18 +6548,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>VTK dice: %1. È danneggiato.</translation>
     </message>
     <message>
-        <source>it is a PLOT3D solution, and its grid (.xyz, .x, .g, .p3d) is not beside it. Open the grid.</source>
-        <translation>è una soluzione PLOT3D, e la sua griglia (.xyz, .x, .g, .p3d) non è accanto. Aprire la griglia.</translation>
-    </message>
-    <message>
-        <source>it is a PLOT3D grid without values, and neither a solution (.q) nor a function file (.f, .fun) of its name is beside it. Name it with &apos;solution&apos;.</source>
-        <translation>è una griglia PLOT3D senza valori, e accanto non c&apos;è né una soluzione (.q) né un file di funzioni (.f, .fun) del suo nome. Indicarlo con «solution».</translation>
-    </message>
-    <message>
-        <source>it is a text, but not as many numbers stand in it as a PLOT3D grid of its size has. It is damaged, or of another format.</source>
-        <translation>è un testo, ma non contiene tanti numeri quanti ne ha una griglia PLOT3D delle sue dimensioni. È danneggiato, o di un altro formato.</translation>
-    </message>
-    <message>
         <source>VTK says: %1. The file is damaged, incomplete, or of a kind that VTK does not know: copy or export it again.</source>
         <translation>VTK dice: %1. Il file è danneggiato, incompleto, o di un tipo che VTK non conosce: copiarlo o esportarlo di nuovo.</translation>
     </message>
@@ -6769,10 +6760,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>nessuno dei suoi valori è un numero.</translation>
     </message>
     <message>
-        <source>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
-        <translation>VTK XML (*.vti *.vtr *.vts *.vtu *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
-    </message>
-    <message>
         <source>VTK legacy (*.vtk)</source>
         <translation>VTK legacy (*.vtk)</translation>
     </message>
@@ -6817,10 +6804,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Serie DICOM (*.dcm *.dicom)</translation>
     </message>
     <message>
-        <source>PLOT3D, also text (*.xyz *.x *.g *.p3d *.q)</source>
-        <translation>PLOT3D, anche testo (*.xyz *.x *.g *.p3d *.q)</translation>
-    </message>
-    <message>
         <source>GAMBIT (*.neu)</source>
         <translation>GAMBIT (*.neu)</translation>
     </message>
@@ -6859,10 +6842,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Of files with several blocks or parts: one, by name or number from 1; without it all irregular meshes that have the values, or the first grid.</source>
         <translation>Di file con più blocchi o parti: una, per nome o numero da 1; se vuoto tutte le mesh irregolari che hanno i valori, o la prima griglia.</translation>
-    </message>
-    <message>
-        <source>it is of no format that VTK reads.</source>
-        <translation>non è di un formato che VTK legge.</translation>
     </message>
     <message>
         <source>with-cell</source>
@@ -6973,10 +6952,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» non può essere scritto: %2. Scegliere un altro posto.</translation>
     </message>
     <message>
-        <source>A film needs two key frames at least. Add another view.</source>
-        <translation>Un filmato richiede almeno due fotogrammi chiave. Aggiungere un&apos;altra vista.</translation>
-    </message>
-    <message>
         <source>three numbers in brackets</source>
         <translation>tre numeri tra parentesi quadre</translation>
     </message>
@@ -6987,10 +6962,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>&quot;%1&quot; must be %2.</source>
         <translation>«%1» deve essere %2.</translation>
-    </message>
-    <message>
-        <source>a name that is known here</source>
-        <translation>un nome noto qui</translation>
     </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be written to, so that the view cannot be kept. Make room there, or save the session.</source>
@@ -7035,10 +7006,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>The file &apos;%1&apos; cannot be read: %2.</source>
         <translation>Il file «%1» non può essere letto: %2.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; is too large to be what is looked for here.</source>
-        <translation>Il file «%1» è troppo grande per essere ciò che si cerca qui.</translation>
     </message>
     <message>
         <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
@@ -7131,10 +7098,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>&apos;%1&apos; would hold more than a legacy VTK file can number. Write a .vtp file, or a surface of a larger error.</source>
         <translation>«%1» avrebbe più di quanto un file VTK legacy possa numerare. Scrivere un file .vtp, o una superficie con un errore maggiore.</translation>
-    </message>
-    <message>
-        <source>It makes no widget. Tell its author.</source>
-        <translation>Non mostra nulla. Avvisare il suo autore.</translation>
     </message>
     <message>
         <source>Tables of points</source>
@@ -7260,6 +7223,70 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>two drawables are called &apos;%1&apos;.</source>
         <translation>due elementi si chiamano «%1».</translation>
     </message>
+    <message>
+        <source>It failed without saying why when it was started. Install it again.</source>
+        <translation>È fallito all&apos;avvio senza dire perché. Installarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>it is packed by %1, and only zlib is read. Save it with zlib, or as .vtk, for instance with ParaView.</source>
+        <translation>è compresso con %1, e si legge solo zlib. Salvarlo con zlib, o come .vtk, per esempio con ParaView.</translation>
+    </message>
+    <message>
+        <source>it holds several time steps. Save each as a file of its own, for instance with ParaView.</source>
+        <translation>contiene più passi temporali. Salvare ciascuno in un file proprio, per esempio con ParaView.</translation>
+    </message>
+    <message>
+        <source>it is no PLOT3D file: it does not begin with the sizes of its grids.</source>
+        <translation>non è un file PLOT3D: non comincia con le dimensioni delle griglie.</translation>
+    </message>
+    <message>
+        <source>it begins like a grid of %1 points, which takes %2 numbers or more, and has %3</source>
+        <translation>comincia come una griglia di %1 punti, che occupa %2 numeri o più, e ne ha %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in line %2 is no number, or one too large. The file is damaged, or of another format.</source>
+        <translation>«%1» alla riga %2 non è un numero, o è troppo grande. Il file è danneggiato, o di un altro formato.</translation>
+    </message>
+    <message>
+        <source>it ends right behind its last number, or within it. If the file is whole, put an end of line behind it; else copy the file again.</source>
+        <translation>finisce subito dopo il suo ultimo numero, o dentro di esso. Se il file è intero, mettervi un fine riga; altrimenti copiarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>with &apos;%1&apos; it repeats numbers more often than TAn believes a file of its size. Write them one by one.</source>
+        <translation>con «%1» ripete numeri più spesso di quanto TAn creda a un file delle sue dimensioni. Scriverli uno per uno.</translation>
+    </message>
+    <message>
+        <source>VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</source>
+        <translation>VTK XML (*.vti *.vtr *.vts *.vtp *.vtm *.vtmb *.pvti *.pvtr *.pvts *.pvtu *.pvtp)</translation>
+    </message>
+    <message>
+        <source>it is of no format that TAn leaves to VTK. Let TAn choose the reader.</source>
+        <translation>non è di un formato che TAn lascia a VTK. Lasciare a TAn la scelta della lettura.</translation>
+    </message>
+    <message>
+        <source>It returned no widget. Please tell its author.</source>
+        <translation>Non ha fornito nulla da mostrare. Avvisare il suo autore.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; is larger than 64 MiB. Choose a session, camera or transfer function.</source>
+        <translation>Il file «%1» è più grande di 64 MiB. Scegliere una sessione, una camera o una funzione di trasferimento.</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; does not say how it was made. Choose a model or a session.</source>
+        <translation>L&apos;immagine «%1» non dice come è stata fatta. Scegliere un modello o una sessione.</translation>
+    </message>
+    <message>
+        <source>text in quotes</source>
+        <translation>un testo tra virgolette</translation>
+    </message>
+    <message>
+        <source>one of the known names</source>
+        <translation>uno dei nomi noti</translation>
+    </message>
+    <message>
+        <source>A film needs at least two key frames. Add another view.</source>
+        <translation>Un filmato richiede almeno due fotogrammi chiave. Aggiungere un&apos;altra vista.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -7376,10 +7403,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Trascinando, il modello ruota liberamente in ogni direzione anziché intorno all’asse verticale</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Show the model with this axis upright</source>
         <translation>Mostra il modello con questo asse in verticale</translation>
     </message>
@@ -7444,10 +7467,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Click a place in the picture first, or pick one</source>
         <translation>Fare prima clic su un punto dell&apos;immagine o sceglierne uno</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -7599,10 +7618,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Motivo</translation>
     </message>
     <message>
-        <source>Looked for in: %1</source>
-        <translation>Cercati in: %1</translation>
-    </message>
-    <message>
         <source>The plugin %1 cannot be used. %2</source>
         <translation>Il plugin %1 non può essere usato. %2</translation>
     </message>
@@ -7629,6 +7644,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Copy for a bug report</source>
         <translation>Copia per una segnalazione di errore</translation>
+    </message>
+    <message>
+        <source>Searched in: %1</source>
+        <translation>Cercati in: %1</translation>
     </message>
 </context>
 <context>
@@ -7818,10 +7837,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Mostra solo la parte del dominio in un parallelepipedo</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Switch on a focus first</source>
         <translation>Attivare prima un focus</translation>
     </message>
@@ -7915,10 +7930,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
 </context>
 <context>
     <name>tetra::RenderingPanel</name>
-    <message>
-        <source>What is shown of the data</source>
-        <translation>Che cosa si mostra dei dati</translation>
-    </message>
     <message>
         <source>Rendering mode</source>
         <translation>Modalità di resa</translation>
@@ -8068,10 +8079,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 per fotogramma</translation>
     </message>
     <message>
-        <source>Time for drawing the last picture; while it moves the frames a second, and how much smaller and of how many tetrahedra they are</source>
-        <translation>Tempo per disegnare l&apos;ultima immagine; in movimento le immagini al secondo, e quanto sono più piccole e di quanti tetraedri</translation>
-    </message>
-    <message>
         <source>%1 frames/s</source>
         <translation>%1 immagini/s</translation>
     </message>
@@ -8084,8 +8091,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>, </translation>
     </message>
     <message>
-        <source>Value and place that were picked in the picture, in the units of the data. Click elsewhere to pick another one, Esc takes the mark away.</source>
-        <translation>Valore e posizione scelti nell&apos;immagine, nelle unità dei dati. Un clic altrove ne sceglie un altro, Esc toglie il segno.</translation>
+        <source>Picked value and its position, in data units. Click elsewhere to pick another; Esc clears the mark.</source>
+        <translation>Valore scelto e la sua posizione, nelle unità dei dati. Un clic altrove ne sceglie un altro, Esc toglie il segno.</translation>
+    </message>
+    <message>
+        <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
+        <translation>Tempo per disegnare l&apos;ultima immagine; in movimento la frequenza dei fotogrammi, la dimensione ridotta e il numero ridotto di tetraedri</translation>
     </message>
 </context>
 <context>
