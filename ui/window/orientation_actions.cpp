@@ -3,6 +3,7 @@
 
 #include "ui/session/session.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/viewport/camera_controls.h"
 #include "ui/window/actions.h"
 #include "ui/window/palette_commands.h"
 
