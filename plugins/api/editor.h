@@ -57,7 +57,7 @@ public:
     virtual ~EditorHost() = default;
 
     /// What the present way of looking at the model has of the type that the editor edits, as far as it matters: which
-    /// values it may edit.
+    /// values it may edit. Labels and explanations are in the user's language.
     virtual std::vector<Parameter> parameters() const = 0;
     /// The value of a parameter; its default as long as nobody has chosen one. Valid until the next change. A
     /// "transfer" (plugins/api/scene_parameters.h) there is always, whether it is seen or not.

@@ -35,8 +35,11 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr) // else no text will be painted
         content.font = QGuiApplication::font();
     content.range = model.description().range;
-    if (hasParameter(parameters, transferId))
-        content.transfer = view.appearance.transfer;
+    if (const Parameter* function = mainTransfer(parameters)) {
+        const TransferFunction* chosen = chosenTransfer(function->id, view.appearance);
+        content.transferParameter = function->id;
+        content.transfer = chosen != nullptr ? *chosen : std::get<TransferFunction>(function->defaultValue);
+    }
     if (hasParameter(parameters, isovaluesId))
         content.isovalues = seenOnes(view.isovalues);
     content.field = fieldName(model.description());
@@ -52,8 +55,9 @@ AnnotationContent annotationContent(const Model& model, const std::vector<Parame
 AnnotationContent inView(AnnotationContent content, const ViewValue& view, const ShownMesh& mesh)
 {
     content.camera = view.camera;
-    if (content.transfer)
-        content.transfer = view.appearance.transfer;
+    if (const TransferFunction* chosen = chosenTransfer(content.transferParameter, view.appearance);
+        content.transfer && chosen != nullptr)
+        content.transfer = *chosen;
     if (content.isovalues)
         content.isovalues = seenOnes(view.isovalues);
     content.accuracy = accuracyText(mesh);

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -23,6 +24,7 @@ struct AnnotationContent {
     AnnotationState state{};
     ValueRange range{};                               ///< of the colour bar's axis
     std::optional<TransferFunction> transfer{};       ///< none where the picture does not follow one
+    std::string transferParameter{};                  ///< id of the renderer's parameter that it is
     std::optional<std::vector<Isovalue>> isovalues{}; ///< that are seen; none where the picture has no surfaces
     QString field{};                                  ///< name of the values
     QString title{};

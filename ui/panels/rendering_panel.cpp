@@ -89,7 +89,7 @@ void RenderingPanel::chooseMode(const QString& id)
 {
     workbench_.session().setMode(id.toStdString());
     const auto parameters = workbench_.scenes().matteringParameters();
-    if (hasParameter(parameters, transferId))
+    if (mainTransfer(parameters) != nullptr)
         emit transferWanted();
     else if (hasParameter(parameters, isovaluesId))
         emit isovaluesWanted();

@@ -16,6 +16,9 @@ namespace tetra {
 SessionEditorHost::SessionEditorHost(Workbench& workbench, ValuePick& pick, std::string type, QObject* parent)
     : QObject(parent), workbench_(workbench), session_(workbench.session()), pick_(&pick), type_(std::move(type))
 {
+    // Before the editor hears of it.
+    connect(&session_, &Session::modelChanged, this, [this] { defaults_.reset(); });
+    connect(&session_, &Session::modelGrown, this, [this] { defaults_.reset(); });
 }
 
 SessionEditorHost::~SessionEditorHost() = default;
@@ -25,7 +28,24 @@ std::vector<Parameter> SessionEditorHost::parameters() const
     auto parameters = workbench_.scenes().matteringParameters();
     std::erase_if(parameters,
                   [&](const Parameter& parameter) { return parameterTypeName(parameter.defaultValue) != type_; });
+    for (Parameter& parameter : parameters) {
+        parameter.label = translatedText(parameter.label).toStdString();
+        parameter.explanation = translatedText(parameter.explanation).toStdString();
+    }
     return parameters;
+}
+
+/// Of the mode's parameters, asked for once: an editor asks for a value at every point that it paints.
+const ParameterValues& SessionEditorHost::defaults() const
+{
+    const std::string& mode = session_.view().appearance.mode;
+    if (!defaults_ || defaultsOf_ != mode) {
+        defaults_.emplace();
+        defaultsOf_ = mode;
+        for (const Parameter& parameter : workbench_.scenes().renderingParameters())
+            defaults_->emplace(parameter.id, parameter.defaultValue);
+    }
+    return *defaults_;
 }
 
 /// The transfer function and the isovalues, which all modes share; other values are settings.
@@ -45,13 +65,14 @@ const ParameterValue& SessionEditorHost::value(const std::string& id) const
             given = appearance.transfer;
         return given;
     }
-    const auto all = workbench_.scenes().renderingParameters();
-    const auto parameter = std::ranges::find(all, id, &Parameter::id);
-    if (parameter == all.end())
+    const auto usual = defaults().find(id);
+    if (usual == defaults().end())
         return given;
     const auto chosen = appearance.settings.find(id);
-    const bool isChosen = chosen != appearance.settings.end() && haveOneType(chosen->second, parameter->defaultValue);
-    return given = isChosen ? chosen->second : parameter->defaultValue;
+    const bool isChosen = chosen != appearance.settings.end() && haveOneType(chosen->second, usual->second);
+    if (const ParameterValue& value = isChosen ? chosen->second : usual->second; given != value)
+        given = value;
+    return given;
 }
 
 void SessionEditorHost::setValue(const std::string& id, const ParameterValue& value)
@@ -108,6 +129,7 @@ void SessionEditorHost::whenChanged(QObject* receiver, const std::function<void(
 {
     const auto tells = [call](EditorChange change) { return [call, change] { call(change); }; };
     connect(&session_, &Session::modelChanged, receiver, tells(EditorChange::Model));
+    connect(&session_, &Session::modelGrown, receiver, tells(EditorChange::Value)); // defaults fit the model
     connect(&session_, &Session::shownChanged, receiver, tells(EditorChange::Mesh));
     const bool editsIsovalues = type_ == parameterTypeName(std::vector<Isovalue>());
     session_.whenChanged(editsIsovalues ? ViewPart::Appearance | ViewPart::Isovalues : ViewParts(ViewPart::Appearance),

@@ -42,11 +42,15 @@ public:
     void forgetPicked() override;
 
 private:
+    const ParameterValues& defaults() const;
+
     Workbench& workbench_;
     Session& session_;
     QPointer<ValuePick> pick_; ///< goes with the window
     std::string type_;
     mutable ParameterValues given_; ///< what value() gave last
+    mutable std::optional<ParameterValues> defaults_;
+    mutable std::string defaultsOf_; ///< the mode
 };
 
 } // namespace tetra

@@ -157,6 +157,24 @@ std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameter
     return settings;
 }
 
+const Parameter* mainTransfer(const std::vector<Parameter>& parameters)
+{
+    const Parameter* first = nullptr;
+    for (const Parameter& parameter : parameters)
+        if (std::holds_alternative<TransferFunction>(parameter.defaultValue) &&
+            (first == nullptr || parameter.id == transferId))
+            first = &parameter;
+    return first;
+}
+
+const TransferFunction* chosenTransfer(const std::string& id, const Appearance& appearance)
+{
+    if (id == transferId)
+        return &appearance.transfer;
+    const auto found = appearance.settings.find(id);
+    return found != appearance.settings.end() ? std::get_if<TransferFunction>(&found->second) : nullptr;
+}
+
 Isovalue nextIsovalue(const std::vector<Isovalue>& existing, const ValueRange& range)
 {
     Isovalue isovalue;

@@ -50,6 +50,13 @@ std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameter
 /// Whether one of the parameters has this id.
 bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id);
 
+/// The transfer function that is meant where only one can be: the one that all modes share, or else the renderer's first
+/// one; null if there is none.
+const Parameter* mainTransfer(const std::vector<Parameter>& parameters);
+
+/// What is chosen for the transfer function with this id; null if nobody has chosen one.
+const TransferFunction* chosenTransfer(const std::string& id, const Appearance& appearance);
+
 /// An isovalue to add to `existing`: in the middle of the widest part of `range` that has none, in the first of the
 /// distinct colours (tan/render.h) that is not in use. Translucent unless it is the only one.
 Isovalue nextIsovalue(const std::vector<Isovalue>& existing, const ValueRange& range);

@@ -49,6 +49,16 @@ std::optional<Colour> corrected(std::optional<Colour> colour)
     return colour;
 }
 
+/// Whether a renderer's own transfer function is among what differs.
+bool changesTransfer(const ParameterValues& before, const ParameterValues& after)
+{
+    return std::ranges::any_of(after, [&before](const auto& setting) {
+        const auto was = before.find(setting.first);
+        return std::holds_alternative<TransferFunction>(setting.second) &&
+               (was == before.end() || was->second != setting.second);
+    });
+}
+
 /// What is as it was `before` is right.
 ViewValue corrected(ViewValue view, const ViewValue& before, const Model& model)
 {
@@ -121,7 +131,8 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
     if (parts & ViewPart::Transfer)
         return tr("Change Transfer Function");
     if (parts & ViewPart::Settings)
-        return tr("Change Rendering");
+        return changesTransfer(before.appearance.settings, after.appearance.settings) ? tr("Change Transfer Function")
+                                                                                      : tr("Change Rendering");
     if (parts & ViewPart::Isovalues) {
         if (before.isovalues.size() == after.isovalues.size())
             return tr("Change Isovalue");

@@ -2,8 +2,8 @@
 #include "ui/window/orientation_actions.h"
 
 #include "ui/session/session.h"
-#include "ui/widgets/mnemonics.h"
 #include "ui/viewport/camera_controls.h"
+#include "ui/widgets/mnemonics.h"
 #include "ui/window/actions.h"
 #include "ui/window/palette_commands.h"
 

@@ -32,10 +32,34 @@ TransferLimits within(const TransferLimits& part, const TransferLimits& whole)
 
 EditorState::EditorState(EditorHost& host, QObject* parent) : QObject(parent), host_(host) {}
 
+void EditorState::edit(const std::string& id)
+{
+    wanted_ = id;
+    followFunctions();
+}
+
+void EditorState::followFunctions()
+{
+    functions_ = host_.parameters();
+    const auto isThere = [this](const std::string& id) {
+        return std::ranges::find(functions_, id, &Parameter::id) != functions_.end();
+    };
+    std::string edited = isThere(wanted_) ? wanted_ : transferId;
+    if (!functions_.empty() && !isThere(edited))
+        edited = functions_.front().id;
+    if (edited == edited_)
+        return;
+    edited_ = std::move(edited);
+    current_ = {};
+    selection_.clear();
+    setView(view_); // cut to what there is to see of this one
+    emit editedChanged();
+}
+
 const TransferFunction& EditorState::function() const
 {
     static const TransferFunction none;
-    const auto* function = std::get_if<TransferFunction>(&host_.value(transferId));
+    const auto* function = std::get_if<TransferFunction>(&host_.value(edited_));
     return function != nullptr ? *function : none;
 }
 

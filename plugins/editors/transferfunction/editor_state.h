@@ -29,8 +29,8 @@ struct EditorView {
     bool logarithmicCounts = true;           ///< rare values are to be seen, too
 };
 
-/// What the parts of the editor share besides the function, which is the window's: the selected points, how the plot is
-/// looked at, and what happens to neighbours. None of it is undone.
+/// What the parts of the editor share besides the function, which is the window's: which one that is, the selected
+/// points, how the plot is looked at, and what happens to neighbours. None of it is undone.
 class EditorState : public QObject {
     Q_OBJECT
 public:
@@ -38,8 +38,16 @@ public:
     explicit EditorState(EditorHost& host, QObject* parent = nullptr);
 
     EditorHost& host() const noexcept { return host_; }
+    /// Those that the present rendering mode has.
+    const std::vector<Parameter>& functions() const noexcept { return functions_; }
+    /// The id of the one that is edited; where there is none, that of the one that all modes share.
+    const std::string& edited() const noexcept { return edited_; }
+    /// Edits this one from now on, wherever a mode has it.
+    void edit(const std::string& id);
+    /// After another model or mode. If another function is edited then, nothing of it is selected.
+    void followFunctions();
     const TransferFunction& function() const;
-    void setFunction(const TransferFunction& function) { host_.setValue(transferId, function); }
+    void setFunction(const TransferFunction& function) { host_.setValue(edited_, function); }
     /// The same with its curves as one, whose points are shown and edited.
     const JoinedFunction& joinedFunction() const;
     /// Of the data.
@@ -81,11 +89,16 @@ public:
     NeighbourRule rule() const noexcept { return rule_; }
 
 signals:
+    /// Another function is edited.
+    void editedChanged();
     void selectionChanged();
     void viewChanged();
 
 private:
     EditorHost& host_;
+    std::vector<Parameter> functions_;
+    std::string wanted_ = transferId; ///< to be edited, if the mode has it
+    std::string edited_ = transferId;
     mutable TransferFunction lastSeen_; ///< of which joined_ was made
     mutable JoinedFunction joined_;
     TransferSelection selection_;

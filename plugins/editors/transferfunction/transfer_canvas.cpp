@@ -39,6 +39,7 @@ TransferCanvas::TransferCanvas(EditorState& state, QWidget* parent) : QWidget(pa
         update();
     });
     connect(&state, &EditorState::viewChanged, this, qOverload<>(&QWidget::update));
+    connect(&state, &EditorState::editedChanged, this, [this] { grab_ = {}; }); // a drag was of the other function
 }
 
 void TransferCanvas::select(std::optional<std::size_t> point)

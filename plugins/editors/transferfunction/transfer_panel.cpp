@@ -12,10 +12,12 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QToolButton>
 
 #include <algorithm>
@@ -23,7 +25,7 @@
 namespace tetra {
 
 TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
-    : QWidget(parent), host_(host), state_(host), canvas_(new TransferCanvas(state_)), readOut_(new QLabel),
+    : QWidget(parent), host_(host), state_(host), chooser_(new QComboBox), chooserRow_(new QWidget), canvas_(new TransferCanvas(state_)), readOut_(new QLabel),
       numbers_(new PointNumbers(state_)), editMenu_(new EditMenu(state_, this)),
       presetPopup_(new PresetPopup(state_, this)), table_(new PointTable(state_)),
       add_(new QPushButton(glyphIcon(Glyph::Add), {})), remove_(new QPushButton(glyphIcon(Glyph::Remove), {})),
@@ -37,6 +39,8 @@ TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
     auto* column = new QVBoxLayout(content);
     column->setSpacing(4);
     column->setContentsMargins(7, 5, 7, 5);
+    layOutChooser();
+    column->addWidget(chooserRow_);
     column->addWidget(canvas_, 1);
     column->addLayout(makeReadOutRow());
     column->addWidget(numbers_);
@@ -66,6 +70,9 @@ void TransferPanel::nameControls()
             control->setText(text);
         control->setToolTip(tip);
     };
+    chooser_->setObjectName("transfer.function");
+    chooser_->setToolTip(tr("Which of the rendering mode's transfer functions is edited"));
+    chooser_->setAccessibleName(tr("Transfer function to edit"));
     name(readOut_, "readOut", {}, tr("Value, opacity, colour and how often it occurs, at the pointer"));
     name(step_, "step", {},
          tr("Give the point two sides: what lies below its value ends there, and what lies above begins"));
@@ -88,6 +95,20 @@ void TransferPanel::nameControls()
     showTable_->setCheckable(true);
     logarithmic_->setChecked(true);
     table_->hide();
+}
+
+/// Above the plot, where the rendering mode has several functions.
+void TransferPanel::layOutChooser()
+{
+    constexpr int leastLetters = 12; // names are the renderer's, and as long as it likes
+    auto* row = new QHBoxLayout(chooserRow_);
+    row->setContentsMargins({});
+    auto* label = new QLabel(tr("Fun&ction"));
+    label->setBuddy(chooser_);
+    chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    chooser_->setMinimumContentsLength(leastLetters);
+    row->addWidget(label);
+    row->addWidget(chooser_, 1);
 }
 
 /// Below the plot: what is at the pointer, and how its background is scaled.
@@ -128,6 +149,10 @@ QBoxLayout* TransferPanel::makeTools()
 
 void TransferPanel::connectControls()
 {
+    connect(chooser_, &QComboBox::activated, this, [this](int index) {
+        state_.edit(chooser_->itemData(index).toString().toStdString());
+        showFunction();
+    });
     connect(add_, &QPushButton::clicked, this, [this] { addPoint(state_, std::nullopt); });
     connect(remove_, &QPushButton::clicked, this, [this] { state_.removeCurrent(); });
     connect(step_, &QCheckBox::clicked, this, &TransferPanel::setStep);
@@ -165,14 +190,39 @@ void TransferPanel::connectControls()
 void TransferPanel::showModel()
 {
     setEnabled(host_.hasModel());
+    state_.followFunctions();
     state_.setCurrent({});
     state_.setView({{}, {}, state_.view().axis, state_.view().valueAxis, state_.view().logarithmicCounts});
     numbers_->showModel();
     showFunction();
 }
 
+/// Filled anew only with others than it has: it may be open.
+void TransferPanel::showChooser()
+{
+    const std::vector<Parameter>& functions = state_.functions();
+    const auto isEntry = [this, row = 0](const Parameter& function) mutable {
+        const int entry = row++;
+        return chooser_->itemData(entry).toString().toStdString() == function.id &&
+               chooser_->itemText(entry).toStdString() == function.label;
+    };
+    const QSignalBlocker blocker(chooser_);
+    if (chooser_->count() != static_cast<int>(functions.size()) || !std::ranges::all_of(functions, isEntry)) {
+        chooser_->clear();
+        for (const Parameter& function : functions) {
+            chooser_->addItem(QString::fromStdString(function.label), QString::fromStdString(function.id));
+            chooser_->setItemData(chooser_->count() - 1, QString::fromStdString(function.explanation),
+                                  Qt::ToolTipRole);
+        }
+    }
+    chooser_->setCurrentIndex(chooser_->findData(QString::fromStdString(state_.edited())));
+    chooserRow_->setVisible(functions.size() > 1);
+}
+
 void TransferPanel::showFunction()
 {
+    state_.followFunctions();
+    showChooser();
     state_.forgetWhatIsGone();
     table_->refresh();
     mask_->setChecked(state_.joinedFunction().mask.has_value());

@@ -10,6 +10,7 @@
 class QAction;
 class QBoxLayout;
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QMenu;
 class QPushButton;
@@ -33,6 +34,7 @@ public:
 
 private:
     void nameControls();
+    void layOutChooser();
     QBoxLayout* makeTools();
     QBoxLayout* makeReadOutRow();
     void addPointTools();
@@ -46,6 +48,7 @@ private:
     void save();
     void saveForParaview();
     void showModel();
+    void showChooser();
     void showFunction();
     void showSelection();
     void showReadOut();
@@ -54,6 +57,8 @@ private:
 
     EditorHost& host_;
     EditorState state_;
+    QComboBox* chooser_; ///< of the function that is edited
+    QWidget* chooserRow_;
     TransferCanvas* canvas_;
     QLabel* readOut_;
     PointNumbers* numbers_;
