@@ -8319,6 +8319,18 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Logarithmic: by &amp;factors</source>
         <translation>Logarithmisch: nach &amp;Faktoren</translation>
     </message>
+    <message>
+        <source>Which of the rendering mode&apos;s transfer functions is edited</source>
+        <translation>Welche der Transferfunktionen der Darstellungsart bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Transfer function to edit</source>
+        <translation>Zu bearbeitende Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Fun&amp;ction</source>
+        <translation>Fun&amp;ktion</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ValuePick</name>

@@ -8319,6 +8319,18 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Logarithmic: by &amp;factors</source>
         <translation>Logaritmico: per &amp;fattori</translation>
     </message>
+    <message>
+        <source>Which of the rendering mode&apos;s transfer functions is edited</source>
+        <translation>Quale delle funzioni di trasferimento della modalità di resa si modifica</translation>
+    </message>
+    <message>
+        <source>Transfer function to edit</source>
+        <translation>Funzione di trasferimento da modificare</translation>
+    </message>
+    <message>
+        <source>Fun&amp;ction</source>
+        <translation>Fun&amp;zione</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ValuePick</name>
