@@ -96,6 +96,7 @@ AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& pa
                             const ShownMesh& mesh)
 {
     ViewValue view;
+    view.appearance.settings = values;
     if (const auto found = values.find(transferId); found != values.end())
         if (const auto* transfer = std::get_if<TransferFunction>(&found->second))
             view.appearance.transfer = *transfer;

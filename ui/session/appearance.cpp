@@ -128,6 +128,8 @@ ParameterValues rendererValues(const std::vector<Parameter>& parameters, const A
         else if (const auto found = appearance.settings.find(parameter.id);
                  found != appearance.settings.end() && fits(parameter, found->second))
             values[parameter.id] = found->second;
+        else if (std::holds_alternative<TransferFunction>(parameter.defaultValue))
+            values[parameter.id] = parameter.defaultValue;
     }
     return values;
 }

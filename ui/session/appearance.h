@@ -37,7 +37,7 @@ Isovalue corrected(Isovalue isovalue, const ValueRange& range);
 
 /// What a renderer with these parameters is given: the isovalues and the transfer function that all modes share by
 /// their ids (plugins/api/scene_parameters.h), all others from the settings. A setting that does not fit, of another
-/// type or no choice here, is left to its default.
+/// type or no choice here, is left to its default; a transfer function is that of `parameters`, which editors show.
 ParameterValues rendererValues(const std::vector<Parameter>& parameters, const Appearance& appearance,
                                const std::vector<Isovalue>& isovalues);
 
@@ -50,8 +50,8 @@ std::vector<Parameter> settingParameters(const std::vector<Parameter>& parameter
 /// Whether one of the parameters has this id.
 bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id);
 
-/// The transfer function that is meant where only one can be: the one that all modes share, or else the renderer's first
-/// one; null if there is none.
+/// The transfer function that is meant where only one can be: the one that all modes share, or else the renderer's
+/// first one; null if there is none.
 const Parameter* mainTransfer(const std::vector<Parameter>& parameters);
 
 /// What is chosen for the transfer function with this id; null if nobody has chosen one.

@@ -25,13 +25,14 @@
 namespace tetra {
 
 TransferPanel::TransferPanel(EditorHost& host, QWidget* parent)
-    : QWidget(parent), host_(host), state_(host), chooser_(new QComboBox), chooserRow_(new QWidget), canvas_(new TransferCanvas(state_)), readOut_(new QLabel),
-      numbers_(new PointNumbers(state_)), editMenu_(new EditMenu(state_, this)),
-      presetPopup_(new PresetPopup(state_, this)), table_(new PointTable(state_)),
-      add_(new QPushButton(glyphIcon(Glyph::Add), {})), remove_(new QPushButton(glyphIcon(Glyph::Remove), {})),
-      step_(new QCheckBox(tr("S&tep"))), logarithmic_(new QCheckBox(tr("Lo&garithmic"))), presets_(new QToolButton),
-      edits_(new QToolButton), view_(new QToolButton), mask_(new QToolButton), showTable_(new QToolButton),
-      load_(new QToolButton), save_(new QToolButton)
+    : QWidget(parent), host_(host), state_(host), chooser_(new QComboBox), chooserRow_(new QWidget),
+      canvas_(new TransferCanvas(state_)), readOut_(new QLabel), numbers_(new PointNumbers(state_)),
+      editMenu_(new EditMenu(state_, this)), presetPopup_(new PresetPopup(state_, this)),
+      table_(new PointTable(state_)), add_(new QPushButton(glyphIcon(Glyph::Add), {})),
+      remove_(new QPushButton(glyphIcon(Glyph::Remove), {})), step_(new QCheckBox(tr("S&tep"))),
+      logarithmic_(new QCheckBox(tr("Lo&garithmic"))), presets_(new QToolButton), edits_(new QToolButton),
+      view_(new QToolButton), mask_(new QToolButton), showTable_(new QToolButton), load_(new QToolButton),
+      save_(new QToolButton)
 {
     setObjectName("transfer");
     nameControls();
@@ -211,8 +212,7 @@ void TransferPanel::showChooser()
         chooser_->clear();
         for (const Parameter& function : functions) {
             chooser_->addItem(QString::fromStdString(function.label), QString::fromStdString(function.id));
-            chooser_->setItemData(chooser_->count() - 1, QString::fromStdString(function.explanation),
-                                  Qt::ToolTipRole);
+            chooser_->setItemData(chooser_->count() - 1, QString::fromStdString(function.explanation), Qt::ToolTipRole);
         }
     }
     chooser_->setCurrentIndex(chooser_->findData(QString::fromStdString(state_.edited())));
