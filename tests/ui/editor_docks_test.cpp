@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Each editor plugin has a dock, and edits the parameters of its type, whoever's they are (R18).
+/// Each editor plugin has a dock, and edits the parameters of its type, whoever's they are and however many (R18).
 #include "tests/ui/window_fixture.h"
 
 #include "plugins/widgets/colour_button.h"
@@ -7,6 +7,7 @@
 #include "ui/session/view_json.h"
 #include "ui/viewport/value_pick.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -17,8 +18,9 @@ namespace {
 
 std::unique_ptr<PluginHost> hostWithExamples()
 {
-    return std::make_unique<PluginHost>(
-        PluginHostOptions{.folders = {TAN_BINARY_DIR "/tests/ui-fixtures/editors", TAN_BINARY_DIR "/lib/tan/plugins"}});
+    return std::make_unique<PluginHost>(PluginHostOptions{.folders = {TAN_BINARY_DIR "/tests/ui-fixtures/editors",
+                                                                      TAN_BINARY_DIR "/tests/ui-fixtures/renderers",
+                                                                      TAN_BINARY_DIR "/lib/tan/plugins"}});
 }
 
 } // namespace
@@ -110,6 +112,59 @@ private slots:
         QVERIFY(std::get<std::vector<Isovalue>>(host.value(id)) == two);
     }
 
+    void ofSeveralTransferFunctionsOneIsChosen()
+    {
+        session().setMode("volume");
+        const auto& chooser = window_->find<QComboBox>("transfer.function");
+        const auto& unitDistance = window_->find<QDoubleSpinBox>("transfer.unitDistance");
+        showEditor();
+        QTRY_VERIFY(unitDistance.isVisible());
+        QVERIFY(!chooser.isVisible());
+        session().setMode("example.two-functions");
+        QVERIFY(chooser.isVisible());
+        QCOMPARE(chooser.count(), 2);
+        QCOMPARE(chooser.itemText(0), QString("Bones"));
+        QCOMPARE(chooser.itemText(1), QString("Veins"));
+        QCOMPARE(chooser.currentIndex(), 0);
+        const double ofBones = unitDistance.value();
+        chooseFunction(Qt::Key_Down);
+        QCOMPARE(chooser.currentIndex(), 1);
+        QVERIFY(std::abs(unitDistance.value() - 2 * ofBones) < 0.02 * ofBones); // as numbers are shown
+        session().setMode("volume");
+        QVERIFY(!chooser.isVisible());
+        session().setMode("example.two-functions");
+        QCOMPARE(chooser.currentIndex(), 1); // it stays chosen
+    }
+
+    void theChosenTransferFunctionIsEdited()
+    {
+        session().setMode("example.two-functions");
+        showEditor();
+        QTRY_VERIFY(window_->settled() && widthOf("bones") > 0);
+        const Appearance before = session().view().appearance;
+        const float bones = widthOf("bones"), veins = widthOf("veins");
+        chooseFunction(Qt::Key_Down);
+        const int steps = session().undoStack().index();
+        addPoint();
+        QCOMPARE(session().undoStack().index(), steps + 1);
+        QCOMPARE(session().undoStack().undoText(), QString("Change Transfer Function"));
+        QVERIFY(session().view().appearance.transfer == before.transfer); // that of the other modes
+        QCOMPARE(chosenFunctions(), std::vector<std::string>{"veins"});
+        QTRY_VERIFY(window_->settled() && widthOf("veins") > veins);
+        QCOMPARE(widthOf("bones"), bones);
+        QCOMPARE(settingsKept(), session().view().appearance.settings);
+        chooseFunction(Qt::Key_Up);
+        addPoint();
+        QCOMPARE(chosenFunctions(), (std::vector<std::string>{"bones", "veins"}));
+        QTRY_VERIFY(window_->settled() && widthOf("bones") > bones);
+        const auto colourBar = window_->workbench.scenes().annotations({}, {}).transfer;
+        QVERIFY(colourBar == std::get<TransferFunction>(session().view().appearance.settings.at("bones")));
+        session().undoStack().undo();
+        session().undoStack().undo();
+        QVERIFY(session().view().appearance == before);
+        QTRY_VERIFY(window_->settled() && widthOf("veins") == veins);
+    }
+
     void coloursAndVectorsAreInTheForm()
     {
         session().setMode("example.band");
@@ -135,6 +190,29 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
+    void showEditor() const
+    {
+        auto& dock = window_->find<QDockWidget>("dock.transfer");
+        dock.show();
+        dock.raise();
+    }
+    void chooseFunction(Qt::Key key) const { QTest::keyClick(&window_->find<QWidget>("transfer.function"), key); }
+    void addPoint() const { QTest::keyClick(&window_->find<QWidget>("transfer.canvas"), Qt::Key_Insert); }
+    /// Of a drawable of the scene that is seen, which is an outline.
+    float widthOf(const char* drawable) const
+    {
+        const Drawable* found = drawableOf(*window_->viewport().scene(), drawable);
+        const auto* lines = found != nullptr ? std::get_if<LineSet>(&found->shape) : nullptr;
+        return lines != nullptr ? lines->width : 0;
+    }
+    std::vector<std::string> chosenFunctions() const
+    {
+        std::vector<std::string> ids;
+        for (const auto& [id, value] : session().view().appearance.settings)
+            if (std::holds_alternative<TransferFunction>(value))
+                ids.push_back(id);
+        return ids;
+    }
     /// As a session that is saved and opened again has them.
     ParameterValues settingsKept() const
     {

@@ -20,6 +20,13 @@ namespace {
 
 constexpr int patience = 60'000; // milliseconds
 
+/// With a mode that has two transfer functions, which no mode of this build has.
+std::unique_ptr<PluginHost> hostWithTwoFunctions()
+{
+    return std::make_unique<PluginHost>(PluginHostOptions{
+        .folders = {TAN_BINARY_DIR "/lib/tan/plugins", TAN_BINARY_DIR "/tests/ui-fixtures/renderers"}});
+}
+
 template <class Condition> void waitUntil(const Condition& done, const char* what)
 {
     if (!waitFor(done, patience))
@@ -28,7 +35,8 @@ template <class Condition> void waitUntil(const Condition& done, const char* wha
 
 } // namespace
 
-DrivenWindow::DrivenWindow(QString model, QString volume) : model_(std::move(model)), volume_(std::move(volume))
+DrivenWindow::DrivenWindow(QString model, QString volume)
+    : WindowFixture(BackendChoice::Cpu, hostWithTwoFunctions()), model_(std::move(model)), volume_(std::move(volume))
 {
     window.resize(1366, 768);
     window.show();

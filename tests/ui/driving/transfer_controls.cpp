@@ -6,6 +6,7 @@
 #include "tests/waiting.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QInputDialog>
 #include <QListWidget>
 #include <QToolButton>
@@ -210,7 +211,18 @@ Drivers wholeControls()
 Drivers transferControls()
 {
     const auto plot = std::make_shared<QImage>();
+    const auto unitDistance = std::make_shared<double>(); // which differs from function to function
+    const auto shownUnitDistance = [](const DrivenWindow& window) {
+        return window.find<QDoubleSpinBox>("transfer.unitDistance").value();
+    };
     const Drivers others{
+        showing(
+            "transfer.function", [=](const DrivenWindow& window) { return shownUnitDistance(window) != *unitDistance; },
+            [=](DrivenWindow& window) {
+                window.choose("example.two-functions");
+                window.raise("dock.transfer");
+                *unitDistance = shownUnitDistance(window);
+            }),
         showing(
             "transfer.logarithmic",
             [plot](const DrivenWindow& window) {
