@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <plugins/api/scene_parameters.h>
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QObject>
 
 namespace {
 using namespace tetra;
+
+/// The limits of a band, which examples/editor edits; nothing if the text has none.
+std::optional<ValueRange> bandOf(const std::string& text)
+{
+    const QJsonObject band = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+    if (!band.value("low").isDouble() || !band.value("high").isDouble())
+        return std::nullopt;
+    return ValueRange{band.value("low").toDouble(), band.value("high").toDouble()};
+}
 
 class Shells : public RendererSession {
 public:
@@ -17,7 +28,7 @@ public:
             return scene.error();
         const auto function = view.value<TransferFunction>(transferId);
         const auto count = view.value<std::int64_t>("shells");
-        const ValueRange range = extentOf(*meshes_.mesh, meshes_.bounds).range;
+        const ValueRange range = bandOf(view.value<OwnValue>("band").text).value_or(ValueRange{});
         std::vector<Isovalue> isovalues;
         for (std::int64_t i = 1; i <= count; ++i) {
             const double value = range.minimum + range.extent() * double(i) / double(count + 1);
@@ -46,14 +57,22 @@ class ShellsRenderer : public QObject, public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        Parameter shells;
+        Parameter shells, band;
         shells.id = "shells";
         shells.label = "Shells";
         shells.explanation = "How many.";
         shells.defaultValue = std::int64_t{4};
         shells.minimum = 1;
         shells.maximum = 20;
-        return {transferParameter(field), shells, clipParameter(), outlineParameter()};
+        band.id = "band";
+        band.label = "Band";
+        band.explanation = "The values between which they are.";
+        band.defaultValue = OwnValue{"example.band", R"({"low": )" + formatNumber(field.range.minimum) +
+                                                         R"(, "high": )" + formatNumber(field.range.maximum) + "}"};
+        band.mistake = [](const std::string& text) {
+            return bandOf(text) ? Message() : Message::say(R"(A band is written {"low": 1, "high": 2}.)");
+        };
+        return {transferParameter(field), shells, band, clipParameter(), outlineParameter()};
     }
     std::unique_ptr<RendererSession> open(const RendererMeshes& meshes) const override
     {

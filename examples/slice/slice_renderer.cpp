@@ -84,11 +84,8 @@ public:
         const double height = low + (high - low) * view.value<double>("height") / 100;
         const Slice slice = sliceOf(*meshes_.mesh, gradients_, float(height));
         const TriangleMesh coloured = colouredByValue(*slice.surface, view.value<TransferFunction>(transferId));
-        scene->drawables.push_back(
-            {.id = "slice",
-             .label = "Slice",
-             .shape = Surface{.mesh = std::make_shared<const TriangleMesh>(coloured), .colour = {}, .lit = false},
-             .saved = true});
+        Surface surface{.mesh = std::make_shared<const TriangleMesh>(coloured), .colour = {}, .lit = false};
+        scene->drawables.push_back({.id = "slice", .label = "Slice", .shape = std::move(surface), .saved = true});
         const auto length = float(meshes_.bounds.diagonal().norm() / 15);
         const auto arrows = [places = slice.arrows, length](const Camera& camera, int, int) {
             return drawnArrows(places, length, camera);
