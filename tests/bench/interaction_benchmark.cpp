@@ -3,17 +3,19 @@
 // CPU back end shows, how many of them keep within the budget of 15, and how long the full picture takes afterwards.
 // The choice of mesh and picture size is the window's own, without the window. Then, with the window, what the undo
 // step of a drag costs beside its pictures, and how long it is from an edit of the transfer function to a picture of
-// it.
+// it. With --events what the window takes for its events, in place of all that.
 
 #include "tests/bench/bench_report.h"
 #include "tests/bench/camera_drag.h"
 #include "tests/bench/edit_to_picture.h"
+#include "tests/bench/gui_events.h"
 
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "ui/animation/frame_pacer.h"
 #include "ui/session/accuracy_scale.h"
+#include "ui/work/steady_heap.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -229,6 +231,21 @@ modelsOf(PluginHost& host, const QCommandLineParser& parser, const QTemporaryDir
     return models;
 }
 
+/// On both canvases, if there are both.
+std::vector<BenchCase> eventCases(TimedApplication& application, PluginHost& host, const std::filesystem::path& model,
+                                  const QString& name, int acts)
+{
+    std::vector<BenchCase> cases;
+    for (const BackendChoice canvas : {BackendChoice::Cpu, BackendChoice::Gl})
+        if (const auto found = eventsOfTheWindow(application, host, model, name, canvas, acts))
+            cases.push_back(*found);
+    if (cases.size() < 2)
+        std::fputs(
+            "OpenGL is not measured: there is none on this display. Run the program by tests/ui/run_under_x.sh.\n",
+            stderr);
+    return cases;
+}
+
 } // namespace
 } // namespace tetra
 
@@ -237,7 +254,7 @@ int main(int argc, char** argv)
     using namespace tetra;
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QApplication application(argc, argv);
+    TimedApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setApplicationName("tan-bench-interaction");
     PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
@@ -251,13 +268,22 @@ int main(int argc, char** argv)
     parser.addOption({"model", "Turn this model in place of these; may be repeated.", "FILE.tan"});
     parser.addOption({"error", "The mesh's, in %; without it what the window shows at first.", "PERCENT"});
     parser.addOption({"edits-only", "Measure edits alone."});
+    parser.addOption({"events", "Measure what the window takes for its events, and nothing else."});
+    parser.addOption({"acts", "How much is done in the window then.", "N", "1000"});
     parser.process(application);
+    if (parser.isSet("events"))
+        keepHeapSteady(); // as the program does
     const QTemporaryDir folder;
     std::vector<BenchCase> cases;
     for (const auto& [name, model] : modelsOf(host, parser, folder)) {
         if (!model) {
             std::fprintf(stderr, "%s\n", model.error().text().c_str());
             return 4;
+        }
+        if (parser.isSet("events")) {
+            std::ranges::move(eventCases(application, host, (*model)->path(), name, parser.value("acts").toInt()),
+                              std::back_inserter(cases));
+            continue;
         }
         const double error = parser.isSet("error") ? parser.value("error").toDouble() : startingError(**model);
         if (!parser.isSet("edits-only"))
