@@ -16,7 +16,7 @@ for component in core program development; do
     cmake --install "$build" --prefix "$place" --component "$component" >"$scratch/files"
 done
 for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins include/tan/base.h \
-    include/tan-plugin/plugins/api/{reader,writer,editor}.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
+    include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor}.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
     share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
     installed "$file"
 done
@@ -97,10 +97,11 @@ check test "$(tan isosurface wells.tan --value -0.5 -o surface.of 2>&1 | grep -c
 # A renderer of somebody else: by its options, and refused with a sentence.
 build_example renderer
 export TAN_PLUGIN_PATH=$scratch/renderer
-tan render wells.tan --mode example.shells --shells 3 --size 64x48 -o shells.png --json >shells.json
+tan render wells.tan --mode example.shells --shells 3 --band '{"low": -1, "high": 0}' --size 64x48 -o shells.png --json >shells.json
 check test "$(head -c 4 shells.png | tail -c 3)" = PNG
 check grep -q '"triangles": [1-9]' shells.json
 check test "$(tan render wells.tan --mode example.shells --shells 99 -o none.png 2>&1 | grep -c shells)" = 1
+check test "$(tan render wells.tan --mode example.shells --band narrow -o none.png 2>&1 | grep -c 'A band is written')" = 1
 check test ! -e none.png
 build_example slice
 for backend in cpu gl; do
@@ -116,6 +117,29 @@ done
 check test "$(head -c 4 maximum.png | tail -c 3)" = PNG
 check grep -q '"cells_drawn": [1-9]' maximum.json
 
+# A builder: of what it takes, within its budget, with what it claims proved; what it does not take it says.
+build_example builder
+export TAN_PLUGIN_PATH=$scratch/builder
+tan sample c60 --size 20 -o c60.nrrd >messages
+tan sample scattered --size 12 -o ball.csv >messages
+for data in c60.nrrd ball.csv; do
+    tan build $data --builder example.budget --points 500 -o budget.tan --json >budget.json
+    check grep -q '"builder": "example.budget"' budget.json
+    check test "$(sed -n 's/.*"sites": \([0-9]*\).*/\1/p' budget.json)" -le 500
+    check test "$(sed -n 's/.*"sites": \([0-9]*\).*/\1/p' budget.json)" -gt 100
+    check tan verify budget.tan --against $data --json >verdict.json
+    check grep -q '"ok": true' verdict.json
+    check tan info budget.tan --json >info.json
+    check grep -q 'example.budget' info.json
+done
+tan build c60.nrrd --builder example.budget --points 8000 --error 5 -o coarse.tan 2>messages >coarse.json --json
+tan build c60.nrrd --error 5 -o same.tan 2>messages >same.json --json
+check test "$(grep '"sites"' coarse.json)" = "$(grep '"sites"' same.json)"
+check test "$(tan build c60.nrrd --builder example.budget --points 7 -o none.tan 2>&1 | grep -c points)" = 1
+tan sample bent-duct --size 8 -o duct.xyz >messages
+check test "$(tan build duct.xyz --builder example.budget -o none.tan 2>&1 | grep -c 'takes regular lattices')" = 1
+check test ! -e none.tan
+
 # An editor, from the user's own folder.
 build_example editor
 unset TAN_PLUGIN_PATH
@@ -124,6 +148,15 @@ mkdir -p "$XDG_DATA_HOME/tan/plugins"
 cp editor/libband-editor.so "$XDG_DATA_HOME/tan/plugins"
 tan plugins --json | grep -A5 '"id": "example.band-editor"' | grep '"state": "loaded"' >/dev/null || { tan plugins; exit 1; }
 check grep -qF "$XDG_DATA_HOME/tan/plugins" <(tan plugins)
+
+# All of them in the window, and by both back ends: the tests of this tree, with the plugins that were built outside of it.
+mkdir outside home
+cp {builder,editor,projection,reader,renderer,slice,writer}/lib*.so outside
+for test in window pictures; do
+    TAN_EXAMPLE_PLUGINS=$scratch/outside QT_QPA_PLATFORM=offscreen HOME=$scratch/home XDG_CONFIG_HOME=$scratch/home/config \
+        XDG_CACHE_HOME=$scratch/home/cache XDG_DATA_HOME=$scratch/home/data \
+        "$build/tests/tests-examples" $test >messages 2>&1 || { cat messages; exit 1; }
+done
 
 # A plugin of another build is refused, with both builds and the remedy.
 sed -i 's|/tan-0\.1\.0|/tan-0.0.9|' "$XDG_DATA_HOME/tan/plugins/libband-editor.so"

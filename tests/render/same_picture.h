@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
 
 #include <tan/render.h>
@@ -12,8 +11,7 @@
 
 namespace tetra::testing {
 
-inline Picture rendered(RenderBackend& backend, const SceneParts& scene, const Camera& camera,
-                        const PictureOptions& options)
+inline Picture rendered(RenderBackend& backend, const Scene& scene, const Camera& camera, const PictureOptions& options)
 {
     auto picture = backend.render(scene, camera, options);
     if (!picture)
