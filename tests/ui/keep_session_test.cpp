@@ -173,6 +173,7 @@ void KeepSessionTest::aSessionIsSavedAndOpened()
     session().setError(3.5);
     window_->find<QAction>("action.saveSession").trigger();
     QTRY_COMPARE(QFileInfo(path).size(), before);
+    QTRY_VERIFY(!window_->workbench.opening().savingSession().running()); // closing would wait for it
 
     window_->find<QAction>("action.close").trigger();
     QVERIFY(!showsEdits());
