@@ -40,6 +40,9 @@ public:
 
     Result<Arguments> run()
     {
+        for (const Option& option : syntax_.options)
+            if (!option.ofPlugin)
+                arguments_.ownOptions.insert(option.name);
         bool optionsMayCome = true;
         while (next_ < words_.size()) {
             const std::string& word = words_[next_++];

@@ -5,7 +5,9 @@
 
 #include <tan/base.h>
 
+#include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +20,7 @@ namespace tetra {
 struct Arguments {
     std::vector<std::string> positionals;
     std::vector<std::pair<std::string, std::string>> options; ///< name and value, as given
+    std::set<std::string, std::less<>> ownOptions;            ///< the names that are the program's, given or not
 
     bool has(std::string_view name) const;
     std::optional<std::string> value(std::string_view name) const;

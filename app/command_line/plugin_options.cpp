@@ -10,9 +10,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <set>
 
 namespace tetra {
 namespace {
+
+const std::string pluginPrefix = "plugin-";
 
 bool isSwitch(const Parameter& parameter)
 {
@@ -48,6 +52,13 @@ std::string optionName(const Parameter& parameter)
     return parameter.id;
 }
 
+/// Under which name the arguments hold the parameter.
+std::string optionName(const Arguments& arguments, const Parameter& parameter)
+{
+    const std::string name = optionName(parameter);
+    return arguments.ownOptions.contains(name) ? pluginPrefix + name : name;
+}
+
 std::string placeholder(const Parameter& parameter)
 {
     if (isSwitch(parameter))
@@ -76,7 +87,8 @@ Option optionOf(const Parameter& parameter)
     Option option{.name = optionName(parameter),
                   .placeholder = placeholder(parameter),
                   .explanation = parameter.explanation,
-                  .repeatable = isList(parameter)};
+                  .repeatable = isList(parameter),
+                  .ofPlugin = true};
     if (isOnByDefault(parameter))
         option.explanation = "Turns this off: " + parameter.explanation;
     if (isIsovalues(parameter))
@@ -135,7 +147,8 @@ void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
 {
     for (const Parameter& parameter : parameters) {
         const Option option = optionOf(parameter);
-        const auto same = std::ranges::find(syntax.options, option.name, &Option::name);
+        const auto same = std::ranges::find_if(
+            syntax.options, [&](const Option& one) { return one.ofPlugin && one.name == option.name; });
         if (same == syntax.options.end())
             syntax.options.push_back(option);
         else if (same->explanation.find(option.explanation) == std::string::npos)
@@ -143,11 +156,22 @@ void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
     }
 }
 
+void separatePluginOptions(Syntax& syntax)
+{
+    std::set<std::string, std::less<>> own;
+    for (const Option& option : syntax.options)
+        if (!option.ofPlugin)
+            own.insert(option.name);
+    for (Option& option : syntax.options)
+        if (option.ofPlugin && own.contains(option.name))
+            option.name = pluginPrefix + option.name;
+}
+
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters)
 {
     ParameterValues values;
     for (const Parameter& parameter : parameters) {
-        const std::string name = optionName(parameter);
+        const std::string name = optionName(arguments, parameter);
         if (!arguments.has(name))
             continue;
         const auto value = parseOption(arguments, parameter, name);
@@ -161,9 +185,11 @@ Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vect
 Status checkPluginOptions(const Arguments& arguments, const std::vector<Parameter>& all,
                           const std::vector<Parameter>& used, const std::string& owner)
 {
-    for (const Parameter& parameter : all)
-        if (arguments.has(optionName(parameter)) && std::ranges::find(used, parameter.id, &Parameter::id) == used.end())
-            return Error{ErrorKind::WrongUsage, "The " + owner + " has no option '--" + optionName(parameter) + "'."};
+    for (const Parameter& parameter : all) {
+        const std::string name = optionName(arguments, parameter);
+        if (arguments.has(name) && std::ranges::find(used, parameter.id, &Parameter::id) == used.end())
+            return Error{ErrorKind::WrongUsage, "The " + owner + " has no option '--" + name + "'."};
+    }
     return {};
 }
 

@@ -29,10 +29,14 @@ template <class Interface> std::string idChoices(const std::vector<Provided<Inte
     return ids.empty() ? "ID" : ids;
 }
 
-/// Adds an option for each parameter, unless one of that name is there already: "--id VALUE"; "--id" for a truth value
-/// that is false by default, "--no-id" for one that is true; one option a time, repeated, for isovalues ("--isovalue"
-/// for the parameter "isovalues"); "--id FILE" for a transfer function.
+/// Adds an option for each parameter, unless another plugin's of that name is there already: "--id VALUE"; "--id" for a
+/// truth value that is false by default, "--no-id" for one that is true; one option a time, repeated, for isovalues
+/// ("--isovalue" for the parameter "isovalues"); "--id FILE" for a transfer function.
 void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters);
+
+/// An option keeps the name that the program gives it: one of a plugin that has the same becomes "--plugin-NAME". To be
+/// called when all options are there.
+void separatePluginOptions(Syntax& syntax);
 
 /// The values that the arguments give to these parameters. The error names the option and what it takes.
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters);

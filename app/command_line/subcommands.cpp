@@ -2,6 +2,7 @@
 #include "app/command_line/subcommands.h"
 
 #include "app/command_line/annotation_options.h"
+#include "app/command_line/plugin_options.h"
 
 #include <array>
 
@@ -29,6 +30,7 @@ Syntax wholeSyntax(const Subcommand& subcommand, PluginHost& host)
     syntax.options.push_back(
         {.name = "json", .placeholder = "", .explanation = "Print one JSON object instead of text."});
     syntax.options.push_back({.name = "help", .placeholder = "", .explanation = "Print this text.", .letter = 'h'});
+    separatePluginOptions(syntax);
     return syntax;
 }
 

@@ -15,6 +15,7 @@ struct Option {
     char letter = 0;         ///< short form, 'o' for -o
     bool repeatable = false;
     bool required = false;
+    bool ofPlugin = false; ///< made from a parameter of a plugin
 };
 
 /// A word that is no option, such as a file.

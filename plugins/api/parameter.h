@@ -65,7 +65,7 @@ inline constexpr const char* domainId = "domain";
 /// `defaultValue`. Texts are for the user, in English, each marked by Message::marked() where it stands: the window
 /// translates them.
 struct Parameter {
-    std::string id; ///< stable: the command line's --id and the session's key
+    std::string id; ///< stable: the session's key and the command line's --id; --plugin-id if that is the program's
     std::string label;
     std::string explanation; ///< one sentence, for tooltips and --help
     std::string unit;        ///< "%", "points" ..., empty if none
@@ -77,7 +77,7 @@ struct Parameter {
     /// Of strings that are lists, else 0: what separates their entries. On the command line, entries may also be given
     /// one at a time; the list's option is then called by its id without the plural s.
     char separator = 0;
-    /// Of strings: why a text cannot be used, for the user; empty if it can. May be missing. Quick, any thread.
+    /// Of strings and own values: why a text is no use, for the user; empty if it is. May be missing. Quick, any thread.
     std::function<Message(const std::string& text)> mistake{};
     /// Elsewhere it is not looked at, and forms hide it.
     ParameterCondition onlyWith{};

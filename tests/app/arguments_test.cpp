@@ -49,6 +49,30 @@ class ArgumentsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Whatever plugins are installed, the program's options mean what they meant.
+    void pluginsTakeNoOptionFromTheProgram()
+    {
+        const std::vector<Parameter> parameters = {number("error", 1, 0, 9), number("depth", 2, 0, 9)};
+        Syntax syntax = example();
+        addPluginOptions(syntax, parameters);
+        separatePluginOptions(syntax);
+        const auto parsed =
+            parseArguments(syntax, Words{"in", "-o", "out", "--error", "5", "--plugin-error", "3", "--depth", "4"});
+        QVERIFY2(parsed, parsed ? "" : parsed.error().text().c_str());
+        QCOMPARE(parsed->value("error").value(), std::string("5"));
+        const auto values = pluginValues(*parsed, parameters);
+        QVERIFY2(values, values ? "" : values.error().text().c_str());
+        QCOMPARE(std::get<double>(values->at("error")), 3.0);
+        QCOMPARE(std::get<double>(values->at("depth")), 4.0);
+
+        const auto own = parseArguments(syntax, Words{"in", "-o", "out", "--error", "5"});
+        QVERIFY(own);
+        QVERIFY(pluginValues(*own, parameters)->empty());
+        QVERIFY(checkPluginOptions(*own, parameters, {}, "mode 'x'"));
+        const Status refused = checkPluginOptions(*parsed, parameters, {}, "mode 'x'");
+        QCOMPARE(refused.error().text(), std::string("The mode 'x' has no option '--plugin-error'."));
+    }
+
     void takesAllSpellings()
     {
         const auto parsed = parseArguments(
