@@ -77,7 +77,7 @@ struct Parameter {
     /// Of strings that are lists, else 0: what separates their entries. On the command line, entries may also be given
     /// one at a time; the list's option is then called by its id without the plural s.
     char separator = 0;
-    /// Of strings and own values: why a text is no use, for the user; empty if it is. May be missing. Quick, any thread.
+    /// Of strings and own values: why a text is no use, for the user, or empty. May be missing. Quick, any thread.
     std::function<Message(const std::string& text)> mistake{};
     /// Elsewhere it is not looked at, and forms hide it.
     ParameterCondition onlyWith{};
