@@ -127,6 +127,17 @@ double keyOf(const Model& model, const Accuracy& accuracy)
     return std::min(byError, warpingCounts ? accuracy.warping / 100 * weight * model.diagonal() : unlimited);
 }
 
+/// The sites of the first mesh that no earlier or later one betters, of a history whose last mesh is worse than that:
+/// keys may rise, and a build may be stopped while they are up.
+std::uint32_t bestSites(const Model& model)
+{
+    const std::span<const float> errors = model.runningKeys();
+    const float best = errors.back();
+    const auto first = std::ranges::partition_point(
+        errors, [&](const float& error) { return !model.check(error) || !(error <= best); });
+    return static_cast<std::uint32_t>(first - errors.begin());
+}
+
 } // namespace
 
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
@@ -137,6 +148,8 @@ MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
     const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
         return !model.check(error) || std::isinf(error) || !(static_cast<double>(error) <= asked);
     });
+    if (reached == errors.end() && !errors.empty() && model.finalKey() > errors.back())
+        return meshSizeOf(model, bestSites(model));
     return meshSizeOf(model, static_cast<std::uint32_t>(reached - errors.begin()));
 }
 
@@ -148,7 +161,7 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
     const double weight = model.description().warpingWeight;
     const std::span<const float> errors = model.runningKeys();
     const float& next = sites == errors.size() ? errors.back() : errors[sites];
-    const double key = sites == errors.size() ? std::min(model.finalKey(), next) : next;
+    const double key = sites == errors.size() ? model.finalKey() : next;
     if (!model.check(next) || !model.check(model.meshSizes()[sites - 1]))
         return {};
     return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * key / extent : 0,

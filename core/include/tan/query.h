@@ -64,8 +64,8 @@ struct MeshSize {
 };
 
 /// The first mesh at least as accurate as asked (first passage, S1), as a prefix of the sites: O(log sites). If the
-/// model is not that accurate, the whole model. Of a damaged file the result is unspecified, and Model::checkIntact()
-/// says so afterwards.
+/// model is not that accurate, its most accurate mesh, as a rule the whole. Of a damaged file the result is
+/// unspecified, and Model::checkIntact() says so afterwards.
 TAN_API MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy);
 
 /// The same for the mesh of the first `sites` sites, which end a batch.

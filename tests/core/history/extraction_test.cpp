@@ -129,6 +129,42 @@ private slots:
         QCOMPARE(meshSizeAt(*model_, {std::numeric_limits<double>::quiet_NaN()}).sites, model_->siteCount());
     }
 
+    /// Keys may be up when a build is stopped. Then the last mesh says so, and no query ends at it.
+    void aHistoryMayEndWorseThanItWas()
+    {
+        const std::vector<RecordedHistory::Step>& steps = history().steps;
+        std::size_t stop = 0, bestMesh = 0;
+        for (std::size_t sites = 9, best = 8; sites < steps.size(); ++sites) {
+            if (steps[sites].keyBefore > steps[best].keyBefore) {
+                stop = sites;
+                bestMesh = best;
+            } else if (steps[sites].keyBefore < steps[best].keyBefore)
+                best = sites;
+        }
+        QVERIFY(stop > 8);
+        RecordedHistory stopped;
+        stopped.traits = history().traits;
+        stopped.steps.assign(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(stop));
+        stopped.finalKey = steps[stop].keyBefore;
+        auto writer = ModelWriter::create(path("stopped.tan"), dataset_, {});
+        QVERIFY(writer && replay(stopped, **writer).ok());
+        const auto model = open("stopped.tan");
+        QVERIFY(model);
+
+        const double extent = model->description().range.extent();
+        const auto percent = [&](float key) { return 100 * static_cast<double>(key) / extent; };
+        QCOMPARE(meshSizeOf(*model, static_cast<std::uint32_t>(stop)).error, percent(stopped.finalKey));
+        const MeshSize finest = meshSizeAt(*model, {0});
+        QCOMPARE(std::size_t(finest.sites), bestMesh);
+        QCOMPARE(finest.error, percent(steps[bestMesh].keyBefore));
+        QCOMPARE(meshSizeAt(*model, {finest.error}).sites, finest.sites);
+        MeshQuery query;
+        query.error = ErrorField(0.0);
+        const auto mesh = MeshExtractor(model).extract(query);
+        QVERIFY(mesh);
+        QCOMPARE((*mesh)->mesh.positions.size(), bestMesh);
+    }
+
     void moreSitesThanThereAreIsAnError()
     {
         const auto extracted = extractPrefix(*model_, model_->siteCount() + 1);
