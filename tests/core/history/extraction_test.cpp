@@ -2,6 +2,7 @@
 // Any prefix of the sites gives the mesh that was there (R14, R15, S1, S2, B7), and a damaged file an error.
 #include "core/history/walk.h"
 
+#include "core/history/model_writer.h"
 #include "core/history/site_positions.h"
 #include "tests/core/history/model_fixture.h"
 
