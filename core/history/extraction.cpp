@@ -127,30 +127,23 @@ double keyOf(const Model& model, const Accuracy& accuracy)
     return std::min(byError, warpingCounts ? accuracy.warping / 100 * weight * model.diagonal() : unlimited);
 }
 
-/// The sites of the first mesh that no earlier or later one betters, of a history whose last mesh is worse than that:
-/// keys may rise, and a build may be stopped while they are up.
-std::uint32_t bestSites(const Model& model)
-{
-    const std::span<const float> errors = model.runningKeys();
-    const float best = errors.back();
-    const auto first = std::ranges::partition_point(
-        errors, [&](const float& error) { return !model.check(error) || !(error <= best); });
-    return static_cast<std::uint32_t>(first - errors.begin());
-}
-
 } // namespace
 
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
-    const double asked = keyOf(model, accuracy);
     const std::span<const float> errors = model.runningKeys();
     // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
-    const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
-        return !model.check(error) || std::isinf(error) || !(static_cast<double>(error) <= asked);
-    });
-    if (reached == errors.end() && !errors.empty() && model.finalKey() > errors.back())
-        return meshSizeOf(model, bestSites(model));
-    return meshSizeOf(model, static_cast<std::uint32_t>(reached - errors.begin()));
+    const auto firstWithin = [&](double limit) {
+        const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
+            return !model.check(error) || std::isinf(error) || !(static_cast<double>(error) <= limit);
+        });
+        return static_cast<std::uint32_t>(reached - errors.begin());
+    };
+    const std::uint32_t sites = firstWithin(keyOf(model, accuracy));
+    // Keys may rise, and be up at the end: then an earlier mesh is the most accurate one.
+    if (sites > 0 && sites == errors.size() && model.finalKey() > errors.back())
+        return meshSizeOf(model, firstWithin(static_cast<double>(errors.back())));
+    return meshSizeOf(model, sites);
 }
 
 MeshSize meshSizeOf(const Model& model, std::uint32_t sites)

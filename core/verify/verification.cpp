@@ -37,9 +37,12 @@ double keyAsked(const Model& model, const Original& original, const Accuracy& as
 }
 
 /// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
-/// the other (S1).
+/// the other (S1); if there is none, of the most accurate one, which need not be the last.
 std::uint32_t firstPassage(const Model& model, double asked)
 {
+    const auto best = static_cast<double>(*std::ranges::min_element(model.runningKeys()));
+    if (best < static_cast<double>(model.finalKey()) && !(asked > best))
+        asked = best;
     std::uint32_t sites = initialSiteCount(model);
     while (sites < model.siteCount() && !(static_cast<double>(model.runningKeys()[sites]) <= asked))
         ++sites;

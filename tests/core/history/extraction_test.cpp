@@ -7,6 +7,7 @@
 #include "tests/core/history/model_fixture.h"
 
 #include <tan/query.h>
+#include <tan/verify.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -164,6 +165,9 @@ private slots:
         const auto mesh = MeshExtractor(model).extract(query);
         QVERIFY(mesh);
         QCOMPARE((*mesh)->mesh.positions.size(), bestMesh);
+        const auto report = verify(*model, dataset_, std::vector<Accuracy>{{0}});
+        QVERIFY(report);
+        QCOMPARE(std::size_t(report->levels.front().sites), bestMesh);
     }
 
     void moreSitesThanThereAreIsAnError()
