@@ -40,9 +40,7 @@ public:
 
     Result<Arguments> run()
     {
-        for (const Option& option : syntax_.options)
-            if (!option.ofPlugin)
-                arguments_.ownOptions.insert(option.name);
+        arguments_.ownOptions = ownOptionNames(syntax_);
         bool optionsMayCome = true;
         while (next_ < words_.size()) {
             const std::string& word = words_[next_++];
@@ -145,6 +143,15 @@ std::vector<std::string> Arguments::values(std::string_view name) const
         if (option == name)
             all.push_back(value);
     return all;
+}
+
+std::set<std::string, std::less<>> ownOptionNames(const Syntax& syntax)
+{
+    std::set<std::string, std::less<>> names;
+    for (const Option& option : syntax.options)
+        if (!option.ofPlugin)
+            names.insert(option.name);
+    return names;
 }
 
 Result<Arguments> parseArguments(const Syntax& syntax, std::span<const std::string> words)

@@ -20,12 +20,15 @@ namespace tetra {
 struct Arguments {
     std::vector<std::string> positionals;
     std::vector<std::pair<std::string, std::string>> options; ///< name and value, as given
-    std::set<std::string, std::less<>> ownOptions;            ///< the names that are the program's, given or not
+    std::set<std::string, std::less<>> ownOptions;            ///< ownOptionNames() of the syntax
 
     bool has(std::string_view name) const;
     std::optional<std::string> value(std::string_view name) const;
     std::vector<std::string> values(std::string_view name) const;
 };
+
+/// The names of options that are the program's own, and no plugin's.
+std::set<std::string, std::less<>> ownOptionNames(const Syntax& syntax);
 
 /// Takes "--name value", "--name=value", "-o value" and "--", after which nothing is an option. Errors (WrongUsage): an
 /// unknown option, with the nearest known one; a missing or superfluous value, option or word; an option given twice.

@@ -10,13 +10,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
-#include <set>
 
 namespace tetra {
 namespace {
 
-const std::string pluginPrefix = "plugin-";
+/// The name of a plugin's option that would have one of the program's.
+std::string namedAsPlugins(const std::string& name)
+{
+    return "plugin-" + name;
+}
 
 bool isSwitch(const Parameter& parameter)
 {
@@ -56,7 +58,7 @@ std::string optionName(const Parameter& parameter)
 std::string optionName(const Arguments& arguments, const Parameter& parameter)
 {
     const std::string name = optionName(parameter);
-    return arguments.ownOptions.contains(name) ? pluginPrefix + name : name;
+    return arguments.ownOptions.contains(name) ? namedAsPlugins(name) : name;
 }
 
 std::string placeholder(const Parameter& parameter)
@@ -158,13 +160,10 @@ void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
 
 void separatePluginOptions(Syntax& syntax)
 {
-    std::set<std::string, std::less<>> own;
-    for (const Option& option : syntax.options)
-        if (!option.ofPlugin)
-            own.insert(option.name);
+    const auto own = ownOptionNames(syntax);
     for (Option& option : syntax.options)
         if (option.ofPlugin && own.contains(option.name))
-            option.name = pluginPrefix + option.name;
+            option.name = namedAsPlugins(option.name);
 }
 
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters)
