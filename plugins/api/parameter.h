@@ -65,11 +65,11 @@ inline constexpr const char* domainId = "domain";
 /// `defaultValue`. Texts are for the user, in English, each marked by Message::marked() where it stands: the window
 /// translates them.
 struct Parameter {
-    std::string id; ///< stable: the session's key and the command line's --id; --plugin-id if that is the program's
-    std::string label;
-    std::string explanation; ///< one sentence, for tooltips and --help
-    std::string unit;        ///< "%", "points" ..., empty if none
-    ParameterValue defaultValue;
+    std::string id{}; ///< stable: the session's key and the command line's --id; --plugin-id if that is the program's
+    std::string label{};
+    std::string explanation{}; ///< one sentence, for tooltips and --help
+    std::string unit{};        ///< "%", "points" ..., empty if none
+    ParameterValue defaultValue{};
     double minimum = 0;                 ///< of numbers
     double maximum = 0;                 ///< of numbers; not above minimum means unbounded
     std::vector<std::string> choices{}; ///< of strings; empty means free text

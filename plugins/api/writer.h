@@ -25,7 +25,7 @@ enum class WrittenContent {
 /// A kind of file, and what a writer makes such files of.
 struct FileFormat {
     WrittenContent content = WrittenContent::Surface;
-    std::string name;                   ///< for people: "PLY files"
+    std::string name{};                 ///< for people: "PLY files"
     std::vector<std::string> endings{}; ///< in small letters with the dot: {".ply"}; the first is the usual one
 };
 

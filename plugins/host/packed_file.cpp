@@ -2,7 +2,6 @@
 #include "plugins/host/packed_file.h"
 
 #include "core/base/system_error.h"
-#include "core/base/text.h"
 #include "core/base/work_folder.h"
 #include "plugins/host/input_file.h"
 

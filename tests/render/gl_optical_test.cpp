@@ -114,6 +114,22 @@ private slots:
         QVERIFY2(same > 1180, qPrintable(QString::number(same))); // edges may fall into the next pixel
     }
 
+    void tinyRangesHaveAShader()
+    {
+        // The reciprocal of each is more than a float holds.
+        const std::shared_ptr<const OpticalModel> models[] = {maximumIntensity(0, 1e-40, {1, 1, 1}),
+                                                              xRay(0, 1e-40, 1e-40, {1, 1, 1})};
+        for (const auto& model : models) {
+            SceneParts scene = fogCube(0.5f);
+            scene.volume->model = model;
+            const PictureOptions options{.width = 20, .height = 20};
+            const auto cpu = cpu_->render(scene, beforeCube(), options), gl = gl_->render(scene, beforeCube(), options);
+            QVERIFY(cpu.ok());
+            QVERIFY2(gl.ok(), gl ? "" : gl.error().text().c_str());
+            QCOMPARE(gl->pixels[10 * 20 + 10], cpu->pixels[10 * 20 + 10]);
+        }
+    }
+
     void aShaderThatIsNoneIsAnError()
     {
         SceneParts scene = fogCube(0.5f);

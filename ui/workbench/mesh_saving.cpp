@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/mesh_saving.h"
 
-#include "core/base/text.h"
 #include "plugins/host/file_saving.h"
 
 #include <tan/query.h>

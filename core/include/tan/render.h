@@ -247,9 +247,16 @@ struct ClipPlane {
 struct Drawable;
 
 /// What depends on the camera and the size of the picture: arrows that turn towards the eye, labels of one size, a
-/// frame around the picture. `draw` gives the drawables of a picture of `width` x `height` pixels: surfaces and
-/// lines, whose ids are those of this one and their own. Called by the back ends before each picture, in their thread;
-/// quick. A mesh that is handed out again is not sent to the graphics card again. Picking does not see it.
+/// frame around the picture. `draw` gives the drawables of a picture of `width` x `height` pixels: surfaces and lines;
+/// other shapes are left out. Called by the back ends before each picture, in their thread; quick. A mesh that is
+/// handed out again is not sent to the graphics card again. Picking does not see it.
+/// - Ids: what `draw` gives is called "id of this one/its own id", so its own need only differ from each other.
+/// - Overlays: all of it is drawn over the scene if this one's Drawable::overlay is set, else what has it set itself;
+///   it stands in the list where this one stands, in the order in which `draw` gives it.
+/// - Throwing: ends the picture, not the program. RenderBackend::render() gives an error with what() of the exception;
+///   the next picture calls `draw` again.
+/// - Drawable::saved means nothing here, for this one as for what it gives: what depends on the camera is no part of
+///   the data's surfaces. What belongs into their file is a drawable of the scene itself.
 struct CustomDrawable {
     std::function<std::vector<Drawable>(const Camera& camera, int width, int height)> draw;
 };
@@ -260,9 +267,11 @@ using Shape = std::variant<Surface, LineSet, Volume, FocusVolume, std::shared_pt
 /// A thing in a scene.
 struct Drawable {
     /// Its name in the scene, which no other drawable has; the same thing has it in the next scene, too.
-    std::string id;
-    std::string label{}; ///< for people: "Isosurface 0.3"
-    Shape shape;
+    std::string id{};
+    /// What it is called in the file where the surfaces of a scene are saved: "isovalue 0.3". Not translated, and not
+    /// shown in the window: a scene makes the same file whatever the user's language.
+    std::string label{};
+    Shape shape{};
     /// The value that its field has all over it, as of an isosurface. None: of a surface `mesh->values` tell, if it has
     /// any; of a volume its field.
     std::optional<double> value{};

@@ -3,10 +3,19 @@
 #include <tan/render.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace tetra {
 namespace {
+
+/// The nearest float that is finite: a shader has no word for the infinity that the reciprocal of a tiny range is, and
+/// nothing times infinity would be no number.
+float finiteFloat(double number)
+{
+    constexpr double most = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(number, -most, most));
+}
 
 /// The numbers of a model, which its function and its shader share.
 struct ModelNumbers {
@@ -14,8 +23,7 @@ struct ModelNumbers {
     Colour colour;
 
     ModelNumbers(double from, double to, const Colour& ofLight)
-        : least(static_cast<float>(from)), perValue(to > from ? static_cast<float>(1 / (to - from)) : 0),
-          colour(ofLight)
+        : least(finiteFloat(from)), perValue(to > from ? finiteFloat(1 / (to - from)) : 0), colour(ofLight)
     {
     }
 
@@ -61,7 +69,7 @@ std::shared_ptr<const OpticalModel> maximumIntensity(double least, double larges
 std::shared_ptr<const OpticalModel> xRay(double least, double largest, double opaqueLength, const Colour& colour)
 {
     const ModelNumbers numbers(least, largest, colour);
-    const auto perLength = static_cast<float>(opaqueLength > 0 ? 1 / opaqueLength : 0);
+    const auto perLength = finiteFloat(opaqueLength > 0 ? 1 / opaqueLength : 0);
     OpticalModel model;
     model.combiner = Combiner::Sum;
     model.evaluate = [numbers, perLength](const OpticalPieces& pieces) {
