@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/mesh.h>
 
 #include <Eigen/Core>
 
@@ -67,6 +68,13 @@ struct SurfacePart {
     /// One for each position, or one for all.
     std::variant<float, std::span<const float>> values = 0.0F;
     std::array<float, 4> colour = {0.8F, 0.8F, 0.8F, 1.0F}; ///< sRGB and opacity, for the formats that have colours
+    /// Instead of that colour, but with its opacity: one for each position, sRGB, each channel in [0, 1]. Empty: none.
+    std::span<const Colour> colours{};
+
+    Colour colourAt(std::uint64_t vertex) const
+    {
+        return colours.empty() ? Colour{colour[0], colour[1], colour[2]} : colours[vertex];
+    }
 
     float value(std::uint64_t vertex) const
     {
@@ -74,6 +82,16 @@ struct SurfacePart {
         return each != nullptr ? (*each)[vertex] : std::get<float>(values);
     }
 };
+
+/// A colour in the bytes that files have: sRGB, each channel from 0 to 255.
+inline std::array<std::uint8_t, 3> colourBytes(const Colour& colour)
+{
+    const auto byte = [](float channel) {
+        const float within = channel > 0 ? std::min(channel, 1.0F) : 0.0F;
+        return static_cast<std::uint8_t>(within * 255 + 0.5F);
+    };
+    return {byte(colour.red), byte(colour.green), byte(colour.blue)};
+}
 
 /// Triangles to be written. In formats without parts, the parts' vertices and triangles come one part after the other.
 struct SurfaceContent {
@@ -96,6 +114,11 @@ struct SurfaceContent {
         for (const SurfacePart& part : parts)
             count += part.triangles.size();
         return count;
+    }
+    /// Whether a part has colours of its vertices. The formats without parts then give all vertices colours.
+    bool hasColours() const
+    {
+        return std::ranges::any_of(parts, [](const SurfacePart& part) { return !part.colours.empty(); });
     }
     bool hasNormals() const
     {

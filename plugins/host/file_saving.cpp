@@ -141,6 +141,8 @@ Status checkPart(const SurfacePart& part, bool normals)
         return misfit(part, Message::say("not one normal for each vertex"));
     if (each != nullptr && each->size() != count)
         return misfit(part, Message::say("not one value for each vertex"));
+    if (!part.colours.empty() && part.colours.size() != count)
+        return misfit(part, Message::say("not one colour for each vertex"));
     const auto outside = [count](const auto& triangle) { return *std::ranges::max_element(triangle) >= count; };
     if (std::ranges::any_of(part.triangles, outside))
         return misfit(part, Message::say("triangles of vertices that it does not have"));

@@ -38,7 +38,8 @@ SurfacePart partOf(const Drawable& drawable, const Surface& surface)
                      .positions = surface.mesh->positions,
                      .normals = surface.mesh->normals,
                      .triangles = surface.mesh->triangles,
-                     .colour = {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity}};
+                     .colour = {surface.colour.red, surface.colour.green, surface.colour.blue, surface.opacity},
+                     .colours = surface.mesh->colours};
     if (drawable.value)
         part.values = static_cast<float>(*drawable.value);
     else if (!surface.mesh->values.empty())

@@ -111,6 +111,8 @@ private:
         std::string attributes = R"("POSITION":)" + vectors(R"(,"min":)" + triple(least) + R"(,"max":)" + triple(most));
         if (!part.normals.empty())
             attributes += R"(,"NORMAL":)" + vectors("");
+        if (!part.colours.empty())
+            attributes += R"(,"COLOR_0":)" + vectors("");
         const float* const one = std::get_if<float>(&part.values);
         if (one == nullptr)
             attributes +=
@@ -135,9 +137,11 @@ private:
 
     static std::string materialOf(const SurfacePart& part)
     {
+        // The colours of the vertices are multiplied by the material's.
         std::string colour;
-        for (std::size_t channel = 0; channel < 4; ++channel)
-            append(colour, formatNumber(channel < 3 ? linear(part.colour[channel]) : part.colour[channel]));
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            append(colour, part.colours.empty() ? formatNumber(linear(part.colour[channel])) : "1");
+        append(colour, formatNumber(part.colour[3]));
         return R"({"name":)" + jsonString(part.name) + R"(,"doubleSided":true)" +
                (part.colour[3] < 1 ? R"(,"alphaMode":"BLEND")" : "") +
                R"(,"pbrMetallicRoughness":{"baseColorFactor":[)" + colour +
@@ -162,6 +166,13 @@ Status writeArrays(OutputFile& file, const SurfacePart& part)
         return written;
     if (const Status written = file.bytes(std::as_bytes(part.normals)); !written)
         return written;
+    const auto colour = [&part](std::uint64_t index, std::byte* where) {
+        const Colour& given = part.colours[index];
+        for (const float channel : {given.red, given.green, given.blue})
+            putNumber(where, linear(channel));
+    };
+    if (const Status written = file.records(part.colours.size(), 3 * sizeof(float), colour); !written)
+        return written;
     if (const auto* each = std::get_if<std::span<const float>>(&part.values))
         if (const Status written = file.bytes(std::as_bytes(*each)); !written)
             return written;
@@ -182,7 +193,8 @@ Error tooLarge(const OutputFile& file)
 
 using namespace tetra;
 
-/// `.glb`, glTF 2.0 in one binary file: a mesh with a material for each part. In no namespace: moc loses count of those
+/// `.glb`, glTF 2.0 in one binary file: a mesh with a material for each part, and linear colours of the vertices
+/// (COLOR_0). In no namespace: moc loses count of those
 /// over texts with braces.
 class GlbWriter : public QObject, public tetra::Writer {
     Q_OBJECT

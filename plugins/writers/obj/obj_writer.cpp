@@ -41,6 +41,17 @@ void addVector(std::string& text, std::string_view keyword, const Eigen::Vector3
     text += '\n';
 }
 
+/// With its colour, if it has one, behind its coordinates: an extension that Blender and MeshLab read, and others skip.
+void addPosition(std::string& text, const SurfacePart& part, std::uint64_t index)
+{
+    addVector(text, "v", part.positions[index]);
+    if (part.colours.empty())
+        return;
+    text.pop_back();
+    const Colour& colour = part.colours[index];
+    addVector(text, "", {colour.red, colour.green, colour.blue});
+}
+
 void addFace(std::string& text, const std::array<std::uint32_t, 3>& triangle, std::uint64_t first, bool normals)
 {
     text += 'f';
@@ -78,7 +89,7 @@ Status writePart(OutputFile& file, const SurfaceContent& content, const SurfaceP
                         : "";
     if (const Status written = file.text("g " + word(part.name) + "\n" + value); !written)
         return written;
-    const auto position = [&](std::string& text, std::uint64_t index) { addVector(text, "v", part.positions[index]); };
+    const auto position = [&](std::string& text, std::uint64_t index) { addPosition(text, part, index); };
     if (const Status written = writeLines(file, part.positions.size(), position); !written)
         return written;
     const auto normal = [&](std::string& text, std::uint64_t index) { addVector(text, "vn", part.normals[index]); };
@@ -92,7 +103,7 @@ Status writePart(OutputFile& file, const SurfaceContent& content, const SurfaceP
 
 } // namespace
 
-/// `.obj`, Wavefront text: a group for each part.
+/// `.obj`, Wavefront text: a group for each part; colours as `v x y z r g b`.
 class ObjWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "obj_writer.json")

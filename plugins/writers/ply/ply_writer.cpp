@@ -124,12 +124,16 @@ std::string headOf(const SurfaceContent& content)
         for (const std::string_view axis : {"nx", "ny", "nz"})
             head.property("float", axis);
     head.property("float", content.valueName);
+    if (content.hasColours())
+        for (const std::string_view channel : {"red", "green", "blue"})
+            head.property("uchar", channel);
     return head.element("face", content.triangleCount()).vertexList().text();
 }
 
 } // namespace
 
-/// `.ply`, binary little endian: elements `vertex` and `cell`, or `face`.
+/// `.ply`, binary little endian: elements `vertex` and `cell`, or `face`. Colours are the bytes `red green blue`
+/// of the vertices.
 class PlyWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "ply_writer.json")
@@ -177,18 +181,21 @@ public:
                                       "Write a .vtp file, or a surface of a larger error.",
                                       file.target().string())};
         const bool normals = content.hasNormals();
-        const std::size_t vertexBytes = (normals ? 7 : 4) * sizeof(float);
+        const bool colours = content.hasColours();
+        const std::size_t vertexBytes = (normals ? 7 : 4) * sizeof(float) + (colours ? 3 : 0);
         constexpr std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t);
         file.expect(content.vertexCount() * vertexBytes + content.triangleCount() * faceBytes);
         if (const Status written = file.text(headOf(content)); !written)
             return written;
-        const auto vertex = [normals](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+        const auto vertex = [normals, colours](const SurfacePart& part, std::uint64_t index, std::byte* where) {
             for (const float coordinate : part.positions[index])
                 putNumber(where, coordinate);
             if (normals)
                 for (const float coordinate : part.normals[index])
                     putNumber(where, coordinate);
             putNumber(where, part.value(index));
+            if (colours)
+                putNumber(where, colourBytes(part.colourAt(index)));
         };
         if (const Status written = file.vertexRecords(content, vertexBytes, vertex); !written)
             return written;

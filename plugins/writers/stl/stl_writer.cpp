@@ -47,7 +47,7 @@ Status writeTriangles(const SurfacePart& part, OutputFile& file)
 
 } // namespace
 
-/// `.stl`, binary: triangles without shared vertices.
+/// `.stl`, binary: triangles without shared vertices. The format has no colours.
 class StlWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "stl_writer.json")

@@ -181,6 +181,19 @@ Status writeValues(OutputFile& file, const SurfaceContent& content)
     return file.vertexRecords(content, sizeof(float), value);
 }
 
+/// As a field: of several scalars readers take the first alone, unless they are told otherwise.
+Status writeColours(OutputFile& file, const SurfaceContent& content)
+{
+    if (const Status written =
+            file.text("\nFIELD FieldData 1\ncolour 3 " + std::to_string(content.vertexCount()) + " unsigned_char\n");
+        !written)
+        return written;
+    const auto colour = [](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+        putNumber(where, colourBytes(part.colourAt(index)));
+    };
+    return file.vertexRecords(content, 3, colour);
+}
+
 Status writeAll(OutputFile& file, const SurfaceContent& content)
 {
     const std::string vertices = std::to_string(content.vertexCount());
@@ -201,11 +214,15 @@ Status writeAll(OutputFile& file, const SurfaceContent& content)
                                          " float 1\nLOOKUP_TABLE default\n");
         !written)
         return written;
-    if (const Status written = writeValues(file, content); !written || !content.hasNormals())
+    if (const Status written = writeValues(file, content); !written)
         return written;
-    if (const Status written = file.text("\nNORMALS Normals float\n"); !written)
-        return written;
-    return writeVectors(file, content, &SurfacePart::normals);
+    if (content.hasNormals()) {
+        if (const Status written = file.text("\nNORMALS Normals float\n"); !written)
+            return written;
+        if (const Status written = writeVectors(file, content, &SurfacePart::normals); !written)
+            return written;
+    }
+    return content.hasColours() ? writeColours(file, content) : Status();
 }
 
 std::uint64_t bytesOf(const std::vector<NamedArray>& arrays)
@@ -218,7 +235,8 @@ std::uint64_t bytesOf(const std::vector<NamedArray>& arrays)
 
 } // namespace
 
-/// `.vtk`, legacy 4.2, binary: unstructured grids of tetrahedra, and polydata.
+/// `.vtk`, legacy 4.2, binary: unstructured grids of tetrahedra, and polydata. Colours are the field `colour` of the
+/// vertices, three bytes each.
 class VtkLegacyWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "vtk_legacy_writer.json")
@@ -259,7 +277,7 @@ public:
                          Message::say("'%1' would hold more than a legacy VTK file can number. Write a .vtp file, or a "
                                       "surface of a larger error.",
                                       file.target().string())};
-        file.expect(vertices * 28 + triangles * legacyTriangleBytes);
+        file.expect(vertices * (content.hasColours() ? 31 : 28) + triangles * legacyTriangleBytes);
         if (const Status written = writeAll(file, content); !written)
             return written;
         return file.text("\n");

@@ -181,6 +181,17 @@ XmlArray values(const SurfaceContent& content, std::uint64_t count)
             }};
 }
 
+XmlArray colours(const SurfaceContent& content, std::uint64_t count)
+{
+    constexpr std::size_t bytes = 3;
+    return {"colour", vtkXmlType<std::uint8_t>(), count * bytes, 3, [&content](OutputFile& out) {
+                const auto colour = [](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+                    putNumber(where, colourBytes(part.colourAt(index)));
+                };
+                return out.vertexRecords(content, bytes, colour);
+            }};
+}
+
 /// Signed and of 64 bits, as VTK keeps them.
 XmlArray connectivity(const SurfaceContent& content, std::uint64_t triangles)
 {
@@ -204,6 +215,8 @@ XmlGrid gridOf(const SurfaceContent& content, bool polydata)
         pointData.attributes += " Normals=\"Normals\"";
         pointData.arrays.push_back(vectors("Normals", content, &SurfacePart::normals));
     }
+    if (content.hasColours())
+        pointData.arrays.push_back(colours(content, vertexCount));
     XmlElement cells{polydata ? "Polys" : "Cells", {}, {connectivity(content, triangleCount)}};
     cells.arrays.push_back(madeXmlArray<std::int64_t>("offsets", triangleCount,
                                                       [](std::uint64_t triangle) { return 3 * (triangle + 1); }));
@@ -312,7 +325,8 @@ XmlGrid gridOf(const Dataset& dataset)
 
 } // namespace
 
-/// `.vtu`: unstructured grids of tetrahedra or of triangles. `.vtp`: polydata.
+/// `.vtu`: unstructured grids of tetrahedra or of triangles. `.vtp`: polydata. Colours are the array
+/// `colour` of the vertices, three bytes each.
 class VtkXmlWriter : public QObject, public Writer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_WRITER_INTERFACE FILE "vtk_xml_writer.json")

@@ -13,10 +13,12 @@ struct RandomSurface {
     {
         std::mt19937 random(seed);
         std::normal_distribution<float> number(0, 1000);
+        std::uniform_real_distribution<float> channel(0, 1);
         for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
             positions.emplace_back(number(random), number(random), number(random) / 3e7F);
             normals.push_back(Eigen::Vector3f(number(random), number(random), number(random)).normalized());
             values.push_back(number(random));
+            colours.push_back({channel(random), channel(random), channel(random)});
         }
         for (std::size_t i = 0; i < triangleCount; ++i) {
             const auto first = static_cast<std::uint32_t>(random() % vertices);
@@ -37,6 +39,7 @@ struct RandomSurface {
 
     std::vector<Eigen::Vector3f> positions, normals;
     std::vector<float> values;
+    std::vector<Colour> colours;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 

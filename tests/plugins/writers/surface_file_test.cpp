@@ -196,6 +196,50 @@ private slots:
         QCOMPARE(colour[3].toDouble(), 0.25);
     }
 
+    /// One part has colours of its vertices, the other one colour: where the file has no parts, all vertices have some.
+    void coloursAreThoseOfTheVertices_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const QString& ending : endings)
+            if (ending != "stl")
+                QTest::newRow(qPrintable(ending)) << ending;
+    }
+    void coloursAreThoseOfTheVertices()
+    {
+        QFETCH(QString, ending);
+        const RandomSurface one(500, 900, 1), other(20, 30, 2);
+        SurfaceContent content = contentOf(one.part("slice", true), other.part("plain", true));
+        content.parts[0].colours = one.colours;
+        content.parts[0].colour = {0, 0, 0, 1};
+        content.parts[1].colour = {0.5F, 0, 1, 1};
+        const QString path = folder_.filePath("coloured." + ending);
+        QVERIFY(writeSurface(path.toStdString(), content));
+        const QByteArray bytes = ::contentOf(path);
+        if (ending == "glb") {
+            compareGlbColours(bytes, one);
+        } else if (ending == "obj") {
+            compareObjColours(bytes, one, other.positions.size());
+        } else if (ending == "ply") {
+            QVERIFY(bytes.contains("property uchar red\nproperty uchar green\nproperty uchar blue\n"));
+            const qsizetype body = bytes.indexOf("end_header\n") + 11;
+            constexpr qsizetype vertexBytes = 4 * sizeof(float) + 3;
+            std::vector<std::uint8_t> read;
+            for (std::size_t vertex = 0; vertex < 520; ++vertex)
+                for (qsizetype channel = 0; channel < 3; ++channel)
+                    read.push_back(
+                        numberAt<std::uint8_t>(bytes, body + qsizetype(vertex) * vertexBytes + 16 + channel));
+            QCOMPARE(read, expectedBytes(content));
+        } else {
+            const VtkReader read(path);
+            if (read.isMissing())
+                QSKIP("skipped: no python3-vtk9");
+            QVERIFY2(read.ok(), read.messages());
+            QCOMPARE(read.array<std::uint8_t>("point.colour"), expectedBytes(content));
+            QCOMPARE(read.told()["active point"].toString(), QString("isovalue"));
+            QCOMPARE(read.array<float>("point.isovalue").size(), std::size_t(520));
+        }
+    }
+
     void objNamesItsGroups()
     {
         const RandomSurface one(5, 2, 1), other(5, 2, 2);
@@ -251,6 +295,9 @@ private slots:
         part.positions = part.positions.first(4);
         part.normals = part.normals.first(4);
         QVERIFY(refused("wrong.stl", part, "odd one"));
+        part = one.part("odd one");
+        part.colours = std::span<const Colour>(one.colours).first(4);
+        QVERIFY(refused("wrong.ply", part, "not one colour"));
     }
 
     /// The numbers alone are looked at: nothing as large as the surface is.
@@ -391,6 +438,76 @@ private:
         QCOMPARE(read.size(), expected.size());
         for (std::size_t i = 0; i < read.size(); ++i)
             QVERIFY((read[i] - expected[i]).norm() < 1e-6F);
+    }
+
+    static std::vector<std::uint8_t> expectedBytes(const SurfaceContent& content)
+    {
+        std::vector<std::uint8_t> bytes;
+        for (const SurfacePart& part : content.parts)
+            for (std::size_t vertex = 0; vertex < part.positions.size(); ++vertex) {
+                const Colour colour = part.colours.empty() ? Colour{part.colour[0], part.colour[1], part.colour[2]}
+                                                           : part.colours[vertex];
+                for (const float channel : {colour.red, colour.green, colour.blue})
+                    bytes.push_back(static_cast<std::uint8_t>(std::lround(channel * 255)));
+            }
+        return bytes;
+    }
+    /// Linear light, by glTF 2.0; the material's colour, by which they are multiplied, is white.
+    static void compareGlbColours(const QByteArray& bytes, const RandomSurface& surface)
+    {
+        const qsizetype jsonBytes = numberAt<std::uint32_t>(bytes, 12);
+        const QJsonObject json = QJsonDocument::fromJson(bytes.mid(20, jsonBytes)).object();
+        const auto attributes = [&](qsizetype mesh) {
+            return json["meshes"]
+                .toArray()[mesh]
+                .toObject()["primitives"]
+                .toArray()[0]
+                .toObject()["attributes"]
+                .toObject();
+        };
+        const auto baseColour = [&](qsizetype material) {
+            return json["materials"]
+                .toArray()[material]
+                .toObject()["pbrMetallicRoughness"]
+                .toObject()["baseColorFactor"]
+                .toArray();
+        };
+        QCOMPARE(baseColour(0), QJsonArray({1, 1, 1, 1}));
+        QVERIFY(!attributes(1).contains("COLOR_0"));
+        QVERIFY(std::abs(baseColour(1)[0].toDouble() - 0.21404) < 1e-4);
+        const QJsonObject accessor = json["accessors"].toArray()[attributes(0)["COLOR_0"].toInt(-1)].toObject();
+        QCOMPARE(accessor["type"].toString(), QString("VEC3"));
+        QCOMPARE(accessor["componentType"].toInt(), 5126);
+        QCOMPARE(accessor["count"].toInteger(), static_cast<qint64>(surface.colours.size()));
+        const QJsonObject view = json["bufferViews"].toArray()[accessor["bufferView"].toInt(-1)].toObject();
+        const qsizetype first = 20 + jsonBytes + 8 + view["byteOffset"].toInteger();
+        for (std::size_t vertex = 0; vertex < surface.colours.size(); ++vertex) {
+            const Colour& colour = surface.colours[vertex];
+            const std::array channels = {colour.red, colour.green, colour.blue};
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const double given = static_cast<double>(channels[channel]);
+                const double light = given <= 0.04045 ? given / 12.92 : std::pow((given + 0.055) / 1.055, 2.4);
+                const auto read = numberAt<float>(bytes, first + qsizetype(12 * vertex + 4 * channel));
+                QVERIFY(std::abs(static_cast<double>(read) - light) < 1e-5);
+            }
+        }
+    }
+    /// To the bit behind the coordinates of the part that has some, and nothing there in the other.
+    static void compareObjColours(const QByteArray& bytes, const RandomSurface& surface, std::size_t plain)
+    {
+        std::vector<Colour> read;
+        std::size_t without = 0;
+        for (const QByteArray& line : bytes.split('\n')) {
+            const QList<QByteArray> words = line.split(' ');
+            if (words[0] != "v")
+                continue;
+            if (words.size() == 7)
+                read.push_back({words[4].toFloat(), words[5].toFloat(), words[6].toFloat()});
+            else
+                without += words.size() == 4 ? 1 : 0;
+        }
+        QVERIFY(read == surface.colours);
+        QCOMPARE(without, plain);
     }
 
     QTemporaryDir folder_;
