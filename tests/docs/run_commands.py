@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""run_commands.py SOURCE BUILD: runs every command that README and docs show, page by page in a folder of its own, with the programs of
-the build and small files of the names that the pages use. Also: the example in the developer's guide is the one that is built."""
+"""run_commands.py SOURCE BUILD EXAMPLES: runs every command that README and docs show, page by page in a folder of its own, with the
+programs of the build and small files of the names that the pages use. Those that build an example have been run by build_examples.py,
+in the folder EXAMPLES: what they made is used. Also: the example in the developer's guide is the one that is built."""
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 import sample_inputs
-
-COMMAND = re.compile(r"^(\w+=\S+ )*(tan|tan-desktop|\./dev|\.ci/run|cmake|cp|echo|for|set|apt|sh|sudo|xvfb-run|perf|build/\S+)\b")
+from page_commands import commands_of, examples_built
 
 # What is not run, and why.
 SKIPPED = [
@@ -24,58 +25,34 @@ SKIPPED = [
 FULL_SIZE = re.compile(r"^tan build engine\.nrrd --region 0,0,32,255,255,95")
 
 
-def commands_of(text):
-    """The commands of a page: lines of blocks that are indented or marked sh, where the block begins with a command."""
-    commands, block, fence = [], [], None
-
-    def end_block():
-        if block and COMMAND.match(block[0]):
-            commands.extend(re.sub(r"\s{2,}#\s.*$", "", line) for line in block)
-        block.clear()
-
-    for line in text.splitlines():
-        if line.startswith("```"):
-            end_block()
-            fence = line[3:].strip() if fence is None else None
-        elif fence is not None:
-            if fence in ("sh", "shell", "bash"):
-                block.append(line)
-        elif line.startswith("    ") and line.strip():
-            block.append(line.strip())
-        else:
-            end_block()
-    end_block()
-    return [command for command in commands if command]
-
-
 def reason_to_skip(command):
     return next((reason for pattern, reason in SKIPPED if re.search(pattern, command)), None)
 
 
 class Runner:
-    def __init__(self, source, build):
-        self.source, self.build, self.failures, self.ran, self.skipped = source, build, [], 0, 0
+    def __init__(self, source, build, examples):
+        self.source, self.build, self.examples, self.failures, self.ran, self.skipped = source, build, examples, [], 0, 0
         self.tan = str(build / "bin/tan")
 
     def environment(self, folder):
         return {"PATH": f"{self.build}/bin:{os.environ['PATH']}", "HOME": str(folder), "LANG": "C.UTF-8",
-                "TAN_SOURCE": str(self.source), "TAN_PREFIX": str(folder / "installed")}
+                "TAN_SOURCE": str(self.source)}
 
     def run_page(self, name):
-        commands = commands_of((self.source / name).read_text(encoding="utf-8"))
+        text = (self.source / name).read_text(encoding="utf-8")
+        commands, examples = commands_of(text), examples_built(text).values()
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place)
             if any(reason_to_skip(command) is None for command in commands):
                 sample_inputs.write_all(folder, self.tan, self.source)
-            if any("TAN_PREFIX" in command for command in commands):
-                self.install(folder / "installed")
+            for example, _ in examples:
+                shutil.copytree(self.examples / example, folder / example)
+            built = [command for _, building in examples for command in building]
             for command in commands:
-                self.run_command(name, command, folder)
-
-    def install(self, prefix):
-        for component in ("core", "program", "development"):
-            subprocess.run(["cmake", "--install", self.build, "--prefix", prefix, "--component", component], check=True,
-                           capture_output=True)
+                if command in built:
+                    self.ran += 1
+                else:
+                    self.run_command(name, command, folder)
 
     def run_command(self, page, command, folder):
         if reason := reason_to_skip(command):
@@ -110,14 +87,8 @@ class Runner:
                 self.failures.append(f"examples/{folder.name} has {lines} lines, which are more than docs/developers.md says")
 
 
-def check_own_reading():
-    page = "text\n\n    tan a   # why\n    tan b\n\n    key: value\n\n```sh\ncmake c\n```\n```cpp\nfor (;;);\n```\n"
-    assert commands_of(page) == ["tan a", "tan b", "cmake c"], commands_of(page)
-
-
 def main():
-    check_own_reading()
-    runner = Runner(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())
+    runner = Runner(*(pathlib.Path(argument).resolve() for argument in sys.argv[1:4]))
     pages = ["README.md", "CONTRIBUTING.md", "core/README.md"]
     pages += sorted(str(path.relative_to(runner.source)) for path in (runner.source / "docs").glob("*.md"))
     for page in pages:
