@@ -64,6 +64,9 @@ public:
     virtual const ParameterValue& value(const std::string& id) const = 0;
     /// Proposes another one, of the same type.
     virtual void setValue(const std::string& id, const ParameterValue& value) = 0;
+    /// Of several parameters the user has chosen this one to edit: what the window itself does to a transfer function,
+    /// by a drag in the picture or by a key, is done to this one as long as the mode has it.
+    virtual void setEdited(const std::string& id) = 0;
     virtual void beginGesture() = 0;
     virtual void endGesture() = 0;
     /// Calls `call` after every change, as long as `receiver` lives.

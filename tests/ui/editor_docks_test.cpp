@@ -55,9 +55,92 @@ private slots:
         QCOMPARE(dock.windowTitle(), QString("Band"));
         QCOMPARE(dock.whatsThis(), QString("Edits bands: the values between two limits."));
         QCOMPARE(window_->find<QDockWidget>("dock.transfer").windowTitle(), QString("Transfer"));
-        QVERIFY(!dock.widget()->isEnabled()); // this mode has no band
+        QVERIFY(!window_->find<QDoubleSpinBox>("example.band.low").isEnabled()); // this mode has no band
         window_->find<QAction>("action.dock.example.band-editor").trigger();
         QVERIFY(dock.isHidden());
+    }
+
+    void aModeBringsItsEditorToTheFront()
+    {
+        const auto& band = window_->find<QDockWidget>("dock.example.band-editor");
+        const auto& transfer = window_->find<QDockWidget>("dock.transfer");
+        const auto& isovalues = window_->find<QDockWidget>("dock.isovalues");
+        const auto isInFront = [](const QDockWidget& dock) { return !dock.visibleRegion().isEmpty(); };
+        QTRY_VERIFY(isInFront(isovalues) && !isInFront(band) && !isInFront(transfer));
+        chooseMode("example.band");
+        QTRY_VERIFY(isInFront(band));
+        chooseMode("volume");
+        QTRY_VERIFY(isInFront(transfer) && !isInFront(band));
+        chooseMode("isosurface");
+        QTRY_VERIFY(isInFront(isovalues));
+        window_->find<QAction>("action.dock.example.band-editor").trigger();
+        window_->find<QAction>("action.dock.transfer").trigger();
+        chooseMode("example.band");
+        QVERIFY(band.isHidden()); // the user has closed it
+        chooseMode("volume");
+        QVERIFY(transfer.isHidden());
+    }
+
+    void anEditorSaysWhatTheModeLacks()
+    {
+        const auto& band = window_->find<QLabel>("example.band-editor.hint");
+        const auto& transfer = window_->find<QLabel>("transfer.hint");
+        const auto& low = window_->find<QDoubleSpinBox>("example.band.low");
+        QVERIFY(!band.isHidden() && !transfer.isHidden());
+        const QString mode = window_->find<QAction>("action.mode.isosurface").text();
+        QCOMPARE(band.text(), "The mode " + mode + " has nothing to edit here. Choose another mode.");
+        QCOMPARE(transfer.text(), "The mode " + mode + " shows no transfer function. Changes are seen in other modes.");
+        QVERIFY(!low.isEnabled());
+        QVERIFY(window_->find<QWidget>("transfer.canvas").isEnabled()); // it can be prepared
+        chooseMode("example.band");
+        QVERIFY(band.isHidden() && low.isEnabled() && !transfer.isHidden());
+        chooseMode("volume");
+        QVERIFY(!band.isHidden() && !low.isEnabled() && transfer.isHidden());
+        window_->find<QAction>("action.close").trigger();
+        QTRY_VERIFY(!session().model());
+        QVERIFY(band.isHidden() && transfer.isHidden()); // there is no mode without a model
+    }
+
+    void theChosenTransferFunctionIsDraggedInThePicture()
+    {
+        session().setMode("example.two-functions");
+        showEditor();
+        QTRY_VERIFY(window_->settled() && widthOf("bones") > 0);
+        const Appearance before = session().view().appearance;
+        chooseFunction(Qt::Key_Down);
+        dragInPicture({60, -20});
+        QCOMPARE(chosenFunctions(), std::vector<std::string>{"veins"});
+        QVERIFY(session().view().appearance.transfer == before.transfer);
+        session().undoStack().undo();
+        QVERIFY(session().view().appearance == before);
+        chooseFunction(Qt::Key_Up);
+        dragInPicture({60, -20});
+        QCOMPARE(chosenFunctions(), std::vector<std::string>{"bones"});
+        session().undoStack().undo();
+        session().setMode("volume");
+        dragInPicture({60, -20});
+        QVERIFY(session().view().appearance.transfer != before.transfer);
+        QVERIFY(chosenFunctions().empty());
+    }
+
+    void thePickedValueGoesToTheChosenTransferFunction()
+    {
+        session().setMode("volume");
+        QTRY_VERIFY(window_->settled());
+        auto& pick = window_->find<ValuePick>("viewport.pick");
+        pick.pickAt(window_->viewport().rect().center());
+        QTRY_VERIFY(pick.picked().has_value());
+        const double value = pick.picked()->value;
+        session().setMode("example.two-functions");
+        showEditor();
+        chooseFunction(Qt::Key_Down);
+        const Appearance before = session().view().appearance;
+        window_->find<QAction>("action.pointHere").trigger();
+        QCOMPARE(chosenFunctions(), std::vector<std::string>{"veins"});
+        QVERIFY(session().view().appearance.transfer == before.transfer);
+        const auto points =
+            transferPoints(std::get<TransferFunction>(session().view().appearance.settings.at("veins")));
+        QVERIFY(std::ranges::find(points, value, &TransferPoint::value) != points.end());
     }
 
     void anEditorThatFailsSaysSoInItsDock()
@@ -190,6 +273,19 @@ private slots:
 
 private:
     Session& session() const { return window_->workbench.session(); }
+    /// As the user does.
+    void chooseMode(const char* mode) const { window_->find<QAction>(QString("action.mode.") + mode).trigger(); }
+    /// With Ctrl.
+    void dragInPicture(QPoint by) const
+    {
+        Viewport& viewport = window_->viewport();
+        const QPoint from = viewport.rect().center();
+        QTest::mousePress(&viewport, Qt::LeftButton, Qt::ControlModifier, from);
+        QMouseEvent move(QEvent::MouseMove, from + by, viewport.mapToGlobal(from + by), Qt::NoButton, Qt::LeftButton,
+                         Qt::ControlModifier);
+        QCoreApplication::sendEvent(&viewport, &move);
+        QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::ControlModifier, from + by);
+    }
     void showEditor() const
     {
         auto& dock = window_->find<QDockWidget>("dock.transfer");

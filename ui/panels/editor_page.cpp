@@ -10,6 +10,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -29,6 +31,53 @@ QWidget* makeReasonPage(const std::string& id, const Message& reason)
     return new ScrolledColumn(text);
 }
 
+QString hintOf(const Workbench& workbench, bool canBeEdited)
+{
+    const std::string& id = workbench.session().view().appearance.mode;
+    const auto& modes = workbench.scenes().modes();
+    const auto mode = std::ranges::find(modes, id, &Provided<Renderer>::id);
+    const QString name = mode != modes.end() ? inUsersLanguage(mode->name, mode->names) : QString::fromStdString(id);
+    return canBeEdited
+               ? EditorPage::tr("The mode %1 shows no transfer function. Changes are seen in other modes.").arg(name)
+               : EditorPage::tr("The mode %1 has nothing to edit here. Choose another mode.").arg(name);
+}
+
+/// The editor below its hint, which is seen only where it is needed.
+QWidget* makePage(Workbench& workbench, SessionEditorHost& host, const std::string& id, const std::string& type,
+                  QWidget* editor)
+{
+    auto* page = new QWidget;
+    auto* hint = new QLabel;
+    hint->setObjectName(QString::fromStdString(id) + ".hint");
+    hint->setWordWrap(true);
+    hint->setMargin(9);
+    hint->setForegroundRole(QPalette::PlaceholderText);
+    // The editor may enable and disable itself: this is around it.
+    auto* frame = new QWidget;
+    auto* inner = new QVBoxLayout(frame);
+    inner->setContentsMargins({});
+    inner->addWidget(editor);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins({});
+    column->setSpacing(0);
+    column->addWidget(hint);
+    column->addWidget(frame, 1);
+    const bool isAlwaysThere = type == parameterTypeName(TransferFunction());
+    const auto follow = [&workbench, &host, hint, frame, isAlwaysThere] {
+        const bool isLacking = host.hasModel() && host.parameters().empty();
+        hint->setVisible(isLacking);
+        if (isLacking)
+            hint->setText(hintOf(workbench, isAlwaysThere));
+        frame->setEnabled(!isLacking || isAlwaysThere);
+    };
+    host.whenChanged(page, [follow](EditorChange change) {
+        if (change == EditorChange::Model || change == EditorChange::Value)
+            follow();
+    });
+    follow();
+    return page;
+}
+
 } // namespace
 
 QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string& id, const std::string& type)
@@ -40,7 +89,7 @@ QWidget* makeEditorPage(Workbench& workbench, ValuePick& pick, const std::string
     const auto widget = callPlugin(id, [&]() -> Result<QWidget*> { return editor->plugin->makeWidget(*host); });
     if (!widget)
         return makeReasonPage(id, widget.error().message);
-    return *widget != nullptr ? *widget
+    return *widget != nullptr ? makePage(workbench, *host, id, type, *widget)
                               : makeReasonPage(id, Message::say("It returned no widget. Please tell its author."));
 }
 

@@ -88,11 +88,7 @@ QWidget* RenderingPanel::makeContent()
 void RenderingPanel::chooseMode(const QString& id)
 {
     workbench_.session().setMode(id.toStdString());
-    const auto parameters = workbench_.scenes().matteringParameters();
-    if (mainTransfer(parameters) != nullptr)
-        emit transferWanted();
-    else if (hasParameter(parameters, isovaluesId))
-        emit isovaluesWanted();
+    emit modeChosen();
 }
 
 /// A default that is confirmed, as by Enter in a line, is no edit.

@@ -26,9 +26,8 @@ public:
     void setSetting(const std::string& id);
 
 signals:
-    /// By the user: a mode that takes this.
-    void transferWanted();
-    void isovaluesWanted();
+    /// By the user.
+    void modeChosen();
 
 private:
     QWidget* makeContent();

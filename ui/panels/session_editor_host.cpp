@@ -95,6 +95,12 @@ void SessionEditorHost::setValue(const std::string& id, const ParameterValue& va
         session_.setSetting(id, value);
 }
 
+void SessionEditorHost::setEdited(const std::string& id)
+{
+    if (type_ == parameterTypeName(TransferFunction()))
+        workbench_.scenes().editTransfer(id);
+}
+
 bool SessionEditorHost::hasModel() const
 {
     return session_.model() != nullptr;

@@ -21,6 +21,7 @@ public:
     std::vector<Parameter> parameters() const override;
     const ParameterValue& value(const std::string& id) const override;
     void setValue(const std::string& id, const ParameterValue& value) override;
+    void setEdited(const std::string& id) override;
     bool hasModel() const override;
     ValueRange range() const override;
     double diagonal() const override;

@@ -169,6 +169,13 @@ const Parameter* mainTransfer(const std::vector<Parameter>& parameters)
     return first;
 }
 
+const Parameter* editedTransfer(const std::vector<Parameter>& parameters, std::string_view wanted)
+{
+    const auto found = std::ranges::find(parameters, wanted, &Parameter::id);
+    const bool isThere = found != parameters.end() && std::holds_alternative<TransferFunction>(found->defaultValue);
+    return isThere ? &*found : mainTransfer(parameters);
+}
+
 const TransferFunction* chosenTransfer(const std::string& id, const Appearance& appearance)
 {
     if (id == transferId)

@@ -54,6 +54,9 @@ bool hasParameter(const std::vector<Parameter>& parameters, std::string_view id)
 /// first one; null if there is none.
 const Parameter* mainTransfer(const std::vector<Parameter>& parameters);
 
+/// The one with the id `wanted`, or else the main one; null if there is none.
+const Parameter* editedTransfer(const std::vector<Parameter>& parameters, std::string_view wanted);
+
 /// What is chosen for the transfer function with this id; null if nobody has chosen one.
 const TransferFunction* chosenTransfer(const std::string& id, const Appearance& appearance);
 

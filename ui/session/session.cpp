@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/appearance.h"
 
@@ -323,6 +324,14 @@ void Session::setMode(const std::string& mode)
 void Session::setTransfer(const TransferFunction& transfer)
 {
     edit([&](ViewValue& view) { view.appearance.transfer = transfer; });
+}
+
+void Session::setTransfer(const std::string& id, const TransferFunction& transfer)
+{
+    if (id == transferId)
+        setTransfer(transfer);
+    else if (checkTransferFunction(transfer))
+        setSetting(id, transfer);
 }
 
 void Session::setSetting(const std::string& id, const ParameterValue& value)

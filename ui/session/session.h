@@ -75,6 +75,8 @@ public:
     /// The id of a renderer plugin.
     void setMode(const std::string& mode);
     void setTransfer(const TransferFunction& transfer);
+    /// Of several: the one that all modes share, or a setting with this id.
+    void setTransfer(const std::string& id, const TransferFunction& transfer);
     /// Of a renderer's parameter.
     void setSetting(const std::string& id, const ParameterValue& value);
     void setAnnotations(const AnnotationState& annotations);

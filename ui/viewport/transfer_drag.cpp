@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/transfer_drag.h"
 
-#include "plugins/api/scene_parameters.h"
 #include "plugins/widgets/curves/whole_function.h"
 #include "ui/viewport/viewport.h"
 
 #include <QMouseEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -35,11 +35,13 @@ TransferDrag::TransferDrag(Workbench& workbench, Viewport& viewport)
 
 bool TransferDrag::press(const QMouseEvent& event)
 {
-    if (event.button() != Qt::LeftButton || event.modifiers() != Qt::ControlModifier || !workbench_.session().model() ||
-        !hasParameter(workbench_.scenes().matteringParameters(), transferId))
+    if (event.button() != Qt::LeftButton || event.modifiers() != Qt::ControlModifier || !workbench_.session().model())
+        return false;
+    auto edited = workbench_.scenes().editedTransfer();
+    if (!edited)
         return false;
     from_ = event.position();
-    function_ = workbench_.session().view().appearance.transfer;
+    edited_ = *std::move(edited);
     workbench_.session().beginGesture();
     return true;
 }
@@ -54,8 +56,9 @@ bool TransferDrag::eventFilter(QObject* watched, QEvent* event)
         break;
     case QEvent::MouseMove:
         if (from_) {
-            workbench_.session().setTransfer(
-                draggedTransfer(function_, mouse.position() - *from_, viewport_.size(), workbench_.session().range()));
+            workbench_.session().setTransfer(edited_.id,
+                                             draggedTransfer(edited_.function, mouse.position() - *from_,
+                                                             viewport_.size(), workbench_.session().range()));
             return true;
         }
         break;

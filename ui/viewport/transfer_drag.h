@@ -16,8 +16,8 @@ class Viewport;
 /// all of `range` over the picture's width; upwards it is widened about its middle, downwards narrowed.
 TransferFunction draggedTransfer(const TransferFunction& function, QPointF pixels, QSizeF size, ValueRange range);
 
-/// Ctrl and the left button in the picture drag the transfer function, where the rendering mode has one: one undo step
-/// a drag. Takes the viewport's events before the camera gets them.
+/// Ctrl and the left button in the picture drag the transfer function, where the rendering mode has one; of several the
+/// one that is chosen in the editor: one undo step a drag. Takes the viewport's events before the camera gets them.
 class TransferDrag : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ private:
     Workbench& workbench_;
     Viewport& viewport_;
     std::optional<QPointF> from_; ///< of the drag
-    TransferFunction function_;   ///< when it began
+    EditedTransfer edited_;       ///< when it began
 };
 
 } // namespace tetra

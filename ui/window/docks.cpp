@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/docks.h"
 
+#include "plugins/api/scene_parameters.h"
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/animation_panel.h"
 #include "ui/panels/build_panel.h"
@@ -11,16 +12,20 @@
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/session/appearance.h"
 #include "ui/session/message_text.h"
 #include "ui/widgets/mnemonics.h"
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 
 #include <algorithm>
+#include <ranges>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -53,6 +58,26 @@ std::vector<EditorDock> editorDocks(const PluginHost& host)
     if (docks.empty() || docks.front().type != transferType)
         docks.insert(docks.begin(), {"transfer", transferType, DockTexts::tr("Transfer"), {}});
     return docks;
+}
+
+/// What the mode's values are edited in comes to the front of its tabs, unless the user has closed it; the last one
+/// over the others. Isovalues only where there is no transfer function, which says more of the picture.
+void raiseEditors(const std::vector<Parameter>& parameters, const Docks& docks,
+                  const std::vector<std::pair<std::string, QDockWidget*>>& editors)
+{
+    const auto hasType = [&](const std::string& type) {
+        return std::ranges::any_of(parameters,
+                                   [&](const Parameter& each) { return parameterTypeName(each.defaultValue) == type; });
+    };
+    const auto raise = [](QDockWidget& dock) {
+        if (!dock.isHidden())
+            dock.raise();
+    };
+    if (hasParameter(parameters, isovaluesId) && !hasType(transferType))
+        raise(*docks.isovalues);
+    for (const auto& [type, dock] : editors | std::views::reverse)
+        if (hasType(type))
+            raise(*dock);
 }
 
 constexpr int dockWidth = 372;
@@ -104,12 +129,15 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     docks.isovalues = add("isovalues", DockTexts::tr("Isovalues"),
                           DockTexts::tr("Surfaces on which the field has one value each, in the units of the data."),
                           new IsovaluePanel(session));
+    std::vector<std::pair<std::string, QDockWidget*>> usable; // with what they edit
     for (const EditorDock& editor : editorDocks(workbench.host())) {
         QDockWidget* dock =
             add(editor.id.c_str(), editor.title, editor.help, makeEditorPage(workbench, pick, editor.id, editor.type));
         docks.editors.push_back(dock);
         if (docks.transfer == nullptr && editor.type == transferType)
             docks.transfer = dock;
+        if (dock->findChild<QLabel*>(QString::fromStdString(editor.id) + ".missing") == nullptr)
+            usable.emplace_back(editor.type, dock);
     }
     docks.focus =
         add("focus", DockTexts::tr("Focus"),
@@ -124,10 +152,9 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     giveMnemonics(menu);
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
         separateMnemonics(*dock->widget(), *window.menuBar());
-    QObject::connect(docks.renderingPanel, &RenderingPanel::transferWanted, docks.transfer,
-                     [dock = docks.transfer] { raiseDock(*dock); });
-    QObject::connect(docks.renderingPanel, &RenderingPanel::isovaluesWanted, docks.isovalues,
-                     [dock = docks.isovalues] { raiseDock(*dock); });
+    QObject::connect(docks.renderingPanel, &RenderingPanel::modeChosen, docks.isovalues, [&workbench, docks, usable] {
+        raiseEditors(workbench.scenes().matteringParameters(), docks, usable);
+    });
     return docks;
 }
 

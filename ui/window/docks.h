@@ -44,7 +44,7 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
 /// Puts all docks where they are at first; the one for builds is seen only with a dataset to build of.
 void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild);
 
-/// Brings a dock to the front.
+/// Brings a dock to the front, also one that was closed.
 void raiseDock(QDockWidget& dock);
 
 } // namespace tetra

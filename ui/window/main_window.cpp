@@ -252,7 +252,7 @@ void MainWindow::connectActions()
     auto* modes = new ModeActions(workbench_, *actions_.modes, *actions_.toolBar, this);
     connect(modes, &ModeActions::chosen, docks_.renderingPanel, &RenderingPanel::chooseMode);
     new AnnotationActions(workbench_.session(), *actions_.annotations, this);
-    new PickActions(workbench_.session(), *pick_, *actions_.picked);
+    new PickActions(workbench_, *pick_, *actions_.picked);
     givePictureMenu(*viewport_, *pick_, actions_);
     connect(pick_, &ValuePick::pickedChanged, status_, [this] { status_->setPicked(pick_->text()); });
     const auto showPerspective = [this] { actions_.perspective->setChecked(viewport_->camera().perspective); };

@@ -7,22 +7,22 @@ class QMenu;
 
 namespace tetra {
 
-class Session;
 class ValuePick;
+class Workbench;
 
 /// The actions of the menu of the picked value: to pick one by a key, to make an isovalue or a point of the transfer
-/// function of it, and to take its mark away.
+/// function of it (of several the one that is chosen in the editor), and to take its mark away.
 class PickActions : public QObject {
     Q_OBJECT
 public:
-    /// Session and pick outlive the menu.
-    PickActions(Session& session, ValuePick& pick, QMenu& menu);
+    /// Workbench and pick outlive the menu.
+    PickActions(Workbench& workbench, ValuePick& pick, QMenu& menu);
 
 private:
     void addPoint();
     void follow();
 
-    Session& session_;
+    Workbench& workbench_;
     ValuePick& pick_;
     QAction* pickValue_;
     QAction* isovalue_;

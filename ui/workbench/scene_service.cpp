@@ -55,6 +55,16 @@ std::vector<Parameter> SceneService::matteringParameters() const
     return tetra::matteringParameters(renderingParameters(), session_.view().appearance.settings);
 }
 
+std::optional<EditedTransfer> SceneService::editedTransfer() const
+{
+    const auto parameters = matteringParameters();
+    const Parameter* edited = tetra::editedTransfer(parameters, wantedTransfer_);
+    if (edited == nullptr)
+        return std::nullopt;
+    const TransferFunction* chosen = chosenTransfer(edited->id, session_.view().appearance);
+    return EditedTransfer{edited->id, chosen != nullptr ? *chosen : std::get<TransferFunction>(edited->defaultValue)};
+}
+
 ViewValue SceneService::startingView(const Model& model) const
 {
     return tetra::startingView(modes_, model, field_, session_.shape());

@@ -10,7 +10,16 @@
 
 #include <QSize>
 
+#include <optional>
+#include <string>
+
 namespace tetra {
+
+/// A transfer function, and the parameter that it is of.
+struct EditedTransfer {
+    std::string id;
+    TransferFunction function;
+};
 
 /// The scene of what the session shows, kept up to date in workers, with coarser drafts of it for moving pictures; and
 /// what there is to say of it. All signals come in the thread that it lives in.
@@ -37,6 +46,11 @@ public:
     std::vector<Parameter> renderingParameters() const;
     /// Those of them that matter as they are set.
     std::vector<Parameter> matteringParameters() const;
+    /// What a drag or a key in the picture edits: the transfer function that is chosen in the editor, or else the
+    /// mode's main one; none where the mode has none.
+    std::optional<EditedTransfer> editedTransfer() const;
+    /// This one is chosen from now on, wherever a mode has it.
+    void editTransfer(const std::string& id) { wantedTransfer_ = id; }
     const FieldExtent& extent() const noexcept { return field_; }
     /// How `model`, for which this was prepared, is seen if nobody has ever looked at it.
     ViewValue startingView(const Model& model) const;
@@ -66,7 +80,8 @@ private:
     PluginHost& host_;
     Session& session_;
     std::vector<Provided<Renderer>> modes_;
-    FieldExtent field_; ///< of the model that is open
+    FieldExtent field_;          ///< of the model that is open
+    std::string wantedTransfer_; ///< to be edited, if the mode has it
     std::optional<ViewValue> preview_;
     Camera camera_; ///< setSeenFrom() with these
     QSize pixels_{1024, 768};

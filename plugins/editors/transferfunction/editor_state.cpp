@@ -35,6 +35,7 @@ EditorState::EditorState(EditorHost& host, QObject* parent) : QObject(parent), h
 void EditorState::edit(const std::string& id)
 {
     wanted_ = id;
+    host_.setEdited(id);
     followFunctions();
 }
 
