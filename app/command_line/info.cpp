@@ -109,13 +109,15 @@ Status writeLevels(const Model& model, const std::vector<Accuracy>& levels, cons
     return writeWholeFile(output, std::as_bytes(std::span(*text)));
 }
 
-Result<Outcome> describeModel(const std::string& path, const std::vector<Accuracy>& levels,
+Result<Outcome> describeModel(const Arguments& arguments, const std::string& path, const std::vector<Accuracy>& levels,
                               const std::optional<std::string>& output, const Progress& progress)
 {
     const auto opened = Model::open(path);
     if (!opened)
         return opened.error();
     const Model& model = **opened;
+    if (const Status warps = checkWarpingOption(arguments, model); !warps)
+        return warps.error();
     const ModelDescription& description = model.description();
     const Result<LevelTable> found = levelTable(model, levels);
     const DatasetSummary summary = summaryOf(model);
@@ -225,6 +227,11 @@ Result<Outcome> runInfo(const Invocation& invocation)
         return levels.error();
     const auto output = invocation.arguments.value("output");
     if (!isModelFile(path)) {
+        for (const char* option : {"lod", "warping"})
+            if (invocation.arguments.has(option))
+                return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
+                                                        "' is of the levels of a model, and '" + path +
+                                                        "' is none. Build a model of it first."};
         if (output)
             return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
                                                     "' is none. Build a model of it first."};
@@ -238,7 +245,7 @@ Result<Outcome> runInfo(const Invocation& invocation)
                                                 "model '" + path + "'");
         !known)
         return known.error();
-    return describeModel(path, *levels, output, invocation.progress);
+    return describeModel(invocation.arguments, path, *levels, output, invocation.progress);
 }
 
 } // namespace tetra

@@ -82,6 +82,15 @@ Option warpingOption()
             .byDefault = "the same number as the error"};
 }
 
+Status checkWarpingOption(const Arguments& arguments, const Model& model)
+{
+    if (!arguments.has("warping") || model.description().warpingWeight > 0)
+        return {};
+    return Error{ErrorKind::WrongUsage,
+                 "'--warping' is for models of curvilinear or irregular data only, and the data of '" +
+                     model.path().string() + "' cannot warp. Leave it out."};
+}
+
 Result<Accuracy> accuracyOption(const Arguments& arguments)
 {
     const auto error = numberOption(arguments, "error", defaultError, 0, 100);

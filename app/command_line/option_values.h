@@ -3,6 +3,7 @@
 
 #include "app/command_line/arguments.h"
 
+#include <tan/model.h>
 #include <tan/query.h>
 
 #include <cstdint>
@@ -24,6 +25,8 @@ Result<std::vector<double>> parseNumbers(std::string_view option, std::string_vi
 /// --error and --warping, the accuracy of a query in % of the value range and of the diagonal.
 Option errorOption();
 Option warpingOption();
+/// An error (WrongUsage) if --warping is given and the model's data cannot warp.
+Status checkWarpingOption(const Arguments& arguments, const Model& model);
 Result<Accuracy> accuracyOption(const Arguments& arguments);
 
 /// --lod, the levels of detail to tell of; with --warping all of them have that one.

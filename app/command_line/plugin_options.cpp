@@ -92,7 +92,7 @@ Option optionOf(const Parameter& parameter)
                   .repeatable = isList(parameter),
                   .ofPlugin = true};
     if (isOnByDefault(parameter))
-        option.explanation = "Turns this off: " + parameter.explanation;
+        option.explanation += " On by default; this option turns it off.";
     if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (isTransferFunction(parameter)) {
@@ -127,6 +127,14 @@ Result<ParameterValue> readTransferFunction(const std::string& path)
     return ParameterValue(std::move(functions->front().function));
 }
 
+/// With the option, unless the error speaks of it already.
+Error ofOption(const Error& error, const std::string& name)
+{
+    if (error.text().find("'--" + name + "'") != std::string::npos)
+        return error;
+    return {error.kind, "'--" + name + "': " + error.text()};
+}
+
 Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name)
 {
     if (isSwitch(parameter))
@@ -140,7 +148,9 @@ Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& 
             text += separator;
         text += value;
     }
-    return parseParameter(parameter, text);
+    Parameter named = parameter;
+    named.id = "--" + name; // what errors call it
+    return parseParameter(named, text);
 }
 
 } // namespace
@@ -155,6 +165,19 @@ void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters)
             syntax.options.push_back(option);
         else if (same->explanation.find(option.explanation) == std::string::npos)
             same->explanation += " " + option.explanation; // of another plugin, which says so
+    }
+}
+
+void sayDefaultsFromData(Syntax& syntax, const std::vector<Parameter>& parameters, const std::vector<Parameter>& others)
+{
+    for (const Parameter& parameter : parameters) {
+        const auto other = std::ranges::find(others, parameter.id, &Parameter::id);
+        if (other == others.end() || other->defaultValue == parameter.defaultValue)
+            continue;
+        const std::string name = optionName(parameter);
+        for (Option& option : syntax.options)
+            if (option.ofPlugin && option.name == name && !option.byDefault.empty() && !isTransferFunction(parameter))
+                option.byDefault = "from the data";
     }
 }
 
@@ -175,7 +198,7 @@ Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vect
             continue;
         const auto value = parseOption(arguments, parameter, name);
         if (!value)
-            return value.error();
+            return ofOption(value.error(), name);
         values[parameter.id] = *value;
     }
     return values;

@@ -34,6 +34,11 @@ template <class Interface> std::string idChoices(const std::vector<Provided<Inte
 /// ("--isovalue" for the parameter "isovalues"); "--id FILE" for a transfer function.
 void addPluginOptions(Syntax& syntax, const std::vector<Parameter>& parameters);
 
+/// Says of options whose parameter has one default in `parameters` and another one in `others`, which are the same
+/// plugins' for other data, that the data tell it. Before separatePluginOptions().
+void sayDefaultsFromData(Syntax& syntax, const std::vector<Parameter>& parameters,
+                         const std::vector<Parameter>& others);
+
 /// An option keeps the name that the program gives it: one of a plugin that has the same becomes "--plugin-NAME". To be
 /// called when all options are there.
 void separatePluginOptions(Syntax& syntax);

@@ -10,8 +10,11 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "plugins/api/scene_parameters.h"
+#include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
+#include "plugins/host/parameter_values.h"
 #include "ui/session/session_document.h"
+#include "ui/workbench/mesh_saving.h"
 #include "ui/workbench/view_picture.h"
 
 #include <tan/query.h>
@@ -43,11 +46,11 @@ Result<std::unique_ptr<RenderBackend>> makeBackend(const std::string& id)
     return makeCpuBackend();
 }
 
-std::vector<Parameter> rendererParameters(PluginHost& host)
+std::vector<Parameter> rendererParameters(PluginHost& host, const FieldExtent& field = {})
 {
     std::vector<Parameter> all;
     for (const auto& renderer : host.renderers())
-        for (Parameter& parameter : renderer.plugin->parameters({}))
+        for (Parameter& parameter : renderer.plugin->parameters(field))
             all.push_back(std::move(parameter));
     return all;
 }
@@ -66,6 +69,8 @@ struct PreparedScene {
     ViewPicture picture;
     QJsonObject figures;
     std::size_t tetrahedra = 0;
+    SceneRequest request;
+    BuiltScene built; ///< of the request
 };
 
 double aspectRatioOf(const PictureOptions& picture)
@@ -106,6 +111,26 @@ AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& pa
     return annotationContent(model, matteringParameters(parameters, values), view, &mesh);
 }
 
+/// Options that this mode would not look at, as the others are.
+Status checkAppearance(const Arguments& arguments, const Model& model, const Provided<Renderer>& renderer,
+                       const ParameterValues& values)
+{
+    if (const Status warps = checkWarpingOption(arguments, model); !warps)
+        return warps;
+    const std::vector<Parameter> parameters = renderer.plugin->parameters({});
+    if (const Status used = checkOfUse(parameters, values, "--"); !used)
+        return used;
+    const bool hasColours = std::ranges::any_of(matteringParameters(parameters, values), [](const Parameter& one) {
+        return std::holds_alternative<TransferFunction>(one.defaultValue) ||
+               std::holds_alternative<std::vector<Isovalue>>(one.defaultValue);
+    });
+    if (arguments.has("colour-bar") && !hasColours)
+        return Error{ErrorKind::WrongUsage, "The mode '" + renderer.id +
+                                                "' draws nothing whose colours '--colour-bar' could explain: no "
+                                                "transfer function and no isosurfaces. Leave it out."};
+    return {};
+}
+
 Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
                                 const Provided<Renderer>& renderer)
 {
@@ -119,6 +144,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(roughExtentOf(*view.model)));
     if (!values)
         return values.error();
+    if (const Status used = checkAppearance(invocation.arguments, *view.model, renderer, *values); !used)
+        return used.error();
     if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
@@ -144,8 +171,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
 /// All else is what a session says.
 Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
 {
-    constexpr std::array<std::string_view, 9> ofPictures{"camera",  "size",  "samples", "background", "backend",
-                                                         "threads", "depth", "output",  "json"};
+    constexpr std::array<std::string_view, 10> ofPictures{"camera",  "size",  "samples",  "background", "backend",
+                                                          "threads", "depth", "surfaces", "output",     "json"};
     for (const auto& [name, value] : arguments.options)
         if (std::ranges::find(ofPictures, name) == ofPictures.end())
             return Error{ErrorKind::WrongUsage, "'--" + name + "' does not go with '" + session.string() +
@@ -221,7 +248,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
         content.title = asked.title;
     asked = content;
     view.picture.scene = built->scene;
-    return PreparedScene{view.picture, figures, built->mesh.tetrahedra};
+    return PreparedScene{view.picture, figures, built->mesh.tetrahedra, view.scene, *built};
 }
 
 void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
@@ -256,6 +283,30 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, const
         figures["farthest"] = scale->farthest;
     }
     return writePicture(finishedPicture(order, picture), request.output);
+}
+
+/// Before the picture is drawn, which may take long.
+Status checkSurfaces(const RenderRequest& request, const BuiltScene& built, const std::string& mode)
+{
+    if (!request.surfaces)
+        return {};
+    if (const Status safe = checkMeshOutput(*request.surfaces, *built.model); !safe)
+        return safe;
+    if (hasSurfaceToSave(*built.scene))
+        return {};
+    return Error{ErrorKind::WrongUsage, "'--surfaces' has nothing to write: the mode '" + mode +
+                                            "' gives no surface here. Choose isosurface or hybrid with an isovalue, or "
+                                            "leave '--surfaces' out."};
+}
+
+Status writeSurfaceFile(const Invocation& invocation, const RenderRequest& request, const PreparedScene& prepared,
+                        QJsonObject& figures)
+{
+    if (!request.surfaces)
+        return {};
+    figures["surfaces_file"] = QFile::decodeName(request.surfaces->c_str());
+    return writeSurfaces(invocation.host, SurfaceOrder{prepared.request, prepared.built, *request.surfaces},
+                         invocation.progress.withCallback({}));
 }
 
 PictureOrder orderOf(const RenderRequest& request, const PreparedScene& prepared, bool isOfSession,
@@ -303,9 +354,14 @@ Syntax renderSyntax(PluginHost& host)
             {"tan render engine.tan --mode volume --colour-bar --axes --title Engine -o engine.png",
              "With what the colours mean, the directions of the axes and a title."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."},
+            {"tan render engine.tan --isovalue 180:gold --surfaces engine.glb -o engine.png",
+             "A picture, and its surface as a file."},
             {"tan render engine.tansession --size 1920x1080 -o engine.png", "As the window shows it."}}};
-    addPluginOptions(syntax, rendererParameters(host));
-    for (auto options : {pictureOptions(), annotationOptions(), fieldOptions(), partOptions()})
+    const std::vector<Parameter> ofRenderers = rendererParameters(host);
+    addPluginOptions(syntax, ofRenderers);
+    const FieldExtent someField{{1, 3}, Eigen::AlignedBox3d(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3, 6, 9)), {}};
+    sayDefaultsFromData(syntax, ofRenderers, rendererParameters(host, someField));
+    for (auto options : {pictureOptions(host), annotationOptions(), fieldOptions(), partOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
     return syntax;
 }
@@ -327,6 +383,10 @@ Result<Outcome> runRender(const Invocation& invocation)
                                                 renderer->plugin->parameters({}), "mode '" + renderer->id + "'");
         !known)
         return known.error();
+    if (request->surfaces)
+        if (const Status writable = checkWritable(invocation.host, WrittenContent::Surface, *request->surfaces);
+            !writable)
+            return Error{writable.error().kind, "'--surfaces': " + writable.error().text()};
     auto backend = makeBackend(request->backend);
     if (!backend)
         return backend.error();
@@ -342,6 +402,8 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto prepared = prepareScene(invocation, *std::move(view), pipeline);
     if (!prepared)
         return prepared.error();
+    if (const Status some = checkSurfaces(*request, prepared->built, mode); !some)
+        return some.error();
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
     const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(0.6, 1));
@@ -350,6 +412,8 @@ Result<Outcome> runRender(const Invocation& invocation)
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
     addStatistics(figures, pipeline.statistics());
+    if (const Status written = writeSurfaceFile(invocation, *request, *prepared, figures); !written)
+        return written.error();
     if (const Status written = writeFiles(*request, order, *picture, figures); !written)
         return written.error();
 

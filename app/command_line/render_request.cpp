@@ -3,6 +3,7 @@
 
 #include "app/command_line/camera_option.h"
 #include "app/command_line/option_values.h"
+#include "app/command_line/plugin_options.h"
 #include "app/command_line/query_options.h"
 #include "core/base/text.h"
 #include "core/render/scene_checks.h"
@@ -88,23 +89,33 @@ Status checkPng(const std::filesystem::path& output, std::span<const std::filesy
     return checkOutput(output, inputs);
 }
 
+bool isSamePlace(const std::filesystem::path& one, const std::filesystem::path& other)
+{
+    return std::filesystem::absolute(one).lexically_normal() == std::filesystem::absolute(other).lexically_normal();
+}
+
 Status checkFiles(const RenderRequest& request)
 {
     if (const Status good = checkPng(request.output, std::array{request.input}); !good)
         return good;
+    if (request.surfaces) {
+        if (const Status good = checkOutput(*request.surfaces, std::array{request.input}); !good)
+            return good;
+        if (isSamePlace(*request.surfaces, request.output))
+            return Error{ErrorKind::WrongUsage, "'--surfaces' and '--output' name the same file."};
+        if (request.depth && isSamePlace(*request.surfaces, *request.depth))
+            return Error{ErrorKind::WrongUsage, "'--surfaces' and '--depth' name the same file."};
+    }
     if (!request.depth)
         return {};
-    const auto place = [](const std::filesystem::path& path) {
-        return std::filesystem::absolute(path).lexically_normal();
-    };
-    if (place(*request.depth) == place(request.output))
+    if (isSamePlace(*request.depth, request.output))
         return Error{ErrorKind::WrongUsage, "'--depth' and '--output' name the same file."};
     return checkPng(*request.depth, std::array{request.input});
 }
 
 } // namespace
 
-std::vector<Option> pictureOptions()
+std::vector<Option> pictureOptions(PluginHost& host)
 {
     return {
         {.name = "camera",
@@ -134,6 +145,11 @@ std::vector<Option> pictureOptions()
          .placeholder = "FILE.png",
          .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "
                         "and white (65535) where nothing is. --json tells which depths the greys are."},
+        {.name = "surfaces",
+         .placeholder = fileChoices(host, WrittenContent::Surface),
+         .explanation = "Writes the surfaces that are drawn, too, as the window's Save Surfaces does: those of "
+                        "isovalues, and others that a mode gives, with their values and colours as far as the "
+                        "format has any."},
         outputOption("FILE.png", "The picture to write.")};
 }
 
@@ -144,6 +160,8 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
     request.output = *arguments.value("output");
     if (const auto depth = arguments.value("depth"))
         request.depth = *depth;
+    if (const auto surfaces = arguments.value("surfaces"))
+        request.surfaces = *surfaces;
     auto query = queryOf(arguments);
     if (!query)
         return query.error();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/command_line/arguments.h"
+#include "plugins/host/plugin_host.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -17,14 +18,16 @@ namespace tetra {
 struct RenderRequest {
     std::filesystem::path input;
     std::filesystem::path output;
-    std::optional<std::filesystem::path> depth; ///< the file for the depths
+    std::optional<std::filesystem::path> depth;    ///< the file for the depths
+    std::optional<std::filesystem::path> surfaces; ///< the file for the surfaces of the scene
     MeshQuery query;
     PictureOptions picture;
     std::string backend; ///< "cpu" or "gl"
 };
 
-/// --camera, --size, --samples, --background, --backend, --threads, --depth, --output.
-std::vector<Option> pictureOptions();
+/// --camera, --size, --samples, --background, --backend, --threads, --depth, --output; --surfaces has the endings of
+/// the writers.
+std::vector<Option> pictureOptions(PluginHost& host);
 
 /// What these and the options of query_options.h ask for. Errors (WrongUsage): values that do not fit, options that do
 /// not go together, files that would replace the model or each other.

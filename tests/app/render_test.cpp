@@ -2,6 +2,7 @@
 /// `tan render` of volumes and hybrids: what its options do to the picture, and every wrong use.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
+#include "tests/plugins/writers/vtk_reader.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -288,6 +289,29 @@ private slots:
         QVERIFY(drawn(red).first != drawn(red + QStringList{"--boundary-far-side"}).first);
     }
 
+    /// What is drawn, as 'tan isosurface' writes it.
+    void surfacesAreWrittenToo()
+    {
+        const auto [image, figures] =
+            drawn({"--isovalue", "120:gold", "--error", "1", "--surfaces", "both.vtp"}, "isosurface");
+        QVERIFY(!image.isNull());
+        QCOMPARE(figures["surfaces_file"].toString(), QString("both.vtp"));
+        QVERIFY(figures["triangles"].toInteger() > 100);
+        const VtkReader read(path("both.vtp"));
+        if (read.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(read.ok(), read.messages());
+        QCOMPARE(read.told()["cells"].toInteger(), figures["triangles"].toInteger());
+        const std::vector<float> values = read.array<float>("point.isovalue");
+        QVERIFY(!values.empty() && std::ranges::all_of(values, [](float value) { return value == 120; }));
+        QCOMPARE(tan({"isosurface", "c60.tan", "--error", "1", "--value", "120", "-o", "alone.vtp"}).exitCode, 0);
+        const VtkReader alone(path("alone.vtp"));
+        auto points = read.array<std::array<float, 3>>("points"), others = alone.array<std::array<float, 3>>("points");
+        std::ranges::sort(points);
+        std::ranges::sort(others);
+        QCOMPARE(points, others);
+    }
+
     void anEmptySessionIsNoPicture()
     {
         QFile empty(path("empty.tansession"));
@@ -326,6 +350,10 @@ private slots:
         row("depth in another format", {"--depth", "depth.tif"}, 2, ".png");
         row("depth over the picture", {"--depth", "./x.png"}, 2, "same file");
         row("depth over the picture, from the root", {"--depth", path("x.png")}, 2, "same file");
+        row("surfaces of a volume", {"--surfaces", "x.ply"}, 2, "'--surfaces' has nothing to write");
+        row("surfaces in another format", {"--surfaces", "x.png2"}, 2, "'--surfaces'");
+        row("surfaces over the depth", {"--surfaces", "./d.png", "--depth", "d.png"}, 2, "same file");
+        row("surfaces over the model", {"--surfaces", "c60.tan"}, 2, "c60.tan");
         row("focus without error", {"--focus", "sphere:1,2,3,4"}, 2, "--focus-error");
         row("window beside the data", {"--window", "90,90,90,91,91,91"}, 2, "No tetrahedron");
     }
@@ -344,6 +372,7 @@ private slots:
         QCOMPARE(run.exitCode, exitCode);
         QVERIFY2(run.messages.contains(message), run.messages);
         QVERIFY(!QFile::exists(path("x.png")));
+        QVERIFY(!QFile::exists(path("x.ply")));
     }
 };
 

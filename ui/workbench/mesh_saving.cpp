@@ -6,6 +6,7 @@
 #include <tan/query.h>
 #include <tan/render.h>
 
+#include <algorithm>
 #include <span>
 #include <variant>
 
@@ -47,13 +48,20 @@ SurfacePart partOf(const Drawable& drawable, const Surface& surface)
     return part;
 }
 
+/// The surface of a drawable that is to be saved; null of any other.
+const Surface* savedSurface(const Drawable& drawable)
+{
+    const auto* surface = std::get_if<Surface>(&drawable.shape);
+    return surface != nullptr && surface->mesh && drawable.saved ? surface : nullptr;
+}
+
 /// Points into the scene.
 SurfaceContent contentOf(const Scene& scene)
 {
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
     for (const Drawable& drawable : scene.drawables) {
-        const auto* surface = std::get_if<Surface>(&drawable.shape);
-        if (surface == nullptr || !surface->mesh || !drawable.saved)
+        const Surface* surface = savedSurface(drawable);
+        if (surface == nullptr)
             continue;
         content.parts.push_back(partOf(drawable, *surface));
         if (!drawable.value) {
@@ -65,6 +73,12 @@ SurfaceContent contentOf(const Scene& scene)
 }
 
 } // namespace
+
+bool hasSurfaceToSave(const Scene& scene)
+{
+    return std::ranges::any_of(scene.drawables,
+                               [](const Drawable& drawable) { return savedSurface(drawable) != nullptr; });
+}
 
 Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progress)
 {

@@ -34,6 +34,9 @@ struct SurfaceOrder {
     std::filesystem::path target;
 };
 
+/// Whether a scene has a surface to save.
+bool hasSurfaceToSave(const Scene& scene);
+
 /// Writes the surfaces under their labels, with their values and their colours, as far as the format has any; it is
 /// that of the file's ending. Errors as of saveSurface(), and WrongUsage if there is no surface to save.
 Status writeSurfaces(PluginHost& host, const SurfaceOrder& order, const Progress& progress);
