@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """build_examples.py SOURCE PREFIX FOLDER: builds every folder of examples/ in FOLDER against what is installed in PREFIX, by the commands
-that docs/developers.md shows, or as it shows it for a reader. A warning of the compiler is a failure. The plugins
-are gathered in FOLDER/plugins. Other tests use what is built here, so that nothing is compiled twice."""
+that docs/developers.md shows, or as it shows it for a reader. A warning of the compiler is a failure. The plugins are gathered in
+FOLDER/plugins. Other tests use what is built here, so that nothing is compiled twice."""
 import os
 import pathlib
 import shutil
@@ -17,7 +17,8 @@ NOT_SHOWN = ("editor", "projection", "slice")
 
 def environment():
     """Ninja is quicker than make. One compiler at a time: other tests run meanwhile."""
-    found = dict(os.environ, LC_ALL="C.UTF-8", HOME=str(FOLDER), TAN_SOURCE=str(SOURCE), TAN_PREFIX=str(PREFIX), CMAKE_BUILD_PARALLEL_LEVEL="1")
+    found = dict(os.environ, LC_ALL="C.UTF-8", HOME=str(FOLDER), TAN_SOURCE=str(SOURCE), TAN_PREFIX=str(PREFIX),
+                 CMAKE_BUILD_PARALLEL_LEVEL="1")
     if shutil.which("ninja"):
         found["CMAKE_GENERATOR"] = "Ninja"
     return found

@@ -33,6 +33,8 @@ class Runner:
     def __init__(self, source, build, examples):
         self.source, self.build, self.examples, self.failures, self.ran, self.skipped = source, build, examples, [], 0, 0
         self.tan = str(build / "bin/tan")
+        self.samples = tempfile.TemporaryDirectory()
+        sample_inputs.write_all(pathlib.Path(self.samples.name), self.tan, source)
 
     def environment(self, folder):
         return {"PATH": f"{self.build}/bin:{os.environ['PATH']}", "HOME": str(folder), "LANG": "C.UTF-8",
@@ -44,7 +46,7 @@ class Runner:
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place)
             if any(reason_to_skip(command) is None for command in commands):
-                sample_inputs.write_all(folder, self.tan, self.source)
+                shutil.copytree(self.samples.name, folder, dirs_exist_ok=True)
             for example, _ in examples:
                 shutil.copytree(self.examples / example, folder / example)
             built = [command for _, building in examples for command in building]
@@ -64,7 +66,7 @@ class Runner:
         run = subprocess.run(["bash", "-c", command], cwd=folder, env=self.environment(folder), capture_output=True, text=True,
                              errors="replace", timeout=300, check=False, stdin=subprocess.DEVNULL)
         if FULL_SIZE.search(command):
-            sample_inputs.write_engine(folder, self.tan)
+            shutil.copy(pathlib.Path(self.samples.name) / "engine.nrrd", folder)
         self.ran += 1
         if run.returncode != 0:
             self.failures.append(f"{page}: {command}\n  exit code {run.returncode}: {run.stderr[-600:]}")
