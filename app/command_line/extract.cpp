@@ -200,6 +200,8 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const auto model = Model::open(input);
     if (!model)
         return model.error();
+    if (const Status warps = checkWarpingOption(arguments, **model); !warps)
+        return warps.error();
     if (const Status safe = checkMeshOutput(output, **model); !safe)
         return safe.error();
     const Task task{arguments, output, invocation.host, *values, **model, invocation.progress};

@@ -168,6 +168,8 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const auto shown = openModelMesh(input, *accuracy, invocation.progress.part(0, 0.3));
     if (!shown)
         return shown.error();
+    if (const Status warps = checkWarpingOption(arguments, *shown->model); !warps)
+        return warps.error();
     if (const Status inRange = checkInRange(*isovalues, shown->model->description().range); !inRange)
         return inRange.error();
     if (const Status safe = checkMeshOutput(output, *shown->model); !safe)

@@ -187,6 +187,8 @@ Result<Outcome> runVerify(const Invocation& invocation)
     const auto model = Model::open(path);
     if (!model)
         return model.error();
+    if (const Status warps = checkWarpingOption(invocation.arguments, **model); !warps)
+        return warps.error();
     const std::string against = *invocation.arguments.value("against");
     const auto options = importOptions(invocation, against, &(*model)->description());
     if (!options)

@@ -86,8 +86,10 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
             return intact.error();
         return report.error();
     }
-    if (writer.siteCount() > 0)
+    if (writer.siteCount() > 0) { // what the file holds, whatever the builder says
+        report->sites = writer.siteCount();
         report->tetrahedra = writer.tetrahedronCount();
+    }
     return EndedBuild{*report, false};
 }
 

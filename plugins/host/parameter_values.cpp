@@ -19,6 +19,33 @@ Message kindOf(const std::string& name, DomainClass domain)
     return Message::say("'%1' has scattered points", name);
 }
 
+/// The first of `values` that makes no difference beside `known`, which are the values and what else is known.
+const Parameter* uselessOne(const std::vector<Parameter>& parameters, const ParameterValues& values,
+                            const ParameterValues& known)
+{
+    const auto found = std::ranges::find_if(parameters, [&](const Parameter& parameter) {
+        return values.contains(parameter.id) && !matters(parameter, parameters, known);
+    });
+    return found != parameters.end() ? &*found : nullptr;
+}
+
+/// The values that the parameter's condition asks for: "curvilinear or irregular".
+Message wantedBy(const Parameter& parameter)
+{
+    Message wanted;
+    for (const ParameterValue& value : parameter.onlyWith.values) {
+        const Message one = Message::of(parameterText(value), {});
+        wanted = wanted.empty() ? one : Message::say("%1 or %2", wanted, one);
+    }
+    return wanted;
+}
+
+Error uselessBeside(const Parameter& useless, const std::string& prefix)
+{
+    return {ErrorKind::WrongUsage, Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.",
+                                                prefix + useless.id, prefix + useless.onlyWith.id, wantedBy(useless))};
+}
+
 } // namespace
 
 Status checkParameterValues(const Message& owner, const std::vector<Parameter>& parameters,
@@ -49,24 +76,20 @@ ParameterValues withDomain(ParameterValues values, DomainClass domain)
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
                   const std::string& prefix)
 {
-    const ParameterValues known = withDomain(values, dataset.domain);
-    for (const Parameter& parameter : parameters) {
-        if (!values.contains(parameter.id) || matters(parameter, parameters, known))
-            continue;
-        Message wanted;
-        for (const ParameterValue& value : parameter.onlyWith.values) {
-            const Message one = Message::of(parameterText(value), {});
-            wanted = wanted.empty() ? one : Message::say("%1 or %2", wanted, one);
-        }
-        const std::string name = prefix + parameter.id;
-        if (parameter.onlyWith.id == domainId)
-            return Error{ErrorKind::WrongUsage, Message::say("'%1' is for %2 data only, and %3. Leave it out.", name,
-                                                             wanted, kindOf(dataset.source.name, dataset.domain))};
+    const Parameter* useless = uselessOne(parameters, values, withDomain(values, dataset.domain));
+    if (useless == nullptr)
+        return {};
+    if (useless->onlyWith.id == domainId)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.", name,
-                                  prefix + parameter.onlyWith.id, wanted)};
-    }
-    return {};
+                     Message::say("'%1' is for %2 data only, and %3. Leave it out.", prefix + useless->id,
+                                  wantedBy(*useless), kindOf(dataset.source.name, dataset.domain))};
+    return uselessBeside(*useless, prefix);
+}
+
+Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const std::string& prefix)
+{
+    const Parameter* useless = uselessOne(parameters, values, values);
+    return useless != nullptr ? Status(uselessBeside(*useless, prefix)) : Status();
 }
 
 } // namespace tetra

@@ -25,4 +25,7 @@ ParameterValues withDomain(ParameterValues values, DomainClass domain);
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
                   const std::string& prefix = {});
 
+/// The same where no dataset is asked for: what only some domains have counts as used.
+Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const std::string& prefix);
+
 } // namespace tetra

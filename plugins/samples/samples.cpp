@@ -516,7 +516,8 @@ constexpr std::array<SampleKind, 10> kinds = {{
      SampleType::Float32},
     {"marschner-lobb", Message::marked("the test signal of Marschner and Lobb: ripples that are hard to reproduce"),
      SampleType::Float32},
-    {"noise", Message::marked("white noise, the worst case: no sample tells of its neighbour"), SampleType::UInt8},
+    {"noise", Message::marked("white noise, the worst case: no sample tells of its neighbour"), SampleType::UInt8,
+     DomainClass::RegularLattice, true},
     {"blunt-body", Message::marked("flow in front of a hemisphere: a curvilinear grid whose axis is collapsed"),
      SampleType::Float32, DomainClass::Curvilinear},
     {"o-grid", Message::marked("flow around a cylinder: a curvilinear grid that closes on itself"), SampleType::Float32,
@@ -526,7 +527,7 @@ constexpr std::array<SampleKind, 10> kinds = {{
     {"stretched", Message::marked("a layer at a wall: a rectilinear grid with spacings that grow"), SampleType::Float32,
      DomainClass::Curvilinear},
     {"scattered", Message::marked("random points in a ball, with waves that grow finer outwards"), SampleType::Float32,
-     DomainClass::Scattered},
+     DomainClass::Scattered, true},
     {"part", Message::marked("stress in a plate with five holes and a closed cavity: an irregular mesh"),
      SampleType::Float32, DomainClass::Irregular},
 }};

@@ -51,6 +51,7 @@ struct SampleKind {
     std::string_view description; ///< one sentence for the user
     SampleType type;              ///< unless asked otherwise
     DomainClass domain = DomainClass::RegularLattice;
+    bool hasChance = false; ///< its values or its points follow SampleRequest::seed
 };
 
 /// All kinds: c60, hydrogen, marschner-lobb, noise; the curvilinear grids blunt-body, o-grid, bent-duct, stretched;

@@ -168,13 +168,46 @@ private slots:
         const auto arguments =
             parseArguments(syntax, Words{"--no-outline", "--isovalue", "5:red", "--isovalue", "7::", "--error", "2"});
         QVERIFY(arguments);
-        QVERIFY(!pluginValues(*arguments, parameters)); // "7::" has no colour
+        const auto wrong = pluginValues(*arguments, parameters); // "7::" has no colour
+        QVERIFY(!wrong);
+        QVERIFY2(wrong.error().text().starts_with("'--isovalue': "), wrong.error().text().c_str());
+        QCOMPARE(syntax.options[1].explanation,
+                 std::string("Shows the edges. On by default; this option turns it off."));
         const auto good = parseArguments(syntax, Words{"--no-outline", "--isovalue", "5:red", "--isovalue=7"});
         const auto values = pluginValues(*good, parameters);
         QVERIFY(values);
         QCOMPARE(values->size(), std::size_t(2));
         QCOMPARE(std::get<bool>(values->at("outline")), false);
         QCOMPARE(std::get<std::vector<Isovalue>>(values->at("isovalues")).size(), std::size_t(2));
+    }
+
+    /// By the name that the user wrote, whatever is wrong.
+    void mistakesNameTheOption()
+    {
+        Parameter text;
+        text.id = "curve";
+        text.defaultValue = std::string();
+        text.mistake = [](const std::string&) { return Message("this is no curve."); };
+        const std::vector<Parameter> parameters = {number("threshold", 1, 0, 100), text};
+        Syntax syntax;
+        addPluginOptions(syntax, parameters);
+        const auto messageOf = [&](const Words& words) {
+            const auto values = pluginValues(*parseArguments(syntax, words), parameters);
+            return values ? std::string() : values.error().text();
+        };
+        QCOMPARE(messageOf({"--threshold", "many"}),
+                 std::string("'many' does not fit '--threshold': it takes a number from 0 to 100."));
+        QCOMPARE(messageOf({"--curve", "x"}), std::string("'--curve': this is no curve."));
+    }
+
+    void defaultsOfTheDataAreNoNumbers()
+    {
+        const std::vector<Parameter> parameters = {number("height", 0, 0, 0), number("steps", 5, 1, 9)};
+        Syntax syntax;
+        addPluginOptions(syntax, parameters);
+        sayDefaultsFromData(syntax, parameters, {number("height", 3, 0, 0), number("steps", 5, 1, 9)});
+        QCOMPARE(syntax.options[0].byDefault, std::string("from the data"));
+        QCOMPARE(syntax.options[1].byDefault, std::string("5"));
     }
 
     void optionsOfOthersAreRefused()

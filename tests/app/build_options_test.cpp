@@ -58,6 +58,8 @@ private slots:
         row("points, selection", "points.csv", {"--selection", "paper"}, "'--selection' is for curvilinear data");
         row("points, resume", "points.csv", {"--resume"}, "Leave '--resume' out");
         row("mesh, resume", "mesh.vtu", {"--resume"}, "Leave '--resume' out");
+        row("a header tells the size", "lattice.nrrd", {"--size", "12x12x12"}, "'--size' describes raw files");
+        row("a header tells the type", "lattice.nrrd", {"--type", "uint8"}, "'--type' describes raw files");
         row("mesh, block", "mesh.vtu", {"--block", "4"}, "Leave it out");
     }
     void whatIsOfNoUseIsRefused()

@@ -4,6 +4,7 @@
 #include "tests/app/sample_files.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
+#include <QDir>
 #include <QImage>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -45,6 +46,36 @@ private slots:
         QVERIFY(built["peak_bytes"].toDouble() > 1e6);
         QCOMPARE(built["inverted"].toInt(-1), 0);
         QCOMPARE(built["degenerate"].toInt(-1), 0);
+    }
+
+    void whatIsOfNoUseIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char* name, const QStringList& words, const char* message) {
+            QTest::newRow(name) << words << QByteArray(message);
+        };
+        const char* const warping = "'--warping' is for models of curvilinear or irregular data only";
+        row("levels of a dataset", {"info", "c60.nrrd", "--lod", "1"}, "'--lod' is of the levels of a model");
+        row("warping of a dataset", {"info", "c60.nrrd", "--warping", "1"}, "'--warping' is of the levels");
+        row("info, warping", {"info", "c60.tan", "--warping", "1"}, warping);
+        row("verify, warping", {"verify", "c60.tan", "--against", "c60.nrrd", "--warping", "1"}, warping);
+        row("extract, warping", {"extract", "c60.tan", "--warping", "1", "-o", "refused.vtu"}, warping);
+        row("isosurface, warping", {"isosurface", "c60.tan", "--warping", "1", "--value", "99", "-o", "refused.ply"},
+            warping);
+        row("render, warping", {"render", "c60.tan", "--warping", "1", "-o", "refused.png"}, warping);
+        row("sample without chance", {"sample", "c60", "--seed", "2", "-o", "refused.nrrd"},
+            "'--seed' is for samples with chance in them");
+    }
+    void whatIsOfNoUseIsRefused()
+    {
+        QFETCH(QStringList, words);
+        QFETCH(QByteArray, message);
+        const Run run = tan(words);
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.messages.contains(message), run.messages);
+        QVERIFY(QDir(path("")).entryList({"refused.*"}).isEmpty());
+        QCOMPARE(tan({"sample", "noise", "--size", "8", "--seed", "2", "-o", "seeded.nrrd"}).exitCode, 0);
     }
 
     void infoTellsTheLevels()

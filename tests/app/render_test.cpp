@@ -337,6 +337,8 @@ private slots:
         row("no normal", {"--clip", "1,0,0,0", "--clip", "0,0,0,1"}, 2, "'0,0,0,1'");
         row("unknown boundary", {"--boundary", "thick"}, 2, "off, translucent, values");
         row("boundary of no opacity", {"--boundary-opacity", "0"}, 2, "0.01");
+        row("opacity without a boundary", {"--boundary-opacity", "0.5"}, 2, "'--boundary-opacity' is of use only if");
+        row("far side without a boundary", {"--boundary-far-side"}, 2, "'--boundary-far-side' is of use only if");
         row("missing function", {"--transfer", "gone.json"}, 3, "'gone.json'");
         row("no JSON", {"--transfer", "c60.nrrd"}, 3, "c60.nrrd': ");
         row("slip in a function", {"--transfer", "slip.json"}, 3, "slip.json': ");

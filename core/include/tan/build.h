@@ -41,8 +41,10 @@ namespace tetra {
 
 /// What a build made.
 struct BuildReport {
+    // Counted in the model's file: a builder of your own leaves them out. One that fills a FixedSizeTarget says them.
     std::uint64_t sites = 0;
     std::uint64_t tetrahedra = 0; ///< in the model: all that lived in a mesh that a query can give
+    // Said by the builder alone: 0 unless it counts them.
     std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
@@ -128,7 +130,9 @@ private:
     std::array<double, 3> longest_ = {infinite, infinite, infinite};
 };
 
-// For your own builders, which a plugin brings: what they hand over, and to whom.
+// --- For your own builders only, which a plugin brings: what they hand over, and to whom. Programs that build models
+// by
+// --- the methods above need nothing from here on.
 
 /// A tetrahedron of the history, as its creator (the latest of its four sites) knows it: (creator, sites[0], sites[1],
 /// sites[2]) is positive in the space that the mesh was made in (computational space for curvilinear data). Sites are
@@ -156,7 +160,11 @@ struct HistoryTraits {
     /// warping, as in convex domains.
     double warpingWeight = 0;
     /// Whether the mesh of every prefix is the Delaunay mesh of its sites, so that any set of sites has a mesh. False
-    /// for decimation: there only closed sets have one.
+    /// for decimation: there only closed sets have one. Never true of irregular data. Of a lattice or a grid it claims
+    /// more, as queries insert points into these meshes for a focus: that each step inserted one point of the dataset
+    /// in the way of buildInto(), which also decides between equally good meshes where many points lie on one sphere,
+    /// as in any lattice. So claim it only for steps that come from buildInto() by Refinement, all of them or up to
+    /// some step; else false is right, and a focus is then a closed set.
     bool delaunay = true;
     /// If the mesh of a lattice or a grid was made in blocks: how many cells a block has along each axis; the last
     /// along an axis may have fewer. No tetrahedron reaches from one block into another. All 0: no blocks.

@@ -97,7 +97,13 @@ bool isNrrd(const fs::path& path, const File& file)
 
 Result<VolumeFile> openVolume(const fs::path& path, const File& file, const ParameterValues& values)
 {
-    return isNrrd(path, file) ? openNrrd(path, file) : openRaw(path, file, values);
+    if (!isNrrd(path, file))
+        return openRaw(path, file, values);
+    if (!values.empty())
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.",
+                                  values.begin()->first, path.string())};
+    return openNrrd(path, file);
 }
 
 bool isWithin(std::span<const std::byte> bytes, std::span<const std::byte> whole)
