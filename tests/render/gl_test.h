@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tetra::testing {
 
@@ -26,6 +27,18 @@ protected:
         if (!backend)
             qFatal("%s", backend.error().text().c_str());
         gl_ = std::move(*backend);
+    }
+
+    /// For tests that have something to say of the CPU's back end alone: without OpenGL there is none of it.
+    void makeGlIfThere()
+    {
+        if (EglContext::make())
+            makeGl();
+    }
+    /// Those that are there.
+    std::vector<RenderBackend*> backends() const
+    {
+        return gl_ ? std::vector<RenderBackend*>{cpu_.get(), gl_.get()} : std::vector<RenderBackend*>{cpu_.get()};
     }
 
     std::unique_ptr<RenderBackend> cpu_ = makeCpuBackend();

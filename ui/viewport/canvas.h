@@ -59,6 +59,7 @@ public:
     void setView(const View& view);
     /// Pictures a second to hold while something moves.
     void setFrameRate(double perSecond) { pacer_.setFrameRate(perSecond); }
+    double frameRate() const { return pacer_.frameRate(); }
     /// The rate to hold unless the user says otherwise.
     double usualFrameRate() const { return usesGl_ ? 30 : 15; }
     /// True once the fine picture of the last view is on the screen.

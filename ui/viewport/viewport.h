@@ -54,6 +54,8 @@ public:
     void expectChange();
     /// Pictures a second to hold while something moves; nothing: as many as fit the back end.
     void setFrameRate(std::optional<double> perSecond);
+    /// That is held.
+    double frameRate() const { return canvas_->frameRate(); }
     double usualFrameRate() const { return canvas_->usualFrameRate(); }
 
     QString backendName() const;

@@ -3,9 +3,11 @@
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "ui/session/appearance.h"
+#include "ui/session/files.h"
 #include "ui/workbench/recent_files.h"
 #include "ui/workbench/sample_models.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
@@ -26,18 +28,37 @@ Driver leaving(const QString& name, Driver::Condition shows, Driver::Step prepar
     return driver;
 }
 
-/// A model or a dataset, whichever it was, is opened anew.
+/// What was open, and the file of the entry that is used.
+struct RecentUse {
+    std::shared_ptr<const Model> model{};
+    std::shared_ptr<const Dataset> dataset{};
+    QString path{};
+};
+
+/// The model or the dataset of that very entry is opened anew, and the file is the one that was opened last; a dataset
+/// leaves the model.
+bool hasOpened(const DrivenWindow& window, const RecentUse& use)
+{
+    const auto& model = window.session().model();
+    const auto& dataset = window.workbench.opening().dataset();
+    if (use.path.isEmpty() || recentFiles().value(0) != use.path)
+        return false;
+    if (use.path.endsWith(".tan"))
+        return model && model != use.model && model->path() == filePath(use.path);
+    return dataset && dataset != use.dataset && dataset->source.path == use.path.toStdString() && model == use.model;
+}
+
 Driver openingRecent()
 {
-    const auto before = std::make_shared<std::pair<std::shared_ptr<const Model>, std::shared_ptr<const Dataset>>>();
+    const auto use = std::make_shared<RecentUse>();
     return leaving(
-        "action.recent.*",
-        [before](const DrivenWindow& window) {
-            return window.session().model() != before->first || window.workbench.opening().dataset() != before->second;
-        },
-        [before](DrivenWindow& window) {
+        "action.recent.*", [use](const DrivenWindow& window) { return hasOpened(window, *use); },
+        [use](DrivenWindow& window) {
             fillRecentMenu(window);
-            *before = {window.session().model(), window.workbench.opening().dataset()};
+            *use = {window.session().model(), window.workbench.opening().dataset(), {}};
+            for (const QAction* entry : window.find<QMenu>("menu.recent").actions())
+                if (entry->objectName().startsWith("action.recent."))
+                    QObject::connect(entry, &QAction::triggered, entry, [use, entry] { use->path = entry->toolTip(); });
         });
 }
 

@@ -5,6 +5,7 @@
 #include "ui/session/appearance.h"
 
 #include <QSettings>
+#include <QSpinBox>
 #include <QToolButton>
 
 namespace tetra {
@@ -91,8 +92,15 @@ Drivers renderingControls()
             typeClipPlane),
         showing(
             "rendering.frameRate",
-            [](const DrivenWindow&) { return QSettings().value("rendering/frameRate").toInt() == 1; },
-            inDock("dock.rendering")),
+            [](const DrivenWindow& window) {
+                return QSettings().value("rendering/frameRate").toInt() == 1 && window.viewport().frameRate() == 1;
+            },
+            [](DrivenWindow& window) {
+                window.raise("dock.rendering");
+                window.find<QSpinBox>("rendering.frameRate").setValue(0); // automatic
+                if (window.viewport().frameRate() != window.viewport().usualFrameRate())
+                    qFatal("the usual frame rate is not held");
+            }),
     };
 }
 
