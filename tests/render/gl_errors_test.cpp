@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said where OpenGL is missing or too old.
 #include "core/render/gl/egl_context.h"
+#include "core/render/gl/egl_devices.h"
 #include "core/render/gl/scene_painter.h"
 
 #include <QTest>
@@ -42,6 +43,18 @@ private slots:
         const auto context = EglContext::make("libm.so.6");
         QVERIFY(!context.ok());
         QVERIFY(mentions(context.error(), "eglGetProcAddress"));
+    }
+
+    void theScreensCardComesFirst()
+    {
+        const EglDevice software{true, false}, screen{false, true}, other{false, false};
+        using Order = std::vector<std::size_t>;
+        QCOMPARE(cardOrder({software, other, screen, other}, ""), (Order{2, 1, 3}));
+        QCOMPARE(cardOrder({software, other, screen, other}, "0"), (Order{2, 1, 3}));
+        QCOMPARE(cardOrder({screen, software, other}, "1"), (Order{2, 0}));
+        QCOMPARE(cardOrder({other, other}, ""), (Order{0, 1})); // a machine without a screen
+        QCOMPARE(cardOrder({screen}, "1"), (Order{0}));
+        QCOMPARE(cardOrder({software}, ""), Order());
     }
 
     void withoutFunctions()

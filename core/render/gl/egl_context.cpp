@@ -5,12 +5,27 @@
 #include <EGL/eglext.h>
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace tetra {
+namespace {
+
+/// Of the file of a card, such as /dev/dri/card0.
+bool showsScreen(const char* file)
+{
+    std::ifstream flag("/sys/class/drm/" + std::filesystem::path(file).filename().string() + "/device/boot_vga");
+    return flag.get() == '1';
+}
+
+} // namespace
 
 struct EglContext::Functions {
     explicit Functions(void* library) : find([library](const char* name) { return dlsym(library, name); }) {}
@@ -72,22 +87,71 @@ bool EglContext::tryPlatform(unsigned platform, void* nativeDisplay)
     return getDisplay != nullptr && tryDisplay(getDisplay(platform, nativeDisplay, nullptr));
 }
 
-bool EglContext::tryDevices(bool software)
+std::vector<EglContext::ListedDevice> EglContext::listedDevices() const
 {
     const auto queryDevices = egl_->extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     const auto queryDevice = egl_->extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
-    std::array<EGLDeviceEXT, 32> devices{};
+    std::array<EGLDeviceEXT, 32> handles{};
     EGLint count = 0;
     if (queryDevices == nullptr || queryDevice == nullptr ||
-        queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_FALSE)
-        return false;
+        queryDevices(static_cast<EGLint>(handles.size()), handles.data(), &count) == EGL_FALSE)
+        return {};
+    std::vector<ListedDevice> devices;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        const char* extensions = queryDevice(devices[i], EGL_EXTENSIONS);
-        const bool isSoftware = extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software") != nullptr;
-        if (isSoftware == software && tryPlatform(EGL_PLATFORM_DEVICE_EXT, devices[i]))
+        const char* extensions = queryDevice(handles[i], EGL_EXTENSIONS);
+        const std::string_view has = extensions != nullptr ? extensions : "";
+        const char* file = has.find("EGL_EXT_device_drm") != std::string_view::npos
+                               ? queryDevice(handles[i], EGL_DRM_DEVICE_FILE_EXT)
+                               : nullptr;
+        const bool isSoftware = has.find("EGL_MESA_device_software") != std::string_view::npos;
+        devices.push_back({handles[i], {isSoftware, file != nullptr && showsScreen(file)}});
+    }
+    return devices;
+}
+
+/// A card that is there, but whose driver draws in software, is of no use.
+bool EglContext::tryCards()
+{
+    const auto listed = listedDevices();
+    std::vector<EglDevice> devices;
+    for (const ListedDevice& device : listed)
+        devices.push_back(device.is);
+    const char* prime = std::getenv("DRI_PRIME"); // NOLINT(concurrency-mt-unsafe): nobody sets it
+    for (const std::size_t index : cardOrder(devices, prime != nullptr ? prime : "")) {
+        if (!tryPlatform(EGL_PLATFORM_DEVICE_EXT, listed[index].handle))
+            continue;
+        if (!drawsInSoftware())
             return true;
+        dropContext();
     }
     return false;
+}
+
+bool EglContext::trySoftwareDevices()
+{
+    return std::ranges::any_of(listedDevices(), [this](const ListedDevice& device) {
+        return device.is.isSoftware && tryPlatform(EGL_PLATFORM_DEVICE_EXT, device.handle);
+    });
+}
+
+bool EglContext::drawsInSoftware() const
+{
+    constexpr unsigned rendererName = 0x1F01; // GL_RENDERER
+    using GetString = const unsigned char* (*)(unsigned);
+    const Current current(*this);
+    const auto getString = egl_->extension<GetString>("glGetString");
+    if (!current.ok() || getString == nullptr)
+        return false;
+    const auto* name = reinterpret_cast<const char*>(getString(rendererName));
+    const std::string_view renderer = name != nullptr ? name : "";
+    return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast"},
+                               [&](const char* software) { return renderer.find(software) != std::string_view::npos; });
+}
+
+void EglContext::dropContext()
+{
+    egl_->destroyContext(display_, context_);
+    context_ = nullptr;
 }
 
 Result<std::unique_ptr<EglContext>> EglContext::make(const char* library)
@@ -104,9 +168,11 @@ Result<std::unique_ptr<EglContext>> EglContext::make(const char* library)
     if (const std::string& missing = context->egl_->find.missing(); !missing.empty())
         return Error{ErrorKind::OutOfResource,
                      Message::say("%1 has no %2. Install EGL 1.4, or use the CPU back end.", library, missing)};
-    // A card first; then Mesa without a display, which finds a card, too, or draws in software; then whatever is left.
-    const bool found = context->tryDevices(false) || context->tryPlatform(EGL_PLATFORM_SURFACELESS_MESA, nullptr) ||
-                       context->tryDevices(true) || context->tryDisplay(context->egl_->getDisplay(EGL_DEFAULT_DISPLAY));
+    // A card first, that of the windows; then Mesa without a display, which finds a card, too, or draws in software;
+    // then whatever is left.
+    const bool found = context->tryCards() || context->tryPlatform(EGL_PLATFORM_SURFACELESS_MESA, nullptr) ||
+                       context->trySoftwareDevices() ||
+                       context->tryDisplay(context->egl_->getDisplay(EGL_DEFAULT_DISPLAY));
     if (!found)
         return Error{ErrorKind::OutOfResource,
                      Message::say("EGL gives no OpenGL 3.3 without a window on this machine. Install the card's driver "

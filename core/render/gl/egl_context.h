@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/gl/egl_devices.h"
 #include "core/render/gl/gl_functions.h"
 
 #include <tan/base.h>
 
 #include <memory>
+#include <vector>
 
 namespace tetra {
 
@@ -37,9 +39,17 @@ public:
 
 private:
     struct Functions;
+    struct ListedDevice {
+        void* handle;
+        EglDevice is;
+    };
+    std::vector<ListedDevice> listedDevices() const;
     EglContext();
     bool tryDisplay(void* display);
-    bool tryDevices(bool software);
+    bool tryCards();
+    bool trySoftwareDevices();
+    bool drawsInSoftware() const;
+    void dropContext();
     bool tryPlatform(unsigned platform, void* nativeDisplay);
 
     std::unique_ptr<Functions> egl_;
