@@ -10,42 +10,16 @@ struct Arrow {
     Eigen::Vector3f place, gradient;
 };
 
-struct Slice {
-    std::shared_ptr<const TriangleMesh> surface; ///< with values, in the colours of a transfer function
-    std::vector<Arrow> arrows;
-};
-
-/// A corner of the slice: where an edge of a tetrahedron passes through the plane.
-void addCorner(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients, std::uint32_t from,
-               std::uint32_t to, float height, TriangleMesh& slice, std::vector<Arrow>& arrows)
+/// At each vertex of the cut.
+std::vector<Arrow> arrowsOf(const MeshCut& cut, std::span<const Eigen::Vector3f> gradients)
 {
-    const float below = mesh.positions[from].z() - height, above = mesh.positions[to].z() - height;
-    const float share = below / (below - above);
-    slice.positions.push_back(mesh.positions[from] + share * (mesh.positions[to] - mesh.positions[from]));
-    slice.values.push_back(mesh.values[from] + share * (mesh.values[to] - mesh.values[from]));
-    slice.normals.push_back(Eigen::Vector3f::UnitZ());
-    arrows.push_back({slice.positions.back(), gradients[from] + share * (gradients[to] - gradients[from])});
-}
-
-Slice sliceOf(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients, float height)
-{
-    TriangleMesh slice;
     std::vector<Arrow> arrows;
-    for (const auto& cell : mesh.tetrahedra) {
-        std::vector<std::uint32_t> below, above;
-        for (const std::uint32_t corner : cell)
-            (mesh.positions[corner].z() < height ? below : above).push_back(corner);
-        const auto first = std::uint32_t(slice.positions.size());
-        for (const std::uint32_t from : below)
-            for (const std::uint32_t to : above)
-                addCorner(mesh, gradients, from, to, height, slice, arrows);
-        const auto count = std::uint32_t(slice.positions.size()) - first; // 0, 3 or 4: ac, ad, bc, bd
-        if (count > 0)
-            slice.triangles.push_back({first, first + 1, first + 2});
-        if (count == 4)
-            slice.triangles.push_back({first + 1, first + 3, first + 2});
+    for (std::size_t vertex = 0; vertex < cut.points.size(); ++vertex) {
+        const auto& [from, to, share] = cut.points[vertex];
+        arrows.push_back(
+            {cut.surface.positions[vertex], gradients[from] + float(share) * (gradients[to] - gradients[from])});
     }
-    return {std::make_shared<const TriangleMesh>(std::move(slice)), std::move(arrows)};
+    return arrows;
 }
 
 /// About so many of the arrows, as lines whose heads lie flat before the eye.
@@ -75,19 +49,21 @@ class SliceSession : public RendererSession {
 public:
     explicit SliceSession(const RendererMeshes& meshes) : meshes_(meshes), gradients_(vertexGradients(*meshes.mesh)) {}
 
-    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress&) override
+    Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
     {
         auto scene = startScene(view, meshes_.bounds);
         if (!scene)
             return scene.error();
         const double low = meshes_.bounds.min().z(), high = meshes_.bounds.max().z();
         const double height = low + (high - low) * view.value<double>("height") / 100;
-        const Slice slice = sliceOf(*meshes_.mesh, gradients_, float(height));
-        const TriangleMesh coloured = colouredByValue(*slice.surface, view.value<TransferFunction>(transferId));
+        const auto cut = cutByPlane(*meshes_.mesh, {Eigen::Vector3d::UnitZ(), height}, progress);
+        if (!cut)
+            return cut.error();
+        const TriangleMesh coloured = colouredByValue(cut->surface, view.value<TransferFunction>(transferId));
         Surface surface{.mesh = std::make_shared<const TriangleMesh>(coloured), .colour = {}, .lit = false};
         scene->drawables.push_back({.id = "slice", .label = "Slice", .shape = std::move(surface), .saved = true});
         const auto length = float(meshes_.bounds.diagonal().norm() / 15);
-        const auto arrows = [places = slice.arrows, length](const Camera& camera, int, int) {
+        const auto arrows = [places = arrowsOf(*cut, gradients_), length](const Camera& camera, int, int) {
             return drawnArrows(places, length, camera);
         };
         if (view.value<bool>("arrows"))

@@ -51,6 +51,22 @@ OffFile readOff(const std::string& path)
     return content;
 }
 
+/// Those that an OBJ file has behind the positions; none where a vertex lacks one.
+std::vector<Colour> coloursOfObj(const std::string& path)
+{
+    std::ifstream file(path);
+    std::vector<Colour> colours;
+    for (std::string line; std::getline(file, line);) {
+        const QStringList words = QString::fromStdString(line).split(' ');
+        if (words[0] != "v")
+            continue;
+        if (words.size() != 7)
+            return {};
+        colours.push_back({words[4].toFloat(), words[5].toFloat(), words[6].toFloat()});
+    }
+    return colours;
+}
+
 /// What the mesh tells at a place; nothing outside of it.
 std::optional<double> valueAt(const TetrahedralMesh& mesh, const Eigen::Vector3d& place)
 {
@@ -237,6 +253,15 @@ void ExampleWindowTest::theSliceIsSeenPickedAndSaved()
         const auto expected = valueAt(mesh->mesh, picked.place);
         QVERIFY(expected && std::abs(picked.value - *expected) < 1e-3 * range.extent());
     }
+
+    const std::string coloured = pathOf("slice.obj"); // with the colours that are seen
+    const QSignalSpy saved(&window_->workbench.exporting(), &Exporting::meshSaved);
+    window_->workbench.exporting().saveSurfaces(coloured);
+    QTRY_COMPARE(saved.count(), 1);
+    QVERIFY(coloursOfObj(coloured) ==
+            std::vector<Colour>(meshOf("slice").colours.begin(), meshOf("slice").colours.end()));
+    const auto [red, blue] = std::ranges::minmax(meshOf("slice").colours, {}, &Colour::blue);
+    QVERIFY(blue.blue - red.blue > 0.1f && red.red > blue.red);
 
     const OffFile file = savedSurfaces("slice.off");
     QCOMPARE(file.positions.size(), meshOf("slice").positions.size());

@@ -19,6 +19,7 @@
 #include <atomic>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -94,11 +95,13 @@ Status checkArguments(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
     return {};
 }
 
-Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
-                             std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress)
+} // namespace
+
+Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const float> values, const IsosurfaceIndex* index,
+                               std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress)
 {
     progress.report(0, extractingIsosurface);
-    const std::vector<SurfaceChunk> runs = makeSurfaceChunks(mesh, index, isovalue, progress);
+    const std::vector<SurfaceChunk> runs = makeSurfaceChunks(mesh, values, index, isovalue, progress);
     if (progress.cancelled())
         return cancelledError(extractingIsosurface);
     std::uint64_t edges = 0;
@@ -111,23 +114,25 @@ Result<TriangleMesh> extract(const TetrahedralMesh& mesh, const IsosurfaceIndex*
                 "The isosurface has more than four thousand million vertices. Lower the accuracy of the mesh.")};
 
     progress.report(0.6, extractingIsosurface);
-    const SurfaceVertices vertices = numberVertices(runs, index, mesh.positions.size());
+    SurfaceVertices vertices = numberVertices(runs, index, mesh.positions.size());
     if (progress.cancelled())
         return cancelledError(extractingIsosurface);
     progress.report(0.7, extractingIsosurface);
     TriangleMesh surface;
-    const PlacingFindings found = placeVertices(mesh, gradients, vertices.edges, isovalue, surface);
+    const PlacingFindings found = placeVertices(mesh, values, gradients, vertices.edges, isovalue, surface);
     if (progress.cancelled())
         return cancelledError(extractingIsosurface);
     progress.report(0.9, extractingIsosurface);
     surface.triangles = joinTriangles(runs, vertices);
     if (!found.ties.empty())
-        weldAtMeshVertices(found.ties, surface);
+        weldAtMeshVertices(found.ties, surface, vertices.edges);
     if (found.normalsMissing)
         fillNormalsFromTriangles(surface);
     progress.report(1, extractingIsosurface);
-    return surface;
+    return Contour{std::move(surface), std::move(vertices.edges)};
 }
+
+namespace {
 
 Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
                                     std::span<const Eigen::Vector3f> gradients, double isovalue,
@@ -137,7 +142,12 @@ Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const Isosurfac
         return status.error();
     return guarded(Message::marked(
                        "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."),
-                   [&] { return extract(mesh, index, gradients, isovalue, progress); });
+                   [&]() -> Result<TriangleMesh> {
+                       auto contour = extractContour(mesh, mesh.values, index, gradients, isovalue, progress);
+                       if (!contour)
+                           return contour.error();
+                       return std::move(contour->surface);
+                   });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/spatial_order.h"
+#include "core/mesh/topology.h"
 
 #include <tan/mesh.h>
 
@@ -32,6 +33,17 @@ IsosurfaceIndex makeIsosurfaceIndex(const TetrahedralMesh& mesh);
 Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, const IsosurfaceIndex& index,
                                        std::span<const Eigen::Vector3f> gradients, double isovalue,
                                        const Progress& progress = {});
+
+/// A surface with the edge of the mesh that each of its vertices lies on.
+struct Contour {
+    TriangleMesh surface;
+    Buffer<EdgeKey> edges;
+};
+
+/// The same of any numbers, one for each vertex of the mesh, in place of the mesh's own values; `index`, of those
+/// numbers, may be null. Arguments are not checked. May throw std::bad_alloc.
+Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const float> values, const IsosurfaceIndex* index,
+                               std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress);
 
 /// Fills in the normals of `surface` that are zero: the mean of the normals of the triangles, weighted by area; a
 /// vertex without one gets +z. O(vertices + triangles), one thread.

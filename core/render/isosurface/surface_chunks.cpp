@@ -111,10 +111,10 @@ private:
 
 } // namespace
 
-std::vector<SurfaceChunk> makeSurfaceChunks(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
-                                            const Progress& progress)
+std::vector<SurfaceChunk> makeSurfaceChunks(const TetrahedralMesh& mesh, std::span<const float> values,
+                                            const IsosurfaceIndex* index, double isovalue, const Progress& progress)
 {
-    const VertexSigns sides(mesh.values, isovalue);
+    const VertexSigns sides(values, isovalue);
     const std::size_t total = mesh.tetrahedra.size();
     std::vector<SurfaceChunk> runs((total + surfaceChunkSize - 1) / surfaceChunkSize);
     tbb::enumerable_thread_specific<Marcher> marchers([&] { return Marcher(mesh, sides); });
@@ -298,23 +298,23 @@ struct VertexBlock {
     std::array<std::uint8_t, blockSize> findings; ///< bit 0, 1: it lies in the first, second end; bit 2: no normal
 };
 
-void load(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients, std::span<const EdgeKey> edges,
-          double isovalue, std::size_t first, std::size_t count, VertexBlock& block)
+void load(const TetrahedralMesh& mesh, std::span<const float> values, std::span<const Eigen::Vector3f> gradients,
+          std::span<const EdgeKey> edges, double isovalue, std::size_t first, std::size_t count, VertexBlock& block)
 {
     for (std::size_t i = 0; i < count; ++i) {
         for (const std::uint32_t end : endsOf(edges[std::min(first + i + edgesFetchedAhead, edges.size() - 1)])) {
             __builtin_prefetch(&mesh.positions[end]);
-            __builtin_prefetch(&mesh.values[end]);
+            __builtin_prefetch(&values[end]);
             __builtin_prefetch(&gradients[end]);
         }
         const auto [a, b] = endsOf(edges[first + i]);
         // Which end is inside is hard to predict, so that decides no branch.
-        const std::uint32_t isFirstInside = static_cast<double>(mesh.values[a]) >= isovalue ? 1 : 0;
+        const std::uint32_t isFirstInside = static_cast<double>(values[a]) >= isovalue ? 1 : 0;
         const std::uint32_t swap = (a ^ b) & (0 - isFirstInside);
         const std::array ends = {a ^ swap, b ^ swap};
         block.ends[i] = ends;
         for (std::size_t end = 0; end < 2; ++end) {
-            block.values[end][i] = mesh.values[ends[end]];
+            block.values[end][i] = values[ends[end]];
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 block.positions[end][axis][i] = mesh.positions[ends[end]][static_cast<int>(axis)];
                 block.gradients[end][axis][i] = gradients[ends[end]][static_cast<int>(axis)];
@@ -372,8 +372,9 @@ void storeBlock(const VertexBlock& block, std::size_t first, std::size_t count, 
 
 } // namespace
 
-PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
-                              std::span<const EdgeKey> edges, double isovalue, TriangleMesh& surface)
+PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const float> values,
+                              std::span<const Eigen::Vector3f> gradients, std::span<const EdgeKey> edges,
+                              double isovalue, TriangleMesh& surface)
 {
     surface.positions.resize(edges.size());
     surface.normals.resize(edges.size());
@@ -383,7 +384,7 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen
         VertexBlock block{};
         for (std::size_t first = range.begin(); first < range.end(); first += blockSize) {
             const std::size_t count = std::min(blockSize, range.end() - first);
-            load(mesh, gradients, edges, isovalue, first, count, block);
+            load(mesh, values, gradients, edges, isovalue, first, count, block);
             dispatch<computeVertices>(block, isovalue);
             storeBlock(block, first, count, surface, mine);
         }
@@ -402,9 +403,10 @@ namespace {
 constexpr std::size_t tiesAtOnce = 1 << 13;
 constexpr std::uint32_t welded = 0xffffffff;
 
-/// The new number of each vertex; those that are welded get the number of the first of their place. Their positions
-/// and normals go.
-Buffer<std::uint32_t> renumberVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface)
+/// The new number of each vertex; those that are welded get the number of the first of their place. Their positions,
+/// normals and edges go.
+Buffer<std::uint32_t> renumberVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface,
+                                       Buffer<EdgeKey>& edges)
 {
     const std::size_t count = surface.positions.size();
     Buffer<std::uint32_t> numbers(count);
@@ -418,10 +420,12 @@ Buffer<std::uint32_t> renumberVertices(std::span<const CoincidentVertex> ties, T
             continue;
         surface.positions[next] = surface.positions[v];
         surface.normals[next] = surface.normals[v];
+        edges[next] = edges[v];
         numbers[v] = next++;
     }
     surface.positions.resize(next);
     surface.normals.resize(next);
+    edges.resize(next);
     for (std::size_t i = 1; i < ties.size(); ++i)
         if (ties[i].meshVertex == ties[i - 1].meshVertex)
             numbers[ties[i].vertex] = numbers[ties[i - 1].vertex]; // the first of a place has the smallest number
@@ -430,9 +434,9 @@ Buffer<std::uint32_t> renumberVertices(std::span<const CoincidentVertex> ties, T
 
 } // namespace
 
-void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface)
+void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface, Buffer<EdgeKey>& edges)
 {
-    const Buffer<std::uint32_t> numbers = renumberVertices(ties, surface);
+    const Buffer<std::uint32_t> numbers = renumberVertices(ties, surface, edges);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.triangles.size(), tiesAtOnce), [&](const auto& range) {
         for (std::size_t t = range.begin(); t != range.end(); ++t)
             for (std::uint32_t& corner : surface.triangles[t])

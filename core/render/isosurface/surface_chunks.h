@@ -22,11 +22,11 @@ struct SurfaceChunk {
     Buffer<std::array<std::uint32_t, 3>> triangles; ///< of indices among its edges
 };
 
-/// Marches through the tetrahedra that have corners on both sides; a vertex is inside if its value is at least
-/// `isovalue` (S16). Without an index all are looked at. O(vertices + tetrahedra), on all threads. Incomplete if
+/// Marches through the tetrahedra that have corners on both sides; a vertex is inside if its one of `values` is at
+/// least `isovalue` (S16). Without an index all are looked at. O(vertices + tetrahedra), on all threads. Incomplete if
 /// cancelled. May throw std::bad_alloc.
-std::vector<SurfaceChunk> makeSurfaceChunks(const TetrahedralMesh& mesh, const IsosurfaceIndex* index, double isovalue,
-                                            const Progress& progress);
+std::vector<SurfaceChunk> makeSurfaceChunks(const TetrahedralMesh& mesh, std::span<const float> values,
+                                            const IsosurfaceIndex* index, double isovalue, const Progress& progress);
 
 /// The vertices of an isosurface: one for each crossed edge of the mesh, whatever runs share the edge.
 struct SurfaceVertices {
@@ -62,12 +62,14 @@ struct PlacingFindings {
 /// both ends are on different sides, the fraction of the way is defined, and where a value is infinite or NaN it is
 /// some number in [0, 1]. Normals are unit vectors against the gradient, interpolated likewise. O(edges), on all
 /// threads. May throw std::bad_alloc.
-PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
-                              std::span<const EdgeKey> edges, double isovalue, TriangleMesh& surface);
+PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const float> values,
+                              std::span<const Eigen::Vector3f> gradients, std::span<const EdgeKey> edges,
+                              double isovalue, TriangleMesh& surface);
 
 /// Makes one vertex of those that lie in the same vertex of the mesh: the edges of a vertex whose value is the isovalue
-/// all cross there. Keeps the order, and leaves out the triangles that have no area then; without welding, leaving them
-/// out would tear the surface. O(vertices + triangles), all threads for triangles. May throw std::bad_alloc.
-void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface);
+/// all cross there. Of `edges`, those of the vertices, the first of each place stays. Keeps the order, and leaves out
+/// the triangles that have no area then; without welding, leaving them out would tear the surface. O(vertices +
+/// triangles), all threads for triangles. May throw std::bad_alloc.
+void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface, Buffer<EdgeKey>& edges);
 
 } // namespace tetra
