@@ -40,7 +40,7 @@ struct Contour {
     Buffer<EdgeKey> edges;
 };
 
-/// The same of any numbers, one for each vertex of the mesh, in place of the mesh's own values; `index`, of those
+/// An isosurface of any numbers, one for each vertex of the mesh, in place of its own values; `index`, of those
 /// numbers, may be null. Arguments are not checked. May throw std::bad_alloc.
 Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const float> values, const IsosurfaceIndex* index,
                                std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress);
