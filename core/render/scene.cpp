@@ -23,7 +23,7 @@ std::optional<Scene> withDrawn(const Scene& scene, const Camera& camera, int wid
     using Custom = std::shared_ptr<const CustomDrawable>;
     if (shapesOf<Custom>(scene).empty())
         return std::nullopt;
-    Scene drawn{.bounds = scene.bounds, .clipPlanes = scene.clipPlanes};
+    Scene drawn{.bounds = scene.bounds, .clipPlanes = scene.clipPlanes, .maker = scene.maker};
     for (const Drawable& drawable : scene.drawables) {
         const Custom* custom = std::get_if<Custom>(&drawable.shape);
         if (custom == nullptr) {

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <string>
 #include <vector>
 
 namespace tetra {
@@ -23,11 +24,15 @@ inline constexpr MarkedText noMemoryForPicture = Message::marked(
     "mesh.");
 
 /// What `work`, which draws a scene, returns: a Result or a Status. What a custom drawable or an optical model throws,
-/// and a lack of memory, become errors.
-template <class Work> auto guardedDrawing(const Work& work) -> decltype(work())
+/// and a lack of memory, become errors; the former names the `maker` (Scene::maker).
+template <class Work> auto guardedDrawing(const std::string& maker, const Work& work) -> decltype(work())
 try {
     return guarded(noMemoryForPicture, work);
 } catch (const std::exception& problem) {
+    if (!maker.empty())
+        return Error{ErrorKind::BadInput, Message::say("The plugin '%1' failed: %2. This is a mistake in the plugin; "
+                                                       "tell its author.",
+                                                       maker, problem.what())};
     return Error{ErrorKind::BadInput, Message::say("What draws the scene failed: %1. This is a mistake in the plugin "
                                                    "that made it; tell its author.",
                                                    problem.what())};

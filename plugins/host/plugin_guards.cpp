@@ -265,7 +265,7 @@ public:
                 return scene;
             if (Status good = checkScene(guard_.id(), scene->get()); !good)
                 return good.error();
-            return scene;
+            return signedScene(*scene);
         });
     }
 
@@ -286,7 +286,21 @@ private:
     const Renderer& plugin_;
     RendererMeshes meshes_;
     Guard guard_;
+    /// Says whose it is. The same object again for the same scene, as far as the plugin gives one out again.
+    std::shared_ptr<const Scene> signedScene(const std::shared_ptr<const Scene>& scene)
+    {
+        if (scene != given_) {
+            auto copy = std::make_shared<Scene>(*scene); // shares its meshes
+            copy->maker = guard_.id();
+            given_ = scene;
+            signed_ = std::move(copy);
+        }
+        return signed_;
+    }
+
     std::optional<std::vector<Parameter>> parameters_; ///< for the mesh
+    std::shared_ptr<const Scene> given_;               ///< by the plugin at last
+    std::shared_ptr<const Scene> signed_;              ///< what became of it
     std::unique_ptr<RendererSession> session_;         ///< of the plugin, once there is something to do
 };
 

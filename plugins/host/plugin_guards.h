@@ -26,7 +26,7 @@ struct GuardTarget {
 /// - readers and writers: the text when memory is short names the file;
 /// - renderers: values that are missing or of another type are the defaults for the mesh; a text that is none of a
 ///   parameter's choices is an error of prepare(), and so is a scene that cannot be shown (none, or drawables without
-///   an id or with the same one).
+///   an id or with the same one); the scene says whose it is (Scene::maker).
 ///
 /// Each stands for `plugin`, which outlives it.
 std::unique_ptr<const Builder> guarded(const Builder& plugin, GuardTarget target);

@@ -138,6 +138,15 @@ private slots:
         scene.volume->model = std::make_shared<const OpticalModel>(model);
         const auto picture = gl_->render(scene, beforeCube(), {.width = 20, .height = 20});
         QVERIFY(!picture && picture.error().text().find("optical model") != std::string::npos);
+        // It is the maker's mistake, not the driver's, and the compiler says where.
+        Scene made = scene;
+        made.maker = "example.fog";
+        const auto blamed = gl_->render(made, beforeCube(), {.width = 20, .height = 20});
+        QVERIFY(!blamed && blamed.error().kind == ErrorKind::BadInput);
+        const std::string text = blamed.error().text();
+        QVERIFY2(text.starts_with("The plugin 'example.fog' ") && text.find("driver") == std::string::npos,
+                 text.c_str());
+        QVERIFY2(text.size() > text.find("says: ") + 6, text.c_str());
         QVERIFY(gl_->render(fogCube(0.5f), beforeCube(), {.width = 20, .height = 20}).ok()); // it goes on
     }
 };

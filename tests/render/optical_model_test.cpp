@@ -227,6 +227,10 @@ private slots:
         QVERIFY(errorOf(broken).find("lacks its function") != std::string::npos);
         broken.evaluate = [](const OpticalPieces&) { throw std::runtime_error("no light"); };
         QVERIFY(errorOf(broken).find("no light") != std::string::npos);
+        Scene made = linearCube(std::make_shared<const OpticalModel>(broken));
+        made.maker = "example.fog";
+        const auto blamed = makeCpuBackend()->render(made, beforeCube(), usual);
+        QVERIFY(!blamed && blamed.error().text().starts_with("The plugin 'example.fog' failed: no light."));
         // What is no number is nothing.
         broken.evaluate = [](const OpticalPieces& pieces) {
             for (std::size_t i = 0; i < pieces.count; ++i)

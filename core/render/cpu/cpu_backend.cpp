@@ -312,7 +312,7 @@ public:
             return status.error();
         if (Status status = checkVolumes(scene); !status)
             return status.error();
-        return guardedDrawing([&] {
+        return guardedDrawing(scene.maker, [&] {
             const auto drawn = withDrawn(scene, camera, options.width, options.height);
             return onThreads(options.threads, [&] { return draw(drawn ? *drawn : scene, camera, options, progress); });
         });

@@ -32,7 +32,8 @@ Error driverError(const std::string& log)
                                                    log)};
 }
 
-Status attach(const GlFunctions& gl, unsigned program, unsigned kind, const char* source)
+Status attach(const GlFunctions& gl, unsigned program, unsigned kind, const char* source,
+              const GlProgram::Refusal& refusal)
 {
     const unsigned shader = gl.createShader(kind);
     gl.shaderSource(shader, 1, &source, nullptr);
@@ -41,7 +42,7 @@ Status attach(const GlFunctions& gl, unsigned program, unsigned kind, const char
     gl.getShaderiv(shader, gl::compileStatus, &compiled);
     Status status;
     if (compiled == 0)
-        status = driverError(logOf(shader, gl.getShaderiv, gl.getShaderInfoLog));
+        status = refusal(logOf(shader, gl.getShaderiv, gl.getShaderInfoLog));
     gl.attachShader(program, shader);
     gl.deleteShader(shader); // lives on as long as the program
     return status;
@@ -50,26 +51,27 @@ Status attach(const GlFunctions& gl, unsigned program, unsigned kind, const char
 } // namespace
 
 Result<std::unique_ptr<GlProgram>> GlProgram::make(const GlFunctions& gl, const char* vertexShader,
-                                                   std::span<const char* const> fragmentShaders)
+                                                   std::span<const char* const> fragmentShaders, const Refusal& refusal)
 {
+    const Refusal refused = refusal ? refusal : Refusal(driverError);
     std::unique_ptr<GlProgram> program(new GlProgram(gl, gl.createProgram()));
-    Status status = attach(gl, program->name_, gl::vertexShader, vertexShader);
+    Status status = attach(gl, program->name_, gl::vertexShader, vertexShader, refused);
     for (const char* shader : fragmentShaders)
         if (status)
-            status = attach(gl, program->name_, gl::fragmentShader, shader);
+            status = attach(gl, program->name_, gl::fragmentShader, shader, refused);
     if (!status)
         return status.error();
-    return linked(std::move(program));
+    return linked(std::move(program), refused);
 }
 
-Result<std::unique_ptr<GlProgram>> GlProgram::linked(std::unique_ptr<GlProgram> program)
+Result<std::unique_ptr<GlProgram>> GlProgram::linked(std::unique_ptr<GlProgram> program, const Refusal& refusal)
 {
     const GlFunctions& gl = program->gl_;
     gl.linkProgram(program->name_);
     int linked = 0;
     gl.getProgramiv(program->name_, gl::linkStatus, &linked);
     if (linked == 0)
-        return driverError(logOf(program->name_, gl.getProgramiv, gl.getProgramInfoLog));
+        return refusal(logOf(program->name_, gl.getProgramiv, gl.getProgramInfoLog));
     return program;
 }
 
@@ -159,16 +161,23 @@ std::string volumeVertexShader()
 
 } // namespace
 
-Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader)
+Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader,
+                                                    const std::string& maker)
 {
     const std::string text = "#version 330 core\n" + shader;
-    auto program =
-        GlProgram::make(gl, volumeVertexShader().c_str(),
-                        std::array{shaders::volumeFrag, shaders::modelFrag, shaders::focusFrag, text.c_str()});
-    if (!program)
-        return Error{ErrorKind::BadInput,
-                     Message::say("The shader of an optical model cannot be used: %1", program.error().message)};
-    return program;
+    return GlProgram::make(gl, volumeVertexShader().c_str(),
+                           std::array{shaders::volumeFrag, shaders::modelFrag, shaders::focusFrag, text.c_str()},
+                           [&](const std::string& log) {
+                               return Error{ErrorKind::BadInput,
+                                            maker.empty()
+                                                ? Message::say("The shader of an optical model cannot be used. The "
+                                                               "compiler says: %1",
+                                                               log)
+                                                : Message::say("The plugin '%1' has an optical model whose shader "
+                                                               "cannot be used. This is a mistake in the plugin; tell "
+                                                               "its author. The compiler says: %2",
+                                                               maker, log)};
+                           });
 }
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl)

@@ -8,8 +8,10 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace tetra {
 
@@ -19,10 +21,14 @@ inline constexpr int textureUnits = 8;
 /// A shader program. The context must be current for everything, also when it goes; `gl` must outlive it.
 class GlProgram {
 public:
-    /// From the text of a vertex shader and of one or more fragment shaders that complete each other. The error has the
-    /// driver's own text.
+    /// The error for what the driver's compiler says.
+    using Refusal = std::function<Error(const std::string& log)>;
+
+    /// From the text of a vertex shader and of one or more fragment shaders that complete each other. The error is that
+    /// of `refusal`, or without one the driver's.
     static Result<std::unique_ptr<GlProgram>> make(const GlFunctions& gl, const char* vertexShader,
-                                                   std::span<const char* const> fragmentShaders);
+                                                   std::span<const char* const> fragmentShaders,
+                                                   const Refusal& refusal = {});
     ~GlProgram();
     GlProgram(const GlProgram&) = delete;
     GlProgram& operator=(const GlProgram&) = delete;
@@ -58,7 +64,7 @@ public:
     void setTexture(const char* uniform, int unit, unsigned texture, unsigned target = gl::texture2D) const;
 
 private:
-    static Result<std::unique_ptr<GlProgram>> linked(std::unique_ptr<GlProgram> program);
+    static Result<std::unique_ptr<GlProgram>> linked(std::unique_ptr<GlProgram> program, const Refusal& refusal);
     GlProgram(const GlFunctions& gl, unsigned name) : gl_(gl), name_(name) {}
     int location(const char* uniform) const { return gl_.getUniformLocation(name_, uniform); }
 
@@ -95,9 +101,10 @@ struct PainterPrograms {
     std::unique_ptr<GlProgram> limit;
 };
 
-/// The program that draws a volume by an optical model with this text (OpticalModel::shader). The error has the
-/// driver's message about the text.
-Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader);
+/// The program that draws a volume by an optical model with this text (OpticalModel::shader). The error names the
+/// `maker` (Scene::maker), whose mistake it is, and has the compiler's message about the text.
+Result<std::unique_ptr<GlProgram>> makeModelProgram(const GlFunctions& gl, const std::string& shader,
+                                                    const std::string& maker);
 
 Result<PainterPrograms> makePainterPrograms(const GlFunctions& gl);
 

@@ -349,7 +349,7 @@ Result<std::unique_ptr<ScenePainter>> ScenePainter::make(const GetProcAddress& g
 Status ScenePainter::draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                           const Progress& progress)
 {
-    return guardedDrawing([&] {
+    return guardedDrawing(scene.maker, [&] {
         const auto drawn = withDrawn(scene, camera, options.width, options.height);
         return implementation_->draw(drawn ? *drawn : scene, camera, options, framebuffer, progress);
     });

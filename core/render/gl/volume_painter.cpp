@@ -183,7 +183,7 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
 }
 
 /// The program is kept for the next picture: compiling takes longer than drawing.
-Status VolumePainter::prepareModel(const Volume& volume)
+Status VolumePainter::prepareModel(const Volume& volume, const std::string& maker)
 {
     constexpr std::size_t mostKept = 16;
     combiner_ = combinerOf(volume);
@@ -192,7 +192,7 @@ Status VolumePainter::prepareModel(const Volume& volume)
         return {};
     auto found = models_.find(volume.model->shader);
     if (found == models_.end()) {
-        auto program = makeModelProgram(gl_, volume.model->shader);
+        auto program = makeModelProgram(gl_, volume.model->shader, maker);
         if (!program)
             return program.error();
         if (models_.size() >= mostKept)
@@ -217,7 +217,7 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     const Volume& volume = *volumeOf(scene);
     const FocusVolume* focus = focusOf(scene);
     wholeCells_ = volume.wholeCells;
-    if (Status status = prepareModel(volume); !status)
+    if (Status status = prepareModel(volume, scene.maker); !status)
         return status;
     region_.reset();
     if (focus == nullptr)

@@ -103,7 +103,7 @@ private:
     Status drawPart(const PainterPrograms& programs, const SampleTargets& targets, const VolumeLayers& layers,
                     const VolumePart& part, const Progress& progress) const;
     void setPartUniforms(const GlProgram& program, const DrawnVolume& volume, const VolumePart& part) const;
-    Status prepareModel(const Volume& volume);
+    Status prepareModel(const Volume& volume, const std::string& maker);
     void markSaturated(const GlProgram& program, const SampleTargets& targets) const;
     void setCellState() const;
 

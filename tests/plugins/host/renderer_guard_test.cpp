@@ -107,6 +107,14 @@ private slots:
         QVERIFY(sceneOf([](const RendererView&) { return sceneWith({"a", "b"}); }).ok());
     }
 
+    /// For errors of the back ends, which know no plugins.
+    void scenesSayWhoseTheyAre()
+    {
+        const auto scene = sceneOf([](const RendererView&) { return sceneWith({"a"}); });
+        QVERIFY(scene.ok());
+        QCOMPARE((*scene)->maker, std::string("strange"));
+    }
+
     /// Each parameter has a value of its type; those of one type keep apart.
     void valuesAreWhole()
     {
