@@ -4,6 +4,7 @@
 #include "tests/app/sample_files.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
+#include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
@@ -320,6 +321,20 @@ private slots:
         const Run run = tan({"render", "empty.tansession", "-o", "x.png"});
         QCOMPARE(run.exitCode, 3);
         QVERIFY2(run.messages.contains("empty.tansession") && !run.messages.contains("picture"), run.messages);
+    }
+
+    /// Of a mode that draws neither by a transfer function nor isosurfaces.
+    void aColourBarNeedsColoursThatMeanSomething()
+    {
+        const QStringList words{"render", "c60.tan", "--mode", "example.band", "-o", "band.png"};
+        const QMap<QString, QString> plugins{{"TAN_PLUGIN_PATH", TAN_BAND_RENDERER}};
+        const Run refused = runTan(words + QStringList{"--colour-bar"}, folder_.path(), plugins);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("'example.band' draws nothing whose colours '--colour-bar' could explain"),
+                 refused.messages);
+        QVERIFY(!QFile::exists(path("band.png")));
+        const Run axes = runTan(words + QStringList{"--axes"}, folder_.path(), plugins);
+        QVERIFY2(axes.exitCode == 0, axes.messages);
     }
 
     void wrongUseIsRefused_data()
