@@ -177,6 +177,11 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     const auto options = importOptions(invocation, path);
     if (!options)
         return options.error();
+    // A file that is missing, or no dataset either, was told before.
+    for (const char* option : {"lod", "warping"})
+        if (invocation.arguments.has(option))
+            return Error{ErrorKind::WrongUsage, "'--" + std::string(option) + "' is of the levels of a model, and '" +
+                                                    path + "' is none. Build a model of it first."};
     const auto dataset = openDataset(invocation.host, path, *options, invocation.progress);
     if (!dataset)
         return dataset.error();
@@ -227,11 +232,6 @@ Result<Outcome> runInfo(const Invocation& invocation)
         return levels.error();
     const auto output = invocation.arguments.value("output");
     if (!isModelFile(path)) {
-        for (const char* option : {"lod", "warping"})
-            if (invocation.arguments.has(option))
-                return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
-                                                        "' is of the levels of a model, and '" + path +
-                                                        "' is none. Build a model of it first."};
         if (output)
             return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
                                                     "' is none. Build a model of it first."};
