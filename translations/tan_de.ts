@@ -561,6 +561,14 @@
         <source>Help › Plugins lists all plugins and where they are looked for.</source>
         <translation>Hilfe › Plugins zeigt alle Plugins und wo nach ihnen gesucht wird.</translation>
     </message>
+    <message>
+        <source>The mode %1 shows no transfer function. Changes are seen in other modes.</source>
+        <translation>Der Modus %1 zeigt keine Transferfunktion. Änderungen sind in anderen Modi zu sehen.</translation>
+    </message>
+    <message>
+        <source>The mode %1 has nothing to edit here. Choose another mode.</source>
+        <translation>Im Modus %1 gibt es hier nichts zu bearbeiten. Wählen Sie einen anderen Modus.</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -7184,10 +7192,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Was die Szene zeichnet, ist gescheitert: %1. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
     </message>
     <message>
-        <source>The shader of an optical model cannot be used: %1</source>
-        <translation>Der Shader eines optischen Modells ist nicht zu gebrauchen: %1</translation>
-    </message>
-    <message>
         <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
         <translation>Einem optischen Modell der Szene fehlt seine Funktion oder sein Shader. Das ist ein Fehler des Plugins, das sie gemacht hat; sagen Sie es seinem Autor.</translation>
     </message>
@@ -7286,6 +7290,30 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>A film needs at least two key frames. Add another view.</source>
         <translation>Ein Film braucht mindestens zwei Schlüsselbilder. Fügen Sie noch eine Ansicht hinzu.</translation>
+    </message>
+    <message>
+        <source>The shader of an optical model cannot be used. The compiler says: %1</source>
+        <translation>Der Shader eines optischen Modells ist nicht verwendbar. Der Compiler meldet: %1</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; has an optical model whose shader cannot be used. This is a mistake in the plugin; tell its author. The compiler says: %2</source>
+        <translation>Das Plugin „%1“ hat ein optisches Modell, dessen Shader nicht verwendbar ist. Das ist ein Fehler im Plugin; melden Sie ihn dessen Autor. Der Compiler meldet: %2</translation>
+    </message>
+    <message>
+        <source>A plane needs a normal of three finite numbers, not all zero, and a finite offset.</source>
+        <translation>Eine Ebene braucht eine Normale aus drei endlichen Zahlen, die nicht alle null sind, und einen endlichen Abstand.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to cut the mesh. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Der Speicher reicht nicht, um das Netz zu schneiden. Schließen Sie andere Programme, oder senken Sie die Genauigkeit des Netzes.</translation>
+    </message>
+    <message>
+        <source>not one colour for each vertex</source>
+        <translation>nicht für jeden Knoten eine Farbe</translation>
+    </message>
+    <message>
+        <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
+        <translation>„--%1“ beschreibt rohe Dateien, und der Kopf von „%2“ sagt es selbst. Lassen Sie es weg.</translation>
     </message>
 </context>
 <context>

@@ -561,6 +561,14 @@
         <source>Help › Plugins lists all plugins and where they are looked for.</source>
         <translation>Aiuto › Plugin elenca tutti i plugin e dove vengono cercati.</translation>
     </message>
+    <message>
+        <source>The mode %1 shows no transfer function. Changes are seen in other modes.</source>
+        <translation>La modalità %1 non mostra alcuna funzione di trasferimento. Le modifiche si vedono in altre modalità.</translation>
+    </message>
+    <message>
+        <source>The mode %1 has nothing to edit here. Choose another mode.</source>
+        <translation>La modalità %1 non ha nulla da modificare qui. Scegliere un&apos;altra modalità.</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -7184,10 +7192,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Ciò che disegna la scena ha fallito: %1. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
     </message>
     <message>
-        <source>The shader of an optical model cannot be used: %1</source>
-        <translation>Lo shader di un modello ottico non si può usare: %1</translation>
-    </message>
-    <message>
         <source>An optical model of the scene lacks its function or its shader. This is a mistake in the plugin that made it; tell its author.</source>
         <translation>A un modello ottico della scena manca la funzione o lo shader. È un errore del plugin che l&apos;ha creata; avvisare il suo autore.</translation>
     </message>
@@ -7286,6 +7290,30 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>A film needs at least two key frames. Add another view.</source>
         <translation>Un filmato richiede almeno due fotogrammi chiave. Aggiungere un&apos;altra vista.</translation>
+    </message>
+    <message>
+        <source>The shader of an optical model cannot be used. The compiler says: %1</source>
+        <translation>Lo shader di un modello ottico non è utilizzabile. Il compilatore dice: %1</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; has an optical model whose shader cannot be used. This is a mistake in the plugin; tell its author. The compiler says: %2</source>
+        <translation>Il plugin «%1» ha un modello ottico il cui shader non è utilizzabile. È un errore del plugin; segnalarlo al suo autore. Il compilatore dice: %2</translation>
+    </message>
+    <message>
+        <source>A plane needs a normal of three finite numbers, not all zero, and a finite offset.</source>
+        <translation>Un piano richiede una normale di tre numeri finiti, non tutti nulli, e una distanza finita.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to cut the mesh. Close other programs or lower the accuracy of the mesh.</source>
+        <translation>Memoria insufficiente per tagliare la mesh. Chiudere altri programmi o ridurre l&apos;accuratezza della mesh.</translation>
+    </message>
+    <message>
+        <source>not one colour for each vertex</source>
+        <translation>non un colore per ogni vertice</translation>
+    </message>
+    <message>
+        <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
+        <translation>«--%1» descrive i file grezzi, e l’intestazione di «%2» lo dice già. Toglierlo.</translation>
     </message>
 </context>
 <context>
