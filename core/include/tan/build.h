@@ -130,9 +130,9 @@ private:
     std::array<double, 3> longest_ = {infinite, infinite, infinite};
 };
 
-// --- For your own builders only, which a plugin brings: what they hand over, and to whom. Programs that build models
-// by
-// --- the methods above need nothing from here on.
+// --- For builders of your own only ---
+// What a plugin that builds models hands over, and to whom. Programs that build models by the methods above need
+// nothing from here on.
 
 /// A tetrahedron of the history, as its creator (the latest of its four sites) knows it: (creator, sites[0], sites[1],
 /// sites[2]) is positive in the space that the mesh was made in (computational space for curvilinear data). Sites are
