@@ -57,7 +57,8 @@ Result<SampleRequest> requestOf(const Arguments& arguments)
     request.seed = static_cast<std::uint64_t>(*seed);
     const auto kind = std::ranges::find(sampleKinds(), request.name, &SampleKind::name);
     if (arguments.has("seed") && kind != sampleKinds().end() && !kind->hasChance)
-        return Error{ErrorKind::WrongUsage, "'--seed' is for samples with chance in them, and '" + request.name +
+        return Error{ErrorKind::WrongUsage, "'--seed' is for samples with chance in them, and '" +
+                                                std::string(request.name) +
                                                 "' has none: it is the same for each number. Leave it out."};
     if (const auto given = arguments.value("type")) {
         const auto type = std::ranges::find(sampleTypes, *given, sampleTypeName);
