@@ -294,9 +294,10 @@ Status checkSurfaces(const RenderRequest& request, const BuiltScene& built, cons
         return safe;
     if (hasSurfaceToSave(*built.scene))
         return {};
-    return Error{ErrorKind::WrongUsage, "'--surfaces' has nothing to write: the mode '" + mode +
-                                            "' gives no surface here. Choose isosurface or hybrid with an isovalue, or "
-                                            "leave '--surfaces' out."};
+    return Error{ErrorKind::WrongUsage,
+                 "'--surfaces' has nothing to write: the mode '" + mode +
+                     "' gives no surface here. Choose one that does, such as isosurface, or leave "
+                     "'--surfaces' out."};
 }
 
 Status writeSurfaceFile(const Invocation& invocation, const RenderRequest& request, const PreparedScene& prepared,

@@ -164,7 +164,7 @@ struct Surface {
     bool lit = true;            ///< else its colours are seen as they are
 };
 
-/// Straight lines of one colour, hidden by what lies before them.
+/// Straight lines of one colour, hidden by what is before them. On a surface, draw them a pixel nearer to the eye.
 struct LineSet {
     std::vector<Eigen::Vector3f> points;
     std::vector<std::array<std::uint32_t, 2>> segments;
