@@ -7315,6 +7315,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
         <translation>„--%1“ beschreibt rohe Dateien, und der Kopf von „%2“ sagt es selbst. Lassen Sie es weg.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is of use only without &apos;%2&apos;. Leave one of them out.</source>
+        <translation>„%1“ ist nur ohne „%2“ von Nutzen. Lassen Sie eines davon weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of use only with &apos;%2&apos;. Leave it out, or give both.</source>
+        <translation>„%1“ ist nur mit „%2“ von Nutzen. Lassen Sie es weg, oder geben Sie beide an.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

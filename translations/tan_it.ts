@@ -7315,6 +7315,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>&apos;--%1&apos; describes raw files, and the header of &apos;%2&apos; tells it. Leave it out.</source>
         <translation>«--%1» descrive i file grezzi, e l’intestazione di «%2» lo dice già. Toglierlo.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is of use only without &apos;%2&apos;. Leave one of them out.</source>
+        <translation>«%1» serve solo senza «%2». Tralasciare uno dei due.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of use only with &apos;%2&apos;. Leave it out, or give both.</source>
+        <translation>«%1» serve solo con «%2». Tralasciarlo, o indicare entrambi.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

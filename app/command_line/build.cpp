@@ -200,7 +200,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
     const auto values = pluginValues(arguments, parameters);
     if (!values)
         return values.error();
-    if (const Status used = checkOfUse(parameters, *values, *dataset, "--"); !used)
+    if (const Status used = checkOfUse(parameters, *values, *dataset, optionNames(arguments)); !used)
         return used.error();
     if (const Status able = checkAbilities(arguments, *builder, *dataset, *values); !able)
         return able.error();

@@ -204,6 +204,11 @@ Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vect
     return values;
 }
 
+OptionOfParameter optionNames(const Arguments& arguments)
+{
+    return [&arguments](const Parameter& parameter) { return "--" + optionName(arguments, parameter); };
+}
+
 Status checkPluginOptions(const Arguments& arguments, const std::vector<Parameter>& all,
                           const std::vector<Parameter>& used, const std::string& owner)
 {

@@ -3,6 +3,7 @@
 
 #include "app/command_line/arguments.h"
 #include "plugins/api/parameter.h"
+#include "plugins/host/parameter_values.h"
 #include "plugins/host/plugin_host.h"
 
 #include <string>
@@ -45,6 +46,9 @@ void separatePluginOptions(Syntax& syntax);
 
 /// The values that the arguments give to these parameters. The error names the option and what it takes.
 Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters);
+
+/// The names that these arguments have for parameters, with the hyphens. The arguments outlive it.
+OptionOfParameter optionNames(const Arguments& arguments);
 
 /// An error (WrongUsage) if the arguments hold an option made from one of the parameters in `all` that is not one of
 /// those in `used`. `owner` is whose parameters those are: "builder 'refinement'".

@@ -118,7 +118,7 @@ Status checkAppearance(const Arguments& arguments, const Model& model, const Pro
     if (const Status warps = checkWarpingOption(arguments, model); !warps)
         return warps;
     const std::vector<Parameter> parameters = renderer.plugin->parameters({});
-    if (const Status used = checkOfUse(parameters, values, "--"); !used)
+    if (const Status used = checkOfUse(parameters, values, optionNames(arguments)); !used)
         return used;
     const bool hasColours = std::ranges::any_of(matteringParameters(parameters, values), [](const Parameter& one) {
         return std::holds_alternative<TransferFunction>(one.defaultValue) ||

@@ -40,10 +40,26 @@ Message wantedBy(const Parameter& parameter)
     return wanted;
 }
 
-Error uselessBeside(const Parameter& useless, const std::string& prefix)
+std::string nameOf(const Parameter& parameter, const OptionOfParameter& optionOf)
 {
-    return {ErrorKind::WrongUsage, Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.",
-                                                prefix + useless.id, prefix + useless.onlyWith.id, wantedBy(useless))};
+    return optionOf ? optionOf(parameter) : parameter.id;
+}
+
+/// Beside what another one of `parameters` is.
+Error uselessBeside(const std::vector<Parameter>& parameters, const Parameter& useless,
+                    const OptionOfParameter& optionOf)
+{
+    const std::string name = nameOf(useless, optionOf);
+    const auto other = std::ranges::find(parameters, useless.onlyWith.id, &Parameter::id);
+    const std::string otherName = other != parameters.end() ? nameOf(*other, optionOf) : useless.onlyWith.id;
+    if (!optionOf || other == parameters.end() || !std::holds_alternative<bool>(other->defaultValue))
+        return {ErrorKind::WrongUsage, Message::say("'%1' is of use only if '%2' is %3. Leave it out, or choose that.",
+                                                    name, otherName, wantedBy(useless))};
+    // A switch is given or not; what it is by default is not enough, or there would be no error.
+    return {ErrorKind::WrongUsage,
+            std::get<bool>(other->defaultValue)
+                ? Message::say("'%1' is of use only without '%2'. Leave one of them out.", name, otherName)
+                : Message::say("'%1' is of use only with '%2'. Leave it out, or give both.", name, otherName)};
 }
 
 } // namespace
@@ -74,22 +90,23 @@ ParameterValues withDomain(ParameterValues values, DomainClass domain)
 }
 
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
-                  const std::string& prefix)
+                  const OptionOfParameter& optionOf)
 {
     const Parameter* useless = uselessOne(parameters, values, withDomain(values, dataset.domain));
     if (useless == nullptr)
         return {};
     if (useless->onlyWith.id == domainId)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' is for %2 data only, and %3. Leave it out.", prefix + useless->id,
+                     Message::say("'%1' is for %2 data only, and %3. Leave it out.", nameOf(*useless, optionOf),
                                   wantedBy(*useless), kindOf(dataset.source.name, dataset.domain))};
-    return uselessBeside(*useless, prefix);
+    return uselessBeside(parameters, *useless, optionOf);
 }
 
-Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const std::string& prefix)
+Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values,
+                  const OptionOfParameter& optionOf)
 {
     const Parameter* useless = uselessOne(parameters, values, values);
-    return useless != nullptr ? Status(uselessBeside(*useless, prefix)) : Status();
+    return useless != nullptr ? Status(uselessBeside(parameters, *useless, optionOf)) : Status();
 }
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 #include <tan/base.h>
 #include <tan/data.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,16 +17,20 @@ namespace tetra {
 Status checkParameterValues(const Message& owner, const std::vector<Parameter>& parameters,
                             const ParameterValues& values);
 
+/// The option of the command line that sets a parameter.
+using OptionOfParameter = std::function<std::string(const Parameter&)>;
+
 /// The values, with what conditions of parameters may ask of a dataset (domainId).
 ParameterValues withDomain(ParameterValues values, DomainClass domain);
 
 /// An error (WrongUsage) if `values` holds something that makes no difference to this dataset beside the others: what
-/// is asked for in vain is not asked for by somebody who knows that. `prefix` stands before the names of parameters:
-/// "--" where they are options.
+/// is asked for in vain is not asked for by somebody who knows that. Where parameters are options, `optionOf` gives
+/// their names, "--no-outline" for a truth value that is true by default; else they are called by their ids.
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
-                  const std::string& prefix = {});
+                  const OptionOfParameter& optionOf = {});
 
 /// The same where no dataset is asked for: what only some domains have counts as used.
-Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const std::string& prefix);
+Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values,
+                  const OptionOfParameter& optionOf = {});
 
 } // namespace tetra

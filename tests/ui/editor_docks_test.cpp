@@ -6,6 +6,7 @@
 #include "ui/panels/session_editor_host.h"
 #include "ui/session/view_json.h"
 #include "ui/viewport/value_pick.h"
+#include "ui/widgets/mnemonics.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -87,7 +88,7 @@ private slots:
         const auto& transfer = window_->find<QLabel>("transfer.hint");
         const auto& low = window_->find<QDoubleSpinBox>("example.band.low");
         QVERIFY(!band.isHidden() && !transfer.isHidden());
-        const QString mode = window_->find<QAction>("action.mode.isosurface").text();
+        const QString mode = withoutMnemonic(window_->find<QAction>("action.mode.isosurface").text());
         QCOMPARE(band.text(), "The mode " + mode + " has nothing to edit here. Choose another mode.");
         QCOMPARE(transfer.text(), "The mode " + mode + " shows no transfer function. Changes are seen in other modes.");
         QVERIFY(!low.isEnabled());

@@ -49,6 +49,33 @@ private slots:
         }
     }
 
+    /// An option exists under the name that the error calls it.
+    void whatIsOfNoUseNamesOptionsThatExist()
+    {
+        Parameter surface{.id = "surface", .defaultValue = true};
+        Parameter lines{.id = "lines", .defaultValue = false};
+        Parameter kind{.id = "kind", .defaultValue = std::string("plain")};
+        Parameter colour{.id = "colour", .defaultValue = 1.0, .onlyWith = {"surface", {true}}};
+        Parameter width{.id = "width", .defaultValue = 1.0, .onlyWith = {"lines", {true}}};
+        Parameter depth{.id = "depth", .defaultValue = 1.0, .onlyWith = {"kind", {std::string("deep")}}};
+        const std::vector<Parameter> all = {surface, lines, kind, colour, width, depth};
+        const OptionOfParameter option = [](const Parameter& parameter) {
+            return parameter.id == "surface" ? "--no-surface" : "--" + parameter.id;
+        };
+        const auto textOf = [&](const ParameterValues& values) {
+            const Status status = checkOfUse(all, values, option);
+            return status ? std::string() : status.error().text();
+        };
+        QCOMPARE(textOf({{"colour", 2.0}, {"surface", false}}),
+                 "'--colour' is of use only without '--no-surface'. Leave one of them out.");
+        QCOMPARE(textOf({{"width", 2.0}}), "'--width' is of use only with '--lines'. Leave it out, or give both.");
+        QCOMPARE(textOf({{"depth", 2.0}}),
+                 "'--depth' is of use only if '--kind' is deep. Leave it out, or choose that.");
+        QCOMPARE(textOf({{"colour", 2.0}}), std::string());
+        QCOMPARE(checkOfUse(all, {{"width", 2.0}}).error().text(),
+                 "'width' is of use only if 'lines' is true. Leave it out, or choose that.");
+    }
+
     void refusesWhatDoesNotFit_data()
     {
         QTest::addColumn<QString>("kind");
