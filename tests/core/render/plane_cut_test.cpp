@@ -42,8 +42,8 @@ double areaInCube(const HalfSpace& plane)
     for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 4; ++side) {
             Vector3d begin = Vector3d::Zero();
-            begin[(axis + 1) % 3] = side % 2 * extent;
-            begin[(axis + 2) % 3] = side / 2 * extent;
+            begin[(axis + 1) % 3] = side % 2 == 0 ? 0 : extent;
+            begin[(axis + 2) % 3] = side < 2 ? 0 : extent;
             const double slope = plane.normal[axis], along = (plane.offset - plane.normal.dot(begin)) / slope;
             if (slope != 0 && along > -1e-9 && along < extent + 1e-9)
                 corners.push_back(begin + along * Vector3d::Unit(axis));
