@@ -116,7 +116,7 @@ public:
                 for (int i = 0; i < 7; ++i)
                     now[i] += right[i] * static_cast<float>(left - cell.left);
             }
-            addRow(cell, now, right, blocks_ + row * columns_ + left, end - left);
+            addRow(cell, now, right, blocks_ + std::ptrdiff_t(row) * columns_ + left, end - left);
             for (int i = 0; i < 7; ++i)
                 rows[i] += down[i];
         }
@@ -184,7 +184,7 @@ private:
                     nearest = limits->front;
                     firstBack = firstBack > limits->back ? firstBack : limits->back;
                 }
-            bool covers;
+            bool covers = false;
             if constexpr (lanes == 4) {
                 Halves parts[6];
                 for (int i = 0; i < 6; ++i)

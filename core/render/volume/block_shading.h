@@ -242,7 +242,7 @@ TETRA_SIMD_INLINE void shadeAmongSurfaces(const CoveredBlock& covered, int first
         more = any(meets);
         for (int lane = 0; more && lane < count; ++lane)
             if (meets[lane])
-                drawSurface(shading.fragments, perspective, static_cast<std::size_t>(first + lane), block, limits);
+                drawSurface(shading.fragments, perspective, std::size_t(first) + std::size_t(lane), block, limits);
     }
 }
 
