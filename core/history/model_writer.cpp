@@ -62,7 +62,7 @@ std::span<const std::byte> bytesOfEach(std::span<const Key> keys, Buffer<std::by
     scratch.resize(keys.size() * sizeof(Element));
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const Element element = elementOf(keys[i]);
-        std::memcpy(scratch.data() + i * sizeof(Element), &element, sizeof(Element));
+        std::memcpy(scratch.data() + i * sizeof(Element), static_cast<const void*>(&element), sizeof(Element));
     }
     return scratch;
 }
