@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command_line/model_mesh.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
+#include "app/command_line/queried_mesh.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
@@ -9,6 +9,7 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 
+#include <tan/query.h>
 #include <tan/render.h>
 
 #include <QFile>
@@ -17,9 +18,26 @@
 #include <array>
 #include <chrono>
 #include <limits>
+#include <memory>
 
 namespace tetra {
 namespace {
+
+/// A model and one mesh of it.
+struct ModelMesh {
+    std::shared_ptr<const Model> model;
+    MeshSize size;
+    std::shared_ptr<const TetrahedralMesh> mesh;
+};
+
+Result<ModelMesh> meshAt(const std::shared_ptr<const Model>& model, const Accuracy& accuracy, const Progress& progress)
+{
+    const MeshSize size = meshSizeAt(*model, accuracy);
+    auto mesh = confirmed(*model, extractPrefix(*model, size.sites, progress), progress);
+    if (!mesh)
+        return mesh.error();
+    return ModelMesh{model, size, std::make_shared<const TetrahedralMesh>(*std::move(mesh))};
+}
 
 Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
 {
@@ -165,15 +183,18 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         return safe.error();
 
     const auto start = std::chrono::steady_clock::now();
-    const auto shown = openModelMesh(input, *accuracy, invocation.progress.part(0, 0.3));
+    const auto model = Model::open(input);
+    if (!model)
+        return model.error();
+    if (const Status warps = checkWarpingOption(arguments, **model); !warps)
+        return warps.error();
+    if (const Status inRange = checkInRange(*isovalues, (*model)->description().range); !inRange)
+        return inRange.error();
+    if (const Status safe = checkMeshOutput(output, **model); !safe)
+        return safe.error();
+    const auto shown = meshAt(*model, *accuracy, invocation.progress.part(0, 0.3));
     if (!shown)
         return shown.error();
-    if (const Status warps = checkWarpingOption(arguments, *shown->model); !warps)
-        return warps.error();
-    if (const Status inRange = checkInRange(*isovalues, shown->model->description().range); !inRange)
-        return inRange.error();
-    if (const Status safe = checkMeshOutput(output, *shown->model); !safe)
-        return safe.error();
     if (const Status fits = checkMemoryForSurfaces(*shown->mesh, *isovalues); !fits)
         return fits.error();
     const auto surfaces = extractAll(*shown->mesh, *isovalues, invocation.progress.part(0.3, 0.8));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said where OpenGL is missing or too old.
 #include "core/render/gl/egl_context.h"
-#include "core/render/gl/egl_devices.h"
 #include "core/render/gl/scene_painter.h"
 
 #include <QTest>

@@ -16,6 +16,8 @@ import inputs
 
 # A command of these takes a fraction of a second; on a machine with other work a few.
 HANGS_AFTER = 120
+# Runs of which the shortest tells how long a command takes: the first ones read their files from the disk.
+TIMED = 4
 DONE, USAGE, BAD_INPUT, OUT_OF_RESOURCE, CANCELLED = 0, 2, 3, 4, 130
 
 
@@ -93,10 +95,8 @@ QUERIES = {
 class Bench:
     """The programs under test, a folder to work in, and the whole datasets and models, made once."""
 
-    def __init__(self, build, source, home, with_vtk, timed):
+    def __init__(self, build, source, home, with_vtk):
         self.build, self.source, self.with_vtk = build, source, with_vtk
-        # Runs of which the shortest tells how long a command takes: the first ones read their files from the disk.
-        self.timed = timed
         self.tan = build / "bin/tan"
         self.work = home / "work"
         self.whole = home / "whole"
@@ -170,7 +170,7 @@ class Bench:
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir(parents=True)
             self.put_sample(kind, place)
-            builds = [self.run(self.build_command(kind), place) for _ in range(self.timed)]
+            builds = [self.run(self.build_command(kind), place) for _ in range(TIMED)]
             assert all(built.code == DONE for built in builds), builds[-1].said()
             return (place / "model.tan").read_bytes(), min(built.seconds for built in builds)
         return self.once(("model", kind.name), make)
@@ -215,7 +215,7 @@ class Bench:
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir(parents=True)
             (place / "model.tan").write_bytes(self.model(kind)[0])
-            asked = [self.ask(kind, name, place) for _ in range(self.timed)]
+            asked = [self.ask(kind, name, place) for _ in range(TIMED)]
             for ran, told in asked:
                 assert ran.code == DONE and told == asked[0][1] is not None, "%s of %s: %s" % (name, kind.name, ran.said())
             return asked[0][1], min(ran.seconds for ran, told in asked)

@@ -426,9 +426,9 @@ def change_in_use(bench, folder, chance, number):
 
 PARTS = (
     Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 1000, 40),
-    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 90),
+    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 150),
     Part("cuts", "a dataset cut anywhere, in every format that can be written here", cut_file, 3000, 100),
-    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 10_000, 100),
+    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 10_000, 150),
     Part("writes", "each call that writes fails once, as on a full disk", failed_write, 10 ** 9, 60, counted=lambda bench: len(write_failures(bench))),
     Part("allocations", "each allocation of small builds fails once", failed_allocation, 10 ** 9, 120,
          counted=lambda bench: len(allocations(bench))),

@@ -14,7 +14,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <ctime>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define TAN_HEAP_IS_COUNTED
@@ -36,9 +35,9 @@ constexpr int gesturesBetweenRests = 25;
 constexpr int gesturesBetweenMeasured = 8; ///< the others take no more time than the window needs for them
 constexpr int gesturesBetweenOthers = 10;  ///< that are about something else than the transfer function
 constexpr double allowedMegabytes = 20;
-/// From an edit to a picture that shows it, of all but the slowest hundredth: seconds of the processor, in all threads,
-/// as what else the machine does says nothing about the program. Two cores at work for half a second make one.
-constexpr double allowedSeconds = isInstrumented ? 20 : 2;
+/// From an edit to a picture that shows it, of all but the slowest hundredth. It takes a few hundredths of it on one
+/// core of 2020: this is for machines that have other things to do.
+constexpr double allowedSeconds = isInstrumented ? 10 : 1;
 constexpr int editsBeforeTheKill = 300;
 constexpr const char* killedModel = "TAN_TEST_KILLED_MODEL"; ///< of the program that is killed: the model it opens
 constexpr const char* killedFolder = "TAN_TEST_KILLED_FOLDER";
@@ -68,13 +67,8 @@ void trimHeap()
 #endif
 }
 
-struct Moment {
-    double clock = 0;     ///< seconds, on the wall
-    double processor = 0; ///< seconds of it that this program had, in all threads
-};
-
-/// What it takes from each edit to the first picture that shows the newest: an edit that is overtaken by the next one
-/// waits with it.
+/// How long it takes from each edit to the first picture that shows the newest: an edit that is overtaken by the next
+/// one waits with it.
 class Latencies {
 public:
     explicit Latencies(const WindowFixture& window) : window_(window)
@@ -82,7 +76,7 @@ public:
         clock_.start();
         QObject::connect(&window.viewport(), &Viewport::framePainted, &window.viewport(), [this] { painted(); });
     }
-    void edited() { waiting_.push_back(now()); }
+    void edited() { waiting_.push_back(clock_.nsecsElapsed()); }
     bool isShown() const { return waiting_.empty(); }
     /// No picture is to come any more: it is shown, or there was nothing else to be seen.
     bool isOver()
@@ -91,12 +85,11 @@ public:
             waiting_.clear();
         return isShown();
     }
-    std::size_t count() const { return taken_.size(); }
-    /// Seconds, which this share of the edits did not exceed.
-    double quantile(double Moment::*kind, double share)
+    /// Seconds, ascending.
+    std::vector<double> sorted()
     {
-        std::ranges::sort(taken_, {}, kind);
-        return taken_[std::min(taken_.size() - 1, std::size_t(static_cast<double>(taken_.size()) * share))].*kind;
+        std::ranges::sort(seconds_);
+        return seconds_;
     }
 
 private:
@@ -104,20 +97,15 @@ private:
     {
         if (window_.workbench.scenes().sceneBuilder().busy())
             return; // the picture is of an older scene
-        const Moment end = now();
-        for (const Moment& start : waiting_)
-            taken_.push_back({end.clock - start.clock, end.processor - start.processor});
+        for (const qint64 start : waiting_)
+            seconds_.push_back(static_cast<double>(clock_.nsecsElapsed() - start) * 1e-9);
         waiting_.clear();
-    }
-    Moment now() const
-    {
-        return {static_cast<double>(clock_.nsecsElapsed()) * 1e-9, static_cast<double>(std::clock()) / CLOCKS_PER_SEC};
     }
 
     const WindowFixture& window_;
     QElapsedTimer clock_;
-    std::vector<Moment> waiting_;
-    std::vector<Moment> taken_;
+    std::vector<qint64> waiting_;
+    std::vector<double> seconds_;
 };
 
 /// The window at work until the next edit comes; if the newest is shown before, nobody waits.
@@ -231,16 +219,15 @@ void EditingSessionTest::anHourOfEditing()
             warm = megabytesAtRest(*window);
     }
     const double grown = megabytesAtRest(*window) - warm.value_or(0);
-    QVERIFY(latencies.count() > std::size_t(edits / gesturesBetweenMeasured) / 2);
-    const double slow = latencies.quantile(&Moment::processor, .99);
+    const std::vector<double> seconds = latencies.sorted();
+    QVERIFY(seconds.size() > std::size_t(edits / gesturesBetweenMeasured) / 2);
+    const double slow = seconds[seconds.size() * 99 / 100];
     qInfo("%d edits in an hour, %d steps: %.1f MB more than after a quarter of it; from edit to picture %.3f s in the "
-          "middle, %.3f s for the slowest hundredth, %.3f s at most; of the processor %.3f s, %.3f s, %.3f s",
-          edits, stack.count(), grown, latencies.quantile(&Moment::clock, .5), latencies.quantile(&Moment::clock, .99),
-          latencies.quantile(&Moment::clock, 1), latencies.quantile(&Moment::processor, .5), slow,
-          latencies.quantile(&Moment::processor, 1));
+          "middle, %.3f s for the slowest hundredth, %.3f s at most",
+          edits, stack.count(), grown, seconds[seconds.size() / 2], slow, seconds.back());
     if (megabytesHeld())
         QVERIFY2(grown <= allowedMegabytes, qPrintable(QString("%1 MB more").arg(grown)));
-    QVERIFY2(slow <= allowedSeconds, qPrintable(QString("%1 s of the processor from edit to picture").arg(slow)));
+    QVERIFY2(slow <= allowedSeconds, qPrintable(QString("%1 s from edit to picture").arg(slow)));
 
     const ViewValue end = session.view();
     const int steps = stack.count();
