@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace tetra {
 namespace {
@@ -47,7 +49,69 @@ std::vector<NamedScene> scenesOf(const RenderingScene& source)
             {"with depth", alone, true}};
 }
 
+/// Seconds of each picture of the scene by each camera but the first, and that last picture.
+struct Turned {
+    std::vector<double> seconds;
+    std::vector<double> orderSeconds;
+    Picture last;
+};
+
+Turned turn(RenderBackend& backend, const Scene& scene, const std::vector<Camera>& cameras, PictureOptions options)
+{
+    Turned turned;
+    for (std::size_t frame = 0; frame < cameras.size() + 1; ++frame) {
+        const Camera& camera = cameras[frame == 0 ? 0 : frame - 1];
+        const double time = secondsOf([&] {
+            auto picture = backend.render(scene, camera, options);
+            if (!picture)
+                qFatal("%s", picture.error().text().c_str());
+            turned.last = std::move(*picture);
+        });
+        if (frame == 0)
+            continue;
+        turned.seconds.push_back(time);
+        turned.orderSeconds.push_back(backend.statistics().orderSeconds);
+    }
+    return turned;
+}
+
+/// Of 255, in any channel of any pixel.
+int largestDifference(const Picture& one, const Picture& other)
+{
+    int largest = 0;
+    for (std::size_t pixel = 0; pixel < one.pixels.size(); ++pixel)
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            largest = std::max(largest, std::abs(int(one.pixels[pixel][channel]) - int(other.pixels[pixel][channel])));
+    return largest;
+}
+
 } // namespace
+
+std::vector<BenchCase> glCases(const RenderingScene& scene, int size)
+{
+    const auto gl = makeGlBackend();
+    if (!gl) {
+        std::fprintf(stderr, "skipped: %s\n", gl.error().text().c_str());
+        return {};
+    }
+    std::vector<BenchCase> cases;
+    for (const NamedScene& named : scenesOf(scene)) {
+        const PictureOptions options{.width = size, .height = size, .depth = named.depth};
+        const Turned card = turn(**gl, named.scene, scene.cameras, options);
+        const auto sentBytes = double((*gl)->statistics().sentBytes);
+        const Turned processor = turn(*makeCpuBackend(), named.scene, scene.cameras, options);
+        BenchCase one;
+        one.name = QString("%1, %2, %3, OpenGL").arg(scene.name).arg(size).arg(named.name);
+        one.seconds = median(card.seconds);
+        one.yardstick = "CPU back end, all threads";
+        one.yardstickSeconds = median(processor.seconds);
+        one.more = {{"order_seconds", median(card.orderSeconds)},
+                    {"sent_bytes", sentBytes},
+                    {"largest_difference", double(largestDifference(card.last, processor.last))}};
+        cases.push_back(one);
+    }
+    return cases;
+}
 
 std::vector<BenchCase> hybridCases(const RenderingScene& scene, int size)
 {

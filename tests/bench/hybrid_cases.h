@@ -12,4 +12,8 @@ namespace tetra {
 /// plane, lit, with depth. The visibility order is made beforehand.
 std::vector<BenchCase> hybridCases(const RenderingScene& scene, int size);
 
+/// The same scenes by OpenGL without a window while the camera turns, reading back included, each beside the CPU back
+/// end on all threads; how far the last pictures differ. None where the machine has no OpenGL, which stderr is told.
+std::vector<BenchCase> glCases(const RenderingScene& scene, int size);
+
 } // namespace tetra

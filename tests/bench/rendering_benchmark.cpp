@@ -127,7 +127,7 @@ int main(int argc, char** argv)
     parser.addOption({"frames", "Frames of each case, at least 3; the median is reported.", "N", "5"});
     parser.addOption({"cells", "Cells along an axis of the Marschner-Lobb signal and of C60.", "N", "64"});
     parser.addOption({"sizes", "Sides of the pictures, with commas between.", "N,N", "512,1024"});
-    parser.addOption({"parts", "What to measure: volume, hybrid, isosurface, order, with commas between.", "PARTS",
+    parser.addOption({"parts", "What to measure: volume, hybrid, gl, isosurface, order, with commas between.", "PARTS",
                       "volume,isosurface,order"});
     parser.addOption({"without-vtk", "Leave the comparison with VTK out."});
     parser.addOption({"pictures", "Keep the last picture of each case in this folder.", "FOLDER"});
@@ -141,6 +141,10 @@ int main(int argc, char** argv)
         for (const RenderingScene& scene : renderingScenes(parser.value("cells").toUInt(), frames))
             for (const QString& size : parser.value("sizes").split(','))
                 std::ranges::move(hybridCases(scene, size.toInt()), std::back_inserter(cases));
+    if (parts.contains("gl"))
+        for (const RenderingScene& scene : renderingScenes(parser.value("cells").toUInt(), frames))
+            for (const QString& size : parser.value("sizes").split(','))
+                std::ranges::move(glCases(scene, size.toInt()), std::back_inserter(cases));
     for (const BenchMesh& mesh : benchMeshes(parser.value("cells").toUInt())) {
         std::vector<BenchCase> ofMesh;
         if (parts.contains("isosurface"))
