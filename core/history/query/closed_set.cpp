@@ -126,16 +126,20 @@ class Growth {
 public:
     static constexpr std::uint64_t noBudget = std::numeric_limits<std::uint64_t>::max();
 
-    Growth(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion, std::uint32_t prefix,
+    Growth(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion, ClosedSet set,
            std::uint64_t budget)
-        : model_(model), links_(links), criterion_(criterion),
-          budget_(budget), set_{SiteSet(model.siteCount(), prefix), prefix,
-                                prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1}
+        : model_(model), links_(links), criterion_(criterion), budget_(budget), set_(std::move(set))
     {
+    }
+
+    static ClosedSet firstSites(const Model& model, std::uint32_t prefix)
+    {
+        return {SiteSet(model.siteCount(), prefix), prefix, prefix > 0 ? model.meshSizes()[prefix - 1] : 0, 1};
     }
 
     Result<ClosedSet> run(const Progress& progress);
     Result<ClosedSet> runWithin(const Progress& progress);
+    Result<ClosedSet> goOn(std::span<const std::uint32_t> sites, const Progress& progress);
 
 private:
     struct Coarse {
@@ -200,6 +204,17 @@ Result<ClosedSet> Growth::runWithin(const Progress& progress)
             break;
         }
     }
+    return std::move(set_);
+}
+
+/// What is left of an earlier level has its scale.
+Result<ClosedSet> Growth::goOn(std::span<const std::uint32_t> sites, const Progress& progress)
+{
+    for (const std::uint32_t site : sites)
+        addGroup(site);
+    const double worse = std::nextafter(set_.scale, std::numeric_limits<double>::infinity());
+    if (const Status closed = close(worse, progress); !closed)
+        return closed.error();
     return std::move(set_);
 }
 
@@ -301,13 +316,25 @@ bool Growth::isHopeless() const
 Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                     std::uint32_t prefix, const Progress& progress)
 {
-    return Growth(model, links, criterion, prefix, Growth::noBudget).run(progress);
+    return Growth(model, links, criterion, Growth::firstSites(model, prefix), Growth::noBudget).run(progress);
 }
 
 Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                   std::uint64_t budget, const Progress& progress)
 {
-    return Growth(model, links, criterion, 0, std::min(budget, model.tetrahedronCount())).runWithin(progress);
+    return Growth(model, links, criterion, Growth::firstSites(model, 0), std::min(budget, model.tetrahedronCount()))
+        .runWithin(progress);
+}
+
+Status extendSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion, bool budgeted,
+                 std::span<const std::uint32_t> sites, const Progress& progress, ClosedSet& set)
+{
+    const std::uint64_t most = budgeted ? model.tetrahedronCount() : Growth::noBudget;
+    auto extended = Growth(model, links, criterion, std::move(set), most).goOn(sites, progress);
+    if (!extended)
+        return extended.error();
+    set = *std::move(extended);
+    return {};
 }
 
 namespace {

@@ -110,6 +110,11 @@ Result<ClosedSet> smallestClosedSet(const Model& model, const HistoryLinks& link
 Result<ClosedSet> closedSetWithin(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion,
                                   std::uint64_t budget, const Progress& progress);
 
+/// Adds these sites, which are known to the links, with all that they need, and destroys what comes with them and is
+/// too coarse: without `budgeted` for the criterion, else for its fields times set.scale.
+Status extendSet(const Model& model, const HistoryLinks& links, const RefinementCriterion& criterion, bool budgeted,
+                 std::span<const std::uint32_t> sites, const Progress& progress, ClosedSet& set);
+
 /// Takes the mesh of a closed set out of the file: vertices are its sites, ascending, tetrahedra come by creator. The
 /// buffers of `out` are used again. `places` of all its sites. Errors: a damaged file, cancelled.
 Status extractSet(const Model& model, const ClosedSet& set, const SitePlaces& places, const Progress& progress,

@@ -2,6 +2,7 @@
 #include "core/history/query/mesh_extractor.h"
 
 #include "core/base/guarded.h"
+#include "core/history/query/boundary_repair.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
 #include "core/history/query/refinement_criterion.h"
@@ -157,6 +158,10 @@ private:
     Status extractWhole(const MeshQuery& query, const Progress& progress);
     Status extractUniform(const MeshQuery& query, const Progress& progress);
     Status extractClosedSet(const MeshQuery& query, const Progress& progress);
+    Status extractSoundSet(const MeshQuery& query, const RefinementCriterion& criterion, std::uint32_t finest,
+                           const Progress& progress);
+    Status extractRepaired(const RefinementCriterion& criterion, bool budgeted, std::uint32_t finest,
+                           std::uint64_t most, const Progress& progress, ClosedSet& set);
     std::optional<Message> obstacleToInsertion(const MeshQuery& query) const;
     bool insertionIsBetter(const MeshQuery& query);
     Status extractByInsertion(const MeshQuery& query, const Progress& progress);
@@ -273,13 +278,75 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     if (const Status covered = ensureSites(finest); !covered)
         return covered;
     criterion.lookAtSites(finest);
-    const auto set = query.budget
-                         ? closedSetWithin(*model_, links_, criterion, *query.budget, progress.part(0.3, 0.8))
-                         : smallestClosedSet(*model_, links_, criterion,
-                                             meshSizeAt(*model_, criterion.coarsest()).sites, progress.part(0.3, 0.8));
-    if (!set)
-        return set.error();
-    return extractSet(*model_, *set, places_, progress.part(0.8, 1), startWhole());
+    return extractSoundSet(query, criterion, finest, progress.part(0.3, 1));
+}
+
+/// Of irregular data, whose boundary moves, only prefixes are certain not to meet themselves: other sets are tested,
+/// and grow until they do not (C3). Within a budget, one that grows beyond it is begun again with a smaller one.
+Status MeshExtractor::Work::extractSoundSet(const MeshQuery& query, const RefinementCriterion& criterion,
+                                            std::uint32_t finest, const Progress& progress)
+{
+    if (!query.budget) {
+        auto set = smallestClosedSet(*model_, links_, criterion, meshSizeAt(*model_, criterion.coarsest()).sites,
+                                     progress.part(0, 0.7));
+        return set ? extractRepaired(criterion, false, finest, model_->tetrahedronCount(), progress.part(0.7, 1), *set)
+                   : Status(set.error());
+    }
+    constexpr int mostBudgets = 6;
+    std::uint64_t budget = *query.budget;
+    for (int tried = 0; tried < mostBudgets && budget > 0; ++tried) {
+        auto set = closedSetWithin(*model_, links_, criterion, budget, progress.part(0, 0.7));
+        if (!set && tried > 0)
+            break; // less than the coarsest mesh
+        if (!set)
+            return set.error();
+        if (const Status extracted =
+                extractRepaired(criterion, true, finest, *query.budget, progress.part(0.7, 1), *set);
+            !extracted || set->tetrahedra <= *query.budget)
+            return extracted;
+        budget -= std::min(budget, 2 * (set->tetrahedra - *query.budget));
+    }
+    const auto size = meshSizeWithin(*model_, criterion.finest(), *query.budget);
+    if (!size)
+        return size.error();
+    ClosedSet prefix{SiteSet(model_->siteCount(), size->sites), size->sites, size->tetrahedra,
+                     scaleReached(*size, criterion.finest())};
+    return extractSet(*model_, prefix, places_, progress.part(0.7, 1), startWhole());
+}
+
+/// Ends with a larger set than `most` tetrahedra as soon as that is known.
+Status MeshExtractor::Work::extractRepaired(const RefinementCriterion& criterion, bool budgeted, std::uint32_t finest,
+                                            std::uint64_t most, const Progress& progress, ClosedSet& set)
+{
+    constexpr int mostRounds = 32;
+    for (int round = 0; set.tetrahedra <= most; ++round) {
+        const Progress rest = progress.part(1 - 1 / (1.0 + round), 1 - 1 / (2.0 + round));
+        if (const Status extracted = extractSet(*model_, set, places_, rest, startWhole()); !extracted)
+            return extracted;
+        if (model_->description().domain != DomainClass::Irregular || set.sites.count() == set.prefix)
+            return {};
+        const auto repair = testBoundary(*model_, whole_->content, finest, rest.withCallback({}));
+        if (!repair)
+            return repair.error();
+        if (repair->isSound)
+            return {};
+        // At worst the prefix of the finest accuracy that is asked for anywhere.
+        std::vector<std::uint32_t> all;
+        if (repair->sites.empty() || round >= mostRounds) {
+            all.resize(finest);
+            std::iota(all.begin(), all.end(), 0);
+        }
+        const std::uint32_t before = set.sites.count();
+        if (const Status extended =
+                extendSet(*model_, links_, criterion, budgeted,
+                          all.empty() ? std::span(repair->sites) : std::span<const std::uint32_t>(all),
+                          rest.withCallback({}), set);
+            !extended)
+            return extended;
+        if (set.sites.count() == before)
+            return {}; // the model's finest mesh is no better
+    }
+    return {};
 }
 
 /// Why a query cannot be answered by insertion, a sentence without its full stop; nothing if, without looking, it can.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random queries to models of irregular data and to decimated ones of any kind: the mesh is the one that going through
 // the whole history gives, and the independent judge proves it (B1, B3, R14, R25).
+#include "core/history/query/boundary_repair.h"
+#include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
 #include "core/history/query/region_refiner.h"
+#include "core/history/site_positions.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/query/random_queries.h"
 
@@ -20,6 +23,26 @@ struct Case {
     Dataset dataset;
     std::shared_ptr<const Model> model;
 };
+
+/// The mesh of the smallest closed set for a query without a budget, whether or not its boundary meets itself.
+ExtractedMesh smallestMesh(const Model& model, const MeshQuery& query)
+{
+    SitePlaces places;
+    HistoryLinks links;
+    ExtractedMesh mesh;
+    bool good = placeSites(model, model.siteCount(), places.positions) &&
+                copyValues(model, model.siteCount(), places.values) && links.cover(model, model.siteCount(), {});
+    const RefinementCriterion criterion(model, query, places);
+    const auto set = smallestClosedSet(model, links, criterion, meshSizeAt(model, criterion.coarsest()).sites, {});
+    good = good && set && extractSet(model, *set, places, {}, mesh);
+    return good ? mesh : ExtractedMesh();
+}
+
+bool isSound(const Model& model, const ExtractedMesh& mesh)
+{
+    const auto repair = testBoundary(model, mesh, model.siteCount(), {});
+    return repair && repair->isSound;
+}
 
 } // namespace
 
@@ -87,6 +110,48 @@ private slots:
                 QVERIFY(isProved(*one.model, one.dataset, query, **mesh));
             }
         }
+    }
+
+    /// Where the boundary of the smallest closed set meets itself, and the judge says so, the answer has more sites and
+    /// is proved; with a budget, it is within that (C3).
+    void boundariesNeverMeetThemselves()
+    {
+        std::mt19937 random(6);
+        int repaired = 0;
+        for (std::uint32_t seed = 1000; seed < 1120; ++seed) {
+            const Dataset dataset = randomIrregular(seed);
+            const auto model = modelOf(folder_.filePath("repaired").toStdString(), dataset, decimated(dataset));
+            MeshExtractor extractor(model);
+            for (int round = 0; round < 8; ++round) {
+                MeshQuery query;
+                query.error = randomRamp(random, *model);
+                query.warping = query.error;
+                query.method = VariableMethod::ClosedSet;
+                const ExtractedMesh smallest = smallestMesh(*model, query);
+                const bool sound = isSound(*model, smallest);
+                const auto verdict = verifyMesh(*model, dataset, query, smallest);
+                QVERIFY(verdict.ok());
+                QCOMPARE(sound, verdict->ok());
+                const auto mesh = extractor.extract(query);
+                QVERIFY(mesh.ok());
+                QVERIFY(isSound(*model, **mesh));
+                QCOMPARE((*mesh)->wholeSites > smallest.wholeSites, !sound);
+                if (sound)
+                    continue;
+                ++repaired;
+                QVERIFY(isProved(*model, dataset, query, **mesh));
+                for (const std::uint64_t budget : {smallest.wholeTetrahedra, smallest.wholeTetrahedra * 3 / 4}) {
+                    query.budget = budget;
+                    const auto within = extractor.extract(query);
+                    if (!within)
+                        QCOMPARE(within.error().kind, ErrorKind::WrongUsage);
+                    else
+                        QVERIFY((*within)->wholeTetrahedra <= budget && isProved(*model, dataset, query, **within));
+                }
+            }
+        }
+        qInfo("%d of 960 meshes repaired", repaired);
+        QVERIFY(repaired >= 5);
     }
 
     /// Nothing is inserted into a mesh that is not Delaunay, however sharp the focus is.
