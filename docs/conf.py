@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 USERS = ["index", "first-steps", "manual", "accuracy", "scaling", "recipes", "command-line", "formats", "troubleshooting", "faq",
          "limitations", "glossary"]
 OLD_SCRIPTS = ["jquery.js", "underscore.js", "_sphinx_javascript_frameworks_compat.js"]  # for themes that need them, as this one does not
-DEVELOPERS = ["developers", "tetrahedral-graphics", "reliability", "measured", "performance", "dependencies"]
+DEVELOPERS = ["developers", "tetrahedral-graphics", "reliability", "measured", "performance", "dependencies", "requirements"]
 
 extensions = ["myst_parser"]
 project, author, html_title = "TAn", "The authors of TAn", "TAn"
