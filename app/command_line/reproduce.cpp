@@ -127,8 +127,9 @@ Syntax reproduceSyntax(PluginHost&)
             "of Volume Data, 1997) from their datasets, and prints the sizes of their meshes beside the paper's. "
             "Tables 1 to 3: curvilinear grids, regular grids, regular grids in blocks. Table 4: isosurfaces, and how "
             "long pictures of surfaces, volumes and both take. Into "
-            "the folder go the tables as text, Markdown and JSON, Figures 10 and 11 as PNG and SVG, and the "
-            "models. What has no data is skipped, and said so. With --compare-builders, in place of the tables unless "
+            "the folder go the tables as text, Markdown and JSON, Figures 10 and 11 as PNG and SVG, the pictures of "
+            "Figures 13 to 15 as PNG, and the models. What has no data is skipped, and said so. With "
+            "--compare-builders, in place of the tables unless "
             "they are named: refinement against decimation on convex, curvilinear and irregular data, with charts.",
         .positionals = {},
         .options = {{.name = "tables",

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/figures.h"
 
+#include "app/command_line/table.h"
 #include "app/reproduction/chart.h"
 #include "app/reproduction/sites_curve.h"
+#include "ui/workbench/picture_file.h"
 
 #include <tan/query.h>
 
@@ -122,6 +124,21 @@ Result<std::vector<std::filesystem::path>> drawFigures(const Reproduction& repro
     if (bluntFin != reproduction.models.end())
         if (const Status written = write("figure11", distribution(*bluntFin)); !written)
             return written.error();
+    const auto keep = [&](const std::string& name, const Picture& picture) -> Status {
+        files.push_back(folder / (name + ".png"));
+        return writePicture(imageOf(picture), files.back());
+    };
+    for (const ReproducedPicture& picture : reproduction.pictures)
+        if (const Status written = keep("figure" + std::to_string(picture.figure), picture.picture); !written)
+            return written.error();
+    for (const ReproducedSurface& row : reproduction.surfaces)
+        if (row.variant == reproduction.surfaces.front().variant)
+            for (const auto& [what, picture] :
+                 {std::pair("isosurface", &row.surfacePicture), std::pair("volume", &row.volumePicture)})
+                if (const Status written =
+                        keep("figure14-" + std::string(what) + "-" + rounded(row.paper.error), *picture);
+                    !written)
+                    return written.error();
     return files;
 }
 

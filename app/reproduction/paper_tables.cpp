@@ -94,6 +94,7 @@ PaperModel modelOf(TableFile& file, std::size_t row)
     if (file.has("block_edge_as_printed"))
         model.blockEdge = file.number<std::uint64_t>(row, "block_edge_as_printed");
     model.tetrahedra = file.number<std::uint64_t>(row, "model_total_tetrahedra");
+    model.bytes = 1024 * file.number<std::uint64_t>(row, "construction_peak_ram_kb");
     model.seconds = file.number<double>(row, "construction_time_cpu_seconds");
     return model;
 }
@@ -106,6 +107,7 @@ PaperLevel levelOf(TableFile& file, std::size_t row)
         level.warping = file.number<double>(row, "max_warping_delta_percent_of_bbox_diagonal");
     level.tetrahedra = file.number<std::uint64_t>(row, "lod_tetrahedra");
     level.sites = file.number<std::uint64_t>(row, "lod_sites");
+    level.sitesPercent = file.number<double>(row, "lod_sites_percent_as_printed");
     return level;
 }
 

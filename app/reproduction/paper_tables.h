@@ -18,6 +18,7 @@ struct PaperLevel {
     double warping = 0; ///< % of the bounding box's diagonal; 0 in convex domains
     std::uint64_t tetrahedra = 0;
     std::uint64_t sites = 0;
+    double sitesPercent = 0; ///< of the dataset's, as printed: cut, not rounded
 };
 
 /// A model of Tables 1 to 3.
@@ -26,6 +27,7 @@ struct PaperModel {
     std::array<std::uint32_t, 3> size{};
     std::uint64_t blockEdge = 0;  ///< 0: refined as a whole
     std::uint64_t tetrahedra = 0; ///< all that ever lived
+    std::uint64_t bytes = 0;      ///< of memory, the most that the build took
     double seconds = 0;           ///< of a MIPS R4000 at 100 MHz
     std::vector<PaperLevel> levels;
 };

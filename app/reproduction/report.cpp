@@ -20,8 +20,16 @@ QJsonObject meshFigures(std::uint64_t sites, std::uint64_t tetrahedra)
     return {{"sites", static_cast<qint64>(sites)}, {"tetrahedra", static_cast<qint64>(tetrahedra)}};
 }
 
+QJsonObject levelFigures(std::uint64_t sites, std::uint64_t tetrahedra, double sitesPercent)
+{
+    QJsonObject figures = meshFigures(sites, tetrahedra);
+    figures["sites_percent"] = sitesPercent;
+    return figures;
+}
+
 void addRows(const ReproducedModel& model, QJsonArray& rows)
 {
+    const double points = model.dataset ? static_cast<double>(model.dataset->pointCount()) : 0;
     for (const ReproducedLevel& level : model.levels)
         rows.append(QJsonObject{
             {"dataset", asQString(model.paper.dataset)},
@@ -31,8 +39,8 @@ void addRows(const ReproducedModel& model, QJsonArray& rows)
             {"variant", asQString(model.experiment.variant)},
             {"error", level.paper.error},
             {"warping", level.paper.warping},
-            {"paper", meshFigures(level.paper.sites, level.paper.tetrahedra)},
-            {"ours", meshFigures(level.sites, level.tetrahedra)},
+            {"paper", levelFigures(level.paper.sites, level.paper.tetrahedra, level.paper.sitesPercent)},
+            {"ours", levelFigures(level.sites, level.tetrahedra, 100 * static_cast<double>(level.sites) / points)},
             {"difference", QJsonObject{{"sites", differencePercent(level.sites, level.paper.sites)},
                                        {"tetrahedra", differencePercent(level.tetrahedra, level.paper.tetrahedra)}}}});
 }
@@ -45,13 +53,31 @@ QJsonObject modelFigures(const ReproducedModel& model)
                         {"skipped", model.model == nullptr}};
     if (model.model == nullptr)
         return figures;
-    figures["paper"] =
-        QJsonObject{{"tetrahedra", static_cast<qint64>(model.paper.tetrahedra)}, {"seconds", model.paper.seconds}};
+    const HistoryRatios ratios = historyRatios(model);
+    figures["paper"] = QJsonObject{{"tetrahedra", static_cast<qint64>(model.paper.tetrahedra)},
+                                   {"seconds", model.paper.seconds},
+                                   {"bytes", static_cast<qint64>(model.paper.bytes)},
+                                   {"of_finest_mesh", ratios.paper}};
     figures["ours"] = QJsonObject{{"tetrahedra", static_cast<qint64>(model.model->tetrahedronCount())},
                                   {"seconds", model.seconds},
+                                  {"bytes", static_cast<qint64>(model.bytes)},
+                                  {"of_finest_mesh", ratios.ours},
                                   {"inverted", static_cast<qint64>(model.inverted)},
                                   {"degenerate", static_cast<qint64>(model.degenerate)}};
     return figures;
+}
+
+QJsonObject degradationFigures(const Degradation& degradation)
+{
+    return {{"root_mean_square", degradation.rootMeanSquare}, {"pixels", degradation.visiblePercent}};
+}
+
+QJsonObject qualityFigures(const SurfaceQuality& quality)
+{
+    return {{"triangles", static_cast<qint64>(quality.triangles)},
+            {"distance", quality.rootMeanSquare},
+            {"largest_distance", quality.largest},
+            {"crossings", static_cast<qint64>(quality.crossings)}};
 }
 
 QJsonObject surfaceFigures(const ReproducedSurface& surface)
@@ -65,6 +91,13 @@ QJsonObject surfaceFigures(const ReproducedSurface& surface)
     ours["surface_seconds"] = surface.times.surface;
     ours["volume_seconds"] = surface.times.volume;
     ours["hybrid_seconds"] = surface.times.hybrid;
+    ours["surface_degradation"] = degradationFigures(surface.surfaceDegradation);
+    ours["volume_degradation"] = degradationFigures(surface.volumeDegradation);
+    if (surface.comparison.fromData.triangles > 0) {
+        ours["surface"] = qualityFigures(surface.comparison.fromData);
+        ours["simplified"] = qualityFigures(surface.comparison.simplified);
+        ours["simplifying_seconds"] = surface.comparison.simplifyingSeconds;
+    }
     return {{"dataset", asQString(surface.paper.dataset)},
             {"variant", asQString(surface.variant)},
             {"isovalue", surface.paper.isovalue},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// `tan reproduce` (R30) on a folder of data of the test's own: what it prints, writes, skips and refuses.
+/// `tan reproduce` (R30, C14) on a folder of data of the test's own: what it prints, writes, skips and refuses.
+#include "app/reproduction/paper_pictures.h"
+#include "app/reproduction/surface_comparison.h"
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
 
@@ -108,6 +110,78 @@ private slots:
         QCOMPARE(rows[1]["ours"]["sites"].toInt(), level["sites"].toInt());
         QCOMPARE(rows[1]["ours"]["tetrahedra"].toInt(), level["tetrahedra"].toInt());
         QVERIFY(level["sites"].toInt() > 8);
+
+        // C14: the columns % and RAM, and the history beside the finest mesh.
+        QCOMPARE(rows[0]["paper"]["sites_percent"].toDouble(), 21.0);
+        QCOMPARE(rows[1]["ours"]["sites_percent"].toDouble(), 100 * level["sites"].toDouble() / 120);
+        const QJsonValue model = tables[0]["models"].toArray()[1];
+        QCOMPARE(model["paper"]["bytes"].toDouble(), 25868 * 1024.0);
+        QVERIFY(model["ours"]["bytes"].toDouble() >= 0);
+        QCOMPARE(model["paper"]["of_finest_mesh"].toDouble(), 472130 / 176687.0);
+        QCOMPARE(model["ours"]["of_finest_mesh"].toDouble(),
+                 model["ours"]["tetrahedra"].toDouble() / level["tetrahedra"].toDouble());
+    }
+
+    /// C14: pictures are compared where they show something, and a pixel is off if a colour is by a tenth.
+    void degradationIsThatOfThePixels()
+    {
+        Picture white{2, 2, {}};
+        white.pixels.assign(4, {255, 255, 255, 255});
+        Picture one = white;
+        one.pixels[0] = {0, 255, 255, 255};
+        Picture other = one;
+        QCOMPARE(degradationOf(one, other).rootMeanSquare, 0.0);
+        other.pixels[0] = {51, 255, 255, 255};
+        other.pixels[1] = {235, 255, 255, 255};
+        const Degradation degradation = degradationOf(one, other);
+        QCOMPARE(degradation.visiblePercent, 50.0);
+        QCOMPARE(degradation.rootMeanSquare, 100 * std::sqrt((51.0 * 51 + 20 * 20) / 6) / 255);
+        QCOMPARE(degradationOf(white, white).visiblePercent, 0.0);
+    }
+
+    /// C14: two spheres, one in the other, and coarse ones of as many triangles.
+    void surfacesAreComparedByDistanceAndCrossings()
+    {
+        const auto sphere = [](int rings, float radius) {
+            TriangleMesh mesh;
+            std::vector<Eigen::Vector3f> positions{{0, 0, radius}, {0, 0, -radius}};
+            std::vector<std::array<std::uint32_t, 3>> triangles;
+            const auto at = [&](int ring, int place) {
+                return static_cast<std::uint32_t>(2 + (ring - 1) * 2 * rings + place % (2 * rings));
+            };
+            for (int ring = 1; ring < rings; ++ring)
+                for (int place = 0; place < 2 * rings; ++place) {
+                    const double down = M_PI * ring / rings, around = M_PI * place / rings;
+                    positions.emplace_back(radius * std::sin(down) * std::cos(around),
+                                           radius * std::sin(down) * std::sin(around), radius * std::cos(down));
+                    if (ring == 1)
+                        triangles.push_back({0, at(1, place), at(1, place + 1)});
+                    if (ring + 1 < rings) {
+                        triangles.push_back({at(ring, place), at(ring + 1, place), at(ring + 1, place + 1)});
+                        triangles.push_back({at(ring, place), at(ring + 1, place + 1), at(ring, place + 1)});
+                    } else {
+                        triangles.push_back({at(ring, place + 1), at(ring, place), 1});
+                    }
+                }
+            mesh.positions.assign(positions.begin(), positions.end());
+            mesh.triangles.assign(triangles.begin(), triangles.end());
+            return mesh;
+        };
+        const std::array finest{sphere(40, 1), sphere(40, 0.98f)};
+        const SurfaceComparison same = compareSurfaces(finest, finest);
+        QVERIFY(same.fromData.largest < 1e-4);
+        QCOMPARE(same.fromData.crossings, std::size_t(0));
+        QCOMPARE(same.simplified.triangles, finest[0].triangles.size());
+
+        // A flat triangle of a coarse sphere is farther inside than the other sphere is: they cross.
+        const std::array coarse{sphere(6, 1), sphere(7, 0.98f)};
+        const SurfaceComparison few = compareSurfaces(coarse, finest);
+        QCOMPARE(few.fromData.triangles, coarse[0].triangles.size());
+        QVERIFY(few.fromData.crossings > 0);
+        QVERIFY(few.fromData.largest > 1 && few.fromData.largest < 5);
+        QVERIFY(few.simplified.triangles <= coarse[0].triangles.size() + 4);
+        QVERIFY(few.simplified.triangles > coarse[0].triangles.size() / 2);
+        QVERIFY(few.simplified.rootMeanSquare > 0 && few.simplified.largest < 5);
     }
 
     /// Table 4 on a small grid: triangles as 'tan isosurface' finds them, and times.
@@ -121,26 +195,47 @@ private slots:
         const QJsonArray range = info.json()["range"].toArray();
         const QString isovalue = QString::number((range[0].toDouble() + range[1].toDouble()) / 2);
         QVERIFY(writeFile(path("data/paper/table1.csv"), table1));
-        QVERIFY(writeFile(path("data/paper/table4.csv"),
-                          (table4 + isovalue + ",1.0,1.0,14162,80883,9143,16.1\n").toUtf8()));
+        QVERIFY(
+            writeFile(path("data/paper/table4.csv"), (table4 + isovalue + ",4.0,4.0,3612,20324,3442,3.9\nBluntFin," +
+                                                      isovalue + ",0.0,0.0,40960,222528,19499,44.1\n")
+                                                         .toUtf8()));
 
         const Run run = runTan({"reproduce", "--tables", "4", "--data", "data", "-o", "out", "--json"}, folder_.path());
         QVERIFY2(run.exitCode == 0, run.messages);
         const QJsonArray rows = run.json()["tables"][0]["rows"].toArray();
-        QCOMPARE(rows.size(), 2);
+        QCOMPARE(rows.size(), 4);
         for (const QJsonValue row : rows) {
-            QCOMPARE(row["paper"]["volume_seconds"].toDouble(), 16.1);
-            QCOMPARE(row["paper"]["triangles"].toInt(), 9143);
+            const bool isFinest = row["error"].toDouble() == 0;
+            QCOMPARE(row["paper"]["volume_seconds"].toDouble(), isFinest ? 44.1 : 3.9);
+            QCOMPARE(row["paper"]["triangles"].toInt(), isFinest ? 19499 : 3442);
+            // C14: how far pictures and surfaces are off those of the finest mesh.
+            for (const char* picture : {"surface_degradation", "volume_degradation"}) {
+                const QJsonValue degradation = row["ours"][picture];
+                QCOMPARE(degradation["root_mean_square"].toDouble() == 0, isFinest);
+                QVERIFY(degradation["root_mean_square"].toDouble() < 50);
+            }
+            QCOMPARE(row["ours"]["surface"].isObject(), !isFinest);
+            if (!isFinest) {
+                QCOMPARE(row["ours"]["surface"]["triangles"].toInt(), row["ours"]["triangles"].toInt());
+                QCOMPARE(row["ours"]["surface"]["crossings"].toInt(), 0);
+                QVERIFY(row["ours"]["surface"]["distance"].toDouble() > 0);
+                QVERIFY(row["ours"]["surface"]["largest_distance"].toDouble() >=
+                        row["ours"]["surface"]["distance"].toDouble());
+                QVERIFY(row["ours"]["simplified"]["triangles"].toInt() > 0);
+            }
             for (const char* key : {"extraction_seconds", "surface_seconds", "volume_seconds", "hybrid_seconds"})
                 QVERIFY2(row["ours"][key].toDouble() > 0, key);
             const QString model = row["variant"].toString().replace(' ', '-');
-            const Run surface = runTan({"isosurface", "out/models/table1-BluntFin-40x32x32-" + model + ".tan",
-                                        "--error", "1", "--value", isovalue, "-o", "surface.ply", "--json"},
-                                       folder_.path());
+            const Run surface =
+                runTan({"isosurface", "out/models/table1-BluntFin-40x32x32-" + model + ".tan", "--error",
+                        QString::number(row["error"].toDouble()), "--value", isovalue, "-o", "surface.ply", "--json"},
+                       folder_.path());
             QVERIFY2(surface.exitCode == 0, surface.messages);
             QCOMPARE(row["ours"]["triangles"].toInt(), surface.json()["triangles"].toInt());
             QVERIFY(row["ours"]["triangles"].toInt() > 0);
         }
+        for (const char* picture : {"isosurface-0", "isosurface-4", "volume-0", "volume-4"})
+            QCOMPARE(QImage(path(QString("out/figure14-%1.png").arg(picture))).size(), QSize(512, 512));
     }
 
     void skipsWhatHasNoData()
