@@ -26,6 +26,21 @@ Status checkCount(const std::string& name, std::uint64_t values, std::uint64_t p
     return cannotUse(name, Message::say("it has %1 values for %2 points. Give one a point.", values, points));
 }
 
+/// They say nothing of the field. How many there were.
+std::uint64_t leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values)
+{
+    std::size_t kept = 0;
+    for (std::size_t point = 0; point < values.size(); ++point)
+        if (std::isfinite(values[point])) {
+            positions[kept] = positions[point];
+            values[kept++] = values[point];
+        }
+    const std::uint64_t without = values.size() - kept;
+    positions.resize(kept);
+    values.resize(kept);
+    return without;
+}
+
 Dataset named(Dataset dataset, std::string name)
 {
     dataset.source = {std::move(name), {}, contentHash(dataset.values, dataset.positions, dataset.tetrahedra)};
@@ -68,18 +83,22 @@ Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::ve
     if (const Status usable = checkCount(name, values.size(), positions.size()); !usable)
         return usable.error();
     for (std::size_t point = 0; point < positions.size(); ++point)
-        if (!positions[point].allFinite() || !(positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate) ||
-            !std::isfinite(values[point]))
+        if (!positions[point].allFinite() || !(positions[point].cwiseAbs().maxCoeff() <= farthestCoordinate))
             return cannotUse(
-                name,
-                Message::say("the position or the value of point %1 is no finite number, or too large. Leave it out.",
-                             point));
+                name, Message::say("the position of point %1 is no finite number, or too large. Leave it out.", point));
     if (positions.empty())
         return cannotUse(name, Message::say("it has no points."));
+    const std::uint64_t withoutValue = leaveOutNotFinite(positions, values);
+    if (positions.empty())
+        return cannotUse(name, Message::say("none of its values is a finite number."));
     if (positions.size() > std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorKind::OutOfResource,
                      Message::say("'%1' has more than 4294967295 points. Take a part of them.", name)};
     Dataset dataset{.domain = DomainClass::Scattered, .lattice = {}, .values = {}, .source = {}};
+    if (withoutValue > 0)
+        dataset.remarks.push_back(withoutValue == 1
+                                      ? Message::say("1 point without a finite value was left out.")
+                                      : Message::say("%1 points without a finite value were left out.", withoutValue));
     if (const Message merged = mergeRemark(mergePoints(positions, values)); !merged.empty())
         dataset.remarks.push_back(merged);
     dataset.lattice.size = {static_cast<std::uint32_t>(values.size()), 1, 1};

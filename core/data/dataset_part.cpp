@@ -148,6 +148,30 @@ Result<PointPositions> positionsOf(const Dataset& dataset, const GridPart& part,
     return PointPositions(std::move(positions));
 }
 
+/// A cell of the part is a hole if one of those is that lie in it.
+std::shared_ptr<const std::vector<GridCell>> cellsOf(const Dataset& dataset, const GridPart& part)
+{
+    const auto holeIn = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+        const auto& stride = part.stride;
+        const std::uint64_t row = dataset.lattice.size[0] - 1, layer = row * (dataset.lattice.size[1] - 1);
+        for (std::uint64_t z = part.first[2] + std::uint64_t(k) * stride[2], endZ = z + stride[2]; z < endZ; ++z)
+            for (std::uint64_t y = part.first[1] + std::uint64_t(j) * stride[1], endY = y + stride[1]; y < endY; ++y)
+                for (std::uint64_t x = part.first[0] + std::uint64_t(i) * stride[0], endX = x + stride[0]; x < endX;
+                     ++x)
+                    if (const GridCell cell = (*dataset.cells)[z * layer + y * row + x]; cell != GridCell::Kept)
+                        return cell;
+        return GridCell::Kept;
+    };
+    std::vector<GridCell> cells;
+    for (std::uint32_t k = 0; k + 1 < part.count[2]; ++k)
+        for (std::uint32_t j = 0; j + 1 < part.count[1]; ++j)
+            for (std::uint32_t i = 0; i + 1 < part.count[0]; ++i)
+                cells.push_back(holeIn(i, j, k));
+    if (std::ranges::count(cells, GridCell::Kept) == std::ssize(cells))
+        return nullptr;
+    return std::make_shared<const std::vector<GridCell>>(std::move(cells));
+}
+
 Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, const Progress& progress)
 {
     const auto grid = gridPart(dataset.lattice, part);
@@ -164,12 +188,15 @@ Result<Dataset> partOfGrid(const Dataset& dataset, const DatasetPart& part, cons
         if (!positions)
             return positions.error();
         result.positions = *std::move(positions);
-        if (const CellCornerSigns signs = cellCornerSigns(result); signs.positive + signs.negative == 0)
+        if (const CellCornerSigns signs = cellCornerSigns(result);
+            !hasHoles(dataset) && signs.positive + signs.negative == 0)
             return wrongPart(
                 Message::say("No cell of the part has a volume. Take another region or a smaller stride."));
     }
     if (!dataset.positions)
         result.lattice = *partOfLattice(dataset.lattice, part);
+    if (dataset.cells)
+        result.cells = cellsOf(dataset, *grid);
     if (!staysInFile(dataset, *grid))
         result.mappedFile = nullptr;
     result.remarks.push_back(

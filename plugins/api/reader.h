@@ -48,9 +48,17 @@ public:
     virtual double score(const std::filesystem::path& path, std::span<const std::byte> firstBytes) const = 0;
     /// What must be known besides the file (a raw file's size and sample type).
     virtual std::vector<Parameter> parameters() const = 0;
-    /// What Source leaves empty, the name, the path or the hash, the program fills in.
+    /// What Source leaves empty, the name, the path or the hash, the program fills in. A grid may have values that are
+    /// not finite and cells that are blanked out (Dataset::cells): the program makes holes of them, withHoles().
     virtual Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                                  const Progress& progress) const = 0;
+    /// The names that another file may have which read() opens beside `path`, the likeliest first, whether or not they
+    /// exist: if the one that does is packed by gzip, the program unpacks it and gives read() both in another folder.
+    virtual std::vector<std::filesystem::path> companions(const std::filesystem::path& /*path*/,
+                                                          const ParameterValues& /*values*/) const
+    {
+        return {};
+    }
     /// What there is to choose from, quickly: headers and names, not the samples. `values` as far as they are known
     /// (the layout of a raw file); its refusals are those of read() as far as they show.
     virtual Result<FileContents> probe(const std::filesystem::path& /*path*/, const ParameterValues& /*values*/,

@@ -5,6 +5,8 @@
 #include "plugins/host/packed_file.h"
 #include "plugins/host/parameter_values.h"
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -36,23 +38,87 @@ Provided<Reader> bestReader(PluginHost& host, const std::filesystem::path& path,
     return best;
 }
 
-/// What a reader is given: the file, or what was in it if it is packed and the reader does not unpack it by itself.
+/// What a reader is given: the file and its parameters, or others where it or its companion had to be unpacked.
 struct ReadableFile {
     std::filesystem::path path;
-    std::optional<UnpackedFile> unpacked;
+    ParameterValues values;
+    std::optional<UnpackedFiles> unpacked;
+    std::vector<std::pair<std::filesystem::path, std::filesystem::path>> names; ///< of unpacked files, and the user's
 };
 
-Result<ReadableFile> readableFile(const Reader& reader, const std::filesystem::path& path, const Progress& progress)
+bool isFile(const std::filesystem::path& path)
+{
+    std::error_code problem;
+    return std::filesystem::is_regular_file(path, problem);
+}
+
+/// The name with ".gz", if there is such a file and it is packed.
+std::filesystem::path packedFileOf(std::filesystem::path path)
+{
+    path += ".gz";
+    const auto bytes = isFile(path) ? firstBytesOf(path) : Buffer<std::byte>();
+    return bytes && isPackedByGzip(*bytes) ? path : std::filesystem::path();
+}
+
+/// Unpacks the other file that a reader needs if that is packed; if the file itself was, links it beside that.
+Status addCompanion(const Reader& reader, const std::filesystem::path& path, ReadableFile& file,
+                    const Progress& progress)
+{
+    const auto names = reader.companions(file.path, file.values);
+    // Beside the file that the user opened, under the name that the reader looks for.
+    const auto original = [&](const std::filesystem::path& name) {
+        return name.parent_path() == file.path.parent_path() ? path.parent_path() / name.filename() : name;
+    };
+    auto found = std::ranges::find_if(names, [&](const auto& name) { return isFile(original(name)); });
+    const bool isPacked = found == names.end();
+    if (isPacked)
+        found = std::ranges::find_if(names, [&](const auto& name) { return !packedFileOf(original(name)).empty(); });
+    if (found == names.end() || (!isPacked && (!file.unpacked || original(*found) == *found)))
+        return {};
+    if (!file.unpacked) {
+        auto folder = UnpackedFiles::make(path);
+        if (!folder)
+            return folder.error();
+        const auto link = folder->link(path, path.filename());
+        if (!link)
+            return link.error();
+        file.unpacked = *std::move(folder);
+        file.path = *link;
+        file.names.emplace_back(*link, path);
+    }
+    const std::filesystem::path other = isPacked ? packedFileOf(original(*found)) : original(*found);
+    const auto placed = isPacked ? file.unpacked->unpack(other, found->filename(), progress)
+                                 : file.unpacked->link(other, found->filename());
+    if (!placed)
+        return placed.error();
+    file.names.emplace_back(*placed, other);
+    for (auto& [id, value] : file.values) // where the user named it
+        if (auto* text = std::get_if<std::string>(&value); text != nullptr && path.parent_path() / *text == other)
+            *text = placed->string();
+    return {};
+}
+
+Result<ReadableFile> readableFile(const Reader& reader, const std::filesystem::path& path,
+                                  const ParameterValues& values, const Progress& progress)
 {
     const auto bytes = firstBytesOf(path);
     if (!bytes)
         return bytes.error();
-    if (!isPackedByGzip(*bytes) || reader.score(path, *bytes) > 0)
-        return ReadableFile{path, {}};
-    auto unpacked = UnpackedFile::unpack(path, progress);
-    if (!unpacked)
-        return unpacked.error();
-    return ReadableFile{unpacked->path(), *std::move(unpacked)};
+    ReadableFile file{path, values, {}, {}};
+    if (isPackedByGzip(*bytes) && reader.score(path, *bytes) == 0) {
+        auto folder = UnpackedFiles::make(path);
+        if (!folder)
+            return folder.error();
+        const auto unpacked = folder->unpack(path, unpackedName(path).filename(), progress.part(0, 0.5));
+        if (!unpacked)
+            return unpacked.error();
+        file.unpacked = *std::move(folder);
+        file.path = *unpacked;
+        file.names.emplace_back(*unpacked, path);
+    }
+    if (const Status added = addCompanion(reader, path, file, progress.part(0.5, 1)); !added)
+        return added.error();
+    return file;
 }
 
 /// The message with `to` wherever one of its arguments says `from`.
@@ -70,12 +136,13 @@ Message renamed(const Message& message, const std::string& from, const std::stri
     return Message::of(message.sentence(), std::move(arguments));
 }
 
-/// An error that names the file as the user does.
-Error inPackedFile(Error error, const ReadableFile& file, const std::filesystem::path& path)
+/// An error that names the files as the user does.
+Error inPackedFile(Error error, const ReadableFile& file)
 {
     if (!file.unpacked)
         return error;
-    error.message = renamed(error.message, file.path.string(), path.string());
+    for (const auto& [unpacked, original] : file.names)
+        error.message = renamed(error.message, unpacked.string(), original.string());
     if (error.kind == ErrorKind::BadInput)
         error.message = Message::say(
             "%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)", error.message);
@@ -143,17 +210,25 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
     if (!reader)
         return reader.error();
     constexpr double unpackEnd = 0.3;
-    const auto file = readableFile(*reader->plugin, path, progress.part(0, unpackEnd));
+    const auto file = readableFile(*reader->plugin, path, options.values, progress.part(0, unpackEnd));
     if (!file)
         return file.error();
     const double readBegin = file->unpacked ? unpackEnd : 0;
-    const double readEnd = options.part.isWhole() ? 1 : 0.8;
-    auto whole = reader->plugin->read(file->path, options.values, progress.part(readBegin, readEnd));
+    constexpr double readEnd = 0.7, partEnd = 0.8;
+    auto whole = reader->plugin->read(file->path, file->values, progress.part(readBegin, readEnd));
     if (!whole)
-        return inPackedFile(whole.error(), *file, path);
+        return inPackedFile(whole.error(), *file);
     if (file->unpacked)
         whole->source.path = path;
-    return takePart(*whole, options.part, progress.part(readEnd, 1));
+    const auto part = takePart(*whole, options.part, progress.part(readEnd, partEnd));
+    if (!part)
+        return part.error();
+    auto dataset = withHoles(*part, progress.part(partEnd, 1));
+    if (!dataset && dataset.error().kind != ErrorKind::Cancelled)
+        return Error{dataset.error().kind,
+                     Message::say("Cannot read '%1': %2", path.string(), dataset.error().message)};
+    progress.report(1, Message::marked("Reading"));
+    return dataset;
 }
 
 Result<FileContents> probeDataset(PluginHost& host, const std::filesystem::path& path, const ImportOptions& options,
@@ -162,11 +237,11 @@ Result<FileContents> probeDataset(PluginHost& host, const std::filesystem::path&
     const auto reader = readerFor(host, path, options);
     if (!reader)
         return reader.error();
-    const auto file = readableFile(*reader->plugin, path, progress);
+    const auto file = readableFile(*reader->plugin, path, options.values, progress);
     if (!file)
         return file.error();
-    const auto contents = reader->plugin->probe(file->path, options.values, progress);
-    return contents ? contents : inPackedFile(contents.error(), *file, path);
+    const auto contents = reader->plugin->probe(file->path, file->values, progress);
+    return contents ? contents : inPackedFile(contents.error(), *file);
 }
 
 } // namespace tetra

@@ -149,12 +149,8 @@ Result<Buffer<std::byte>> firstUnpackedBytes(const fs::path& path)
     return bytes;
 }
 
-Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& progress)
+Result<UnpackedFiles> UnpackedFiles::make(const fs::path& path)
 {
-    constexpr std::size_t step = 1 << 20;
-    auto file = GzipFile::open(path);
-    if (!file)
-        return file.error();
     std::error_code problem;
     const fs::path temporary = fs::temp_directory_path(problem);
     if (problem)
@@ -169,17 +165,29 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
         ::rmdir(name.c_str());
         return cannotUnpack(path, folder.error().kind, folder.error().message);
     }
-    UnpackedFile unpacked;
-    unpacked.path_ = folder->path() / unpackedName(path).filename();
-    unpacked.folder_ = std::make_shared<WorkFolder>(*std::move(folder));
-    const int target = ::open(unpacked.path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    UnpackedFiles files;
+    files.path_ = folder->path();
+    files.folder_ = std::make_shared<WorkFolder>(*std::move(folder));
+    return files;
+}
+
+Result<fs::path> UnpackedFiles::unpack(const fs::path& packed, const fs::path& name, const Progress& progress) const
+{
+    constexpr std::size_t step = 1 << 20;
+    auto file = GzipFile::open(packed);
+    if (!file)
+        return file.error();
+    const fs::path temporary = path_.parent_path();
+    const fs::path unpacked = path_ / name;
+    const int target = ::open(unpacked.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (target < 0)
-        return noRoom(path, temporary, errno);
+        return noRoom(packed, temporary, errno);
     const std::shared_ptr<const void> closing(nullptr, [target](const void*) { ::close(target); });
 
+    std::error_code problem;
     const auto space = fs::space(temporary, problem);
     const std::uint64_t room = problem ? ~std::uint64_t(0) : space.available / 2;
-    const std::uint64_t packedBytes = std::max<std::uint64_t>(1, fs::file_size(path, problem));
+    const std::uint64_t packedBytes = std::max<std::uint64_t>(1, fs::file_size(packed, problem));
     Buffer<std::byte> bytes(step);
     for (std::uint64_t written = 0;;) {
         if (progress.cancelled())
@@ -188,11 +196,11 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
         if (!count)
             return count.error();
         if (const int failure = writeBytes(target, std::span(bytes).first(*count)); failure != 0)
-            return noRoom(path, temporary, failure);
+            return noRoom(packed, temporary, failure);
         written += *count;
         if (written > room)
             return cannotUnpack(
-                path, ErrorKind::OutOfResource,
+                packed, ErrorKind::OutOfResource,
                 Message::say("it is compressed with gzip, and unpacks to more than %1, half of the room in '%2'. Free "
                              "some space there, set TMPDIR to a folder with more, or unpack it yourself (gunzip).",
                              neededBytesText(room), temporary.string()));
@@ -200,6 +208,16 @@ Result<UnpackedFile> UnpackedFile::unpack(const fs::path& path, const Progress& 
             return unpacked;
         progress.report(std::min(1., double(file->packedPlace()) / double(packedBytes)), Message::marked("Unpacking"));
     }
+}
+
+Result<fs::path> UnpackedFiles::link(const fs::path& file, const fs::path& name) const
+{
+    std::error_code problem;
+    const fs::path link = path_ / name;
+    const fs::path target = fs::absolute(file, problem);
+    if (!problem)
+        fs::create_symlink(target, link, problem);
+    return problem ? Result<fs::path>(noRoom(file, path_.parent_path(), problem.value())) : link;
 }
 
 } // namespace tetra

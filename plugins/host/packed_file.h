@@ -26,18 +26,23 @@ std::filesystem::path unpackedName(const std::filesystem::path& path);
 /// damaged.
 Result<Buffer<std::byte>> firstUnpackedBytes(const std::filesystem::path& path);
 
-/// What is in a file packed by gzip, under its own name in a new folder that goes with the last copy of this.
-class UnpackedFile {
+/// A folder for what is in packed files, each under a name of its own, and for links to files that are not packed. It
+/// goes with the last copy of this.
+class UnpackedFiles {
 public:
-    /// Unpacks it into the system's folder for temporary files (TMPDIR), as long as half of the room there is left.
-    /// Errors: it is damaged or cut short (the checksums at its ends are compared); no room. Linear, cancellable, in
-    /// constant memory.
-    static Result<UnpackedFile> unpack(const std::filesystem::path& path, const Progress& progress);
+    /// An empty one in the system's folder for temporary files (TMPDIR). The errors name `path`, for which it is
+    /// wanted.
+    static Result<UnpackedFiles> make(const std::filesystem::path& path);
 
-    const std::filesystem::path& path() const noexcept { return path_; }
+    /// Unpacks a file as long as half of the room there is left. Errors: it is damaged or cut short (the checksums at
+    /// its ends are compared); no room. Linear, cancellable, in constant memory.
+    Result<std::filesystem::path> unpack(const std::filesystem::path& packed, const std::filesystem::path& name,
+                                         const Progress& progress) const;
+    /// Makes the file reachable beside the others.
+    Result<std::filesystem::path> link(const std::filesystem::path& file, const std::filesystem::path& name) const;
 
 private:
-    UnpackedFile() = default;
+    UnpackedFiles() = default;
 
     std::filesystem::path path_;
     std::shared_ptr<const void> folder_; ///< removed with the last copy

@@ -155,6 +155,11 @@ public:
             return dataset;
         });
     }
+    std::vector<std::filesystem::path> companions(const std::filesystem::path& path,
+                                                  const ParameterValues& values) const override
+    {
+        return guard_.callOr(std::vector<std::filesystem::path>(), [&] { return plugin_.companions(path, values); });
+    }
     Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
                                const Progress& progress) const override
     {

@@ -75,7 +75,7 @@ private slots:
         QTest::newRow("wrong size for the description")
             << QStringList{"build", "wrong_size.raw", "--size", "4x4x4", "-o", "out.tan"} << 3 << "100";
         QTest::newRow("raw without a description") << build("wrong_size.raw") << 2 << "size";
-        QTest::newRow("NaN samples") << build("nan.nrrd") << 3 << "NaN";
+        QTest::newRow("NaN in each cell") << build("nan.nrrd") << 3 << "finite value";
         QTest::newRow("1xNxM lattice") << build("flat.nrrd") << 3 << "1 x 5 x 5";
         QTest::newRow("unknown NRRD type") << build("unknown_type.nrrd") << 3 << "quaternion";
         QTest::newRow("larger than any memory") << build("huge.nrrd") << 3 << "huge.nrrd";

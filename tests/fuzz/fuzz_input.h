@@ -50,8 +50,9 @@ inline void requireText(const Error& error)
 }
 
 /// What every dataset that a reader lets pass keeps.
-inline void requireSound(const Result<Dataset>& dataset)
+inline void requireSound(const Result<Dataset>& read)
 {
+    const Result<Dataset> dataset = read ? withHoles(*read) : read;
     if (!dataset)
         return requireText(dataset.error());
     const std::uint64_t points = dataset->pointCount();

@@ -13,4 +13,10 @@ template <class Tested> const Reader& asLoaded()
     return *guard;
 }
 
+/// What the program makes of it: grids with their holes.
+inline Result<Dataset> complete(const Result<Dataset>& read)
+{
+    return read ? withHoles(*read) : read;
+}
+
 } // namespace tetra

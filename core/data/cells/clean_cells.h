@@ -34,6 +34,10 @@ struct Repairs {
 /// In sentences for the user; what did not happen is not said.
 TAN_INTERNAL std::vector<Message> repairRemarks(const Repairs& repairs);
 
+/// irregularDataset() of a complex without the cells that `holes` counts.
+Result<Dataset> irregularDatasetBeside(const Repairs& holes, const CellComplex& complex, const ComplexValues& values,
+                                       const Source& source, const Progress& progress);
+
 /// For each point, the first of those on exactly its place (so its own number if it is the first, or alone); only
 /// points with `used`, which are finite, count, the others get their own. O(points); fewer than 2^32 - 1 points.
 std::vector<std::uint32_t> firstOnPlace(std::span<const Eigen::Vector3d> positions, const std::vector<bool>& used);

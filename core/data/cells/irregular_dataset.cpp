@@ -175,9 +175,8 @@ Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
 }
 
 Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
-                            const Progress& progress)
+                            Repairs repairs, const Progress& progress)
 {
-    Repairs repairs;
     auto cells = cleanCells(complex, values, repairs);
     if (!cells)
         return cells.error();
@@ -223,8 +222,14 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
 Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                  const Progress& progress)
 {
+    return irregularDatasetBeside({}, complex, values, source, progress);
+}
+
+Result<Dataset> irregularDatasetBeside(const Repairs& holes, const CellComplex& complex, const ComplexValues& values,
+                                       const Source& source, const Progress& progress)
+{
     return guarded(Message::marked("Not enough memory for the mesh. Take a part of it."),
-                   [&] { return makeDataset(complex, values, source, progress); });
+                   [&] { return makeDataset(complex, values, source, holes, progress); });
 }
 
 } // namespace tetra

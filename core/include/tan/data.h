@@ -244,6 +244,13 @@ using PointTetrahedra = std::shared_ptr<const std::vector<std::array<std::uint32
 TAN_API std::uint64_t contentHash(const ScalarField& values, const PointPositions& positions,
                                   const PointTetrahedra& tetrahedra = nullptr);
 
+/// Whether a cell of a grid is part of the domain.
+enum class GridCell : std::uint8_t {
+    Kept,
+    Blanked,   ///< the file hides it
+    NotFinite, ///< it has a value of its own, which is no finite number
+};
+
 /// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
 ///
 /// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational
@@ -254,12 +261,15 @@ struct TAN_API Dataset {
     DomainClass domain = DomainClass::RegularLattice;
     Lattice lattice;
     PointPositions positions = nullptr; ///< one per point, in the order of the values; null for a regular lattice
-    ScalarField values;                 ///< one sample per point, all finite
+    ScalarField values;                 ///< one sample per point, all finite (but see withHoles())
     Source source;
     std::vector<Message> remarks{}; ///< changes made while reading, in sentences for the user
     /// The file whose bytes the values are; null if they are in memory.
     std::shared_ptr<const MappedFile> mappedFile = nullptr;
     PointTetrahedra tetrahedra = nullptr; ///< of irregular data, else null
+    /// Of a grid that withHoles() is still to finish: a GridCell for each cell, the first index running fastest. Else
+    /// null.
+    std::shared_ptr<const std::vector<GridCell>> cells = nullptr;
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const
@@ -290,8 +300,9 @@ TAN_API Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& s
                                            std::vector<Eigen::Vector3d> positions, ScalarField values,
                                            std::string name);
 
-/// Points without cells. Coincident points are merged, with the mean of their values; Dataset::remarks says so.
-/// Refused unless there is exactly one finite value per point; positions that are not finite; no points. O(n log n).
+/// Points without cells. Those whose value is not finite are left out, coincident ones merged, with the mean of their
+/// values; Dataset::remarks says so. Refused unless there is exactly one value per point; positions that are not
+/// finite; no points. O(n log n).
 TAN_API Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::vector<double> values,
                                          std::string name);
 
@@ -336,6 +347,15 @@ struct ComplexValues {
 /// of points out of range, nothing left. One thread, about 300 bytes a tetrahedron; safe from any thread.
 TAN_API Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                          const Progress& progress = {});
+
+/// Whether a grid has holes: cells that are no part of it, or points whose value is not finite. O(1).
+TAN_API bool hasHoles(const Dataset& grid) noexcept;
+
+/// What such a grid is, as readers give it to the program (S6, S20): the irregular dataset of its other cells as
+/// hexahedra, with a remark on what was left out; any other dataset as it is. Its positions count where a cell uses
+/// them. Errors: those of irregularDataset(); no cell is left (BadInput); more memory than there is, told beforehand
+/// (OutOfResource); cancelled. One thread, about 2 KB a cell that is left; safe from any thread.
+TAN_API Result<Dataset> withHoles(const Dataset& grid, const Progress& progress = {});
 
 /// The weight beyond the reach of a term, unless the term says otherwise.
 constexpr double defaultWeightFloor = 0.1;

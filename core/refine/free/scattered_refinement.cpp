@@ -3,6 +3,7 @@
 
 #include "core/base/guarded.h"
 #include "core/base/rounding.h"
+#include "core/mesh/topology.h"
 #include "core/refine/free/scattered_delaunay.h"
 #include "core/refine/greedy.h"
 

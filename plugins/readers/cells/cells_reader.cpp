@@ -4,7 +4,6 @@
 #include "plugins/readers/cells/cells_file.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetra {
 
@@ -38,29 +37,15 @@ Result<Value> withFile(const std::filesystem::path& path, Vtu&& vtu, Ucd&& ucd)
 /// The points of a file whose cells have no volume, if it has values for them.
 Result<Dataset> pointsOf(CellsFile file, const Source& source)
 {
-    std::vector<Eigen::Vector3d>& positions = file.complex.positions;
-    std::vector<double>& values = file.values.values;
     if (file.values.perCell)
         return Error{
             ErrorKind::BadInput,
             Message::say("its array '%1' has values for its polygons, not its points. Choose an array of points.",
                          printable(file.arrayName))};
-    std::size_t kept = 0;
-    for (std::size_t point = 0; point < values.size(); ++point)
-        if (std::isfinite(values[point])) {
-            positions[kept] = positions[point];
-            values[kept++] = values[point];
-        }
-    if (kept == 0 && !values.empty())
-        return Error{ErrorKind::BadInput, Message::say("none of its values is a number.")};
-    if (kept < values.size())
-        file.remarks.push_back(Message::say("%1 points whose value is no number were left out.", values.size() - kept));
     if (file.joinsPoints)
         file.remarks.push_back(
             Message::say("What joins its points (lines, polygons) was left out: they are scattered points."));
-    positions.resize(kept);
-    values.resize(kept);
-    auto dataset = scatteredDataset(std::move(positions), std::move(values), source.name);
+    auto dataset = scatteredDataset(std::move(file.complex.positions), std::move(file.values.values), source.name);
     if (!dataset)
         return dataset.error();
     dataset->source = source;

@@ -192,6 +192,18 @@ Result<Dataset> LatticeReader::read(const fs::path& path, const ParameterValues&
     return readDataset(path, *volume, progress);
 }
 
+std::vector<fs::path> LatticeReader::companions(const fs::path& path, const ParameterValues& /*values*/) const
+{
+    const Result<File> file = MappedFile::open(path);
+    if (!file || !isNrrd(path, *file))
+        return {};
+    const Result<NrrdFields> fields = parseNrrdFields(asText((*file)->bytes()));
+    const Result<NrrdLayout> layout = fields ? nrrdLayout(*fields) : fields.error();
+    if (!layout || layout->dataFile.empty())
+        return {};
+    return {path.parent_path() / layout->dataFile};
+}
+
 Result<FileContents> LatticeReader::probe(const fs::path& path, const ParameterValues& values,
                                           const Progress& /*progress*/) const
 {

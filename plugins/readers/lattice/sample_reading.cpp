@@ -135,15 +135,9 @@ Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLay
         encoded = rawBytes(*encoded, layout);
     if (!encoded)
         return encoded.error();
-    const Result<ScalarField> values =
-        owner && areInPlace(*encoded, layout)
-            ? ScalarField::scanned(layout.type, layout.lattice.pointCount(), {owner, encoded->data()}, progress)
-            : decodedSamples(*encoded, layout, progress);
-    if (!values)
-        return values;
-    if (const Status finite = checkFinite(layout.lattice, *values); !finite)
-        return finite.error();
-    return values;
+    return owner && areInPlace(*encoded, layout)
+               ? ScalarField::scanned(layout.type, layout.lattice.pointCount(), {owner, encoded->data()}, progress)
+               : decodedSamples(*encoded, layout, progress);
 }
 
 } // namespace tetra

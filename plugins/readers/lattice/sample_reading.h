@@ -15,7 +15,7 @@ namespace tetra {
 /// Reads the samples that `data` (all of a data file, or what follows a header) hold according to `layout`. Memory is
 /// taken only once it is plain that there are enough data for it; none where they hold the samples as memory would and
 /// `owner`, which keeps them alive, is given: then the field uses them where they are. Errors: too few or too many
-/// data, with both numbers of bytes; damaged data; samples that are not finite; not enough memory; cancelled.
+/// data, with both numbers of bytes; damaged data; not enough memory; cancelled.
 Result<ScalarField> readSamples(std::span<const std::byte> data, const SampleLayout& layout, const Progress& progress,
                                 const std::shared_ptr<const void>& owner = nullptr);
 

@@ -95,19 +95,12 @@ bool counts(Blanked blanked, std::size_t point)
     return blanked.empty() || blanked[point] == 0;
 }
 
-std::int64_t notFiniteCount(const std::vector<double>& values, Blanked blanked)
-{
-    std::int64_t wrong = 0;
-    for (std::size_t point = 0; point < values.size(); ++point)
-        wrong += counts(blanked, point) && !std::isfinite(values[point]) ? 1 : 0;
-    return wrong;
-}
-
+/// Whether there is something to see: two values, of those that are finite numbers.
 bool varies(const std::vector<double>& values, Blanked blanked)
 {
     const double* first = nullptr;
     for (std::size_t point = 0; point < values.size(); ++point)
-        if (counts(blanked, point)) {
+        if (counts(blanked, point) && std::isfinite(values[point])) {
             if (first != nullptr && values[point] != *first)
                 return true;
             first = &values[point];
@@ -115,17 +108,12 @@ bool varies(const std::vector<double>& values, Blanked blanked)
     return false;
 }
 
-bool isUsable(const std::vector<double>& values, Blanked blanked)
-{
-    return notFiniteCount(values, blanked) == 0 && varies(values, blanked);
-}
-
 /// Arrays that can be taken, for messages.
 Message usableNames(const Quantities& quantities, Blanked blanked)
 {
     std::string list;
     for (const std::string_view name : names)
-        if (isUsable(evaluate(name, quantities), blanked))
+        if (varies(evaluate(name, quantities), blanked))
             list += (list.empty() ? "" : ", ") + std::string(name);
     return list.empty() ? Message::say("No array of this solution varies.")
                         : Message::say("These can be taken: %1.", list);
@@ -133,11 +121,6 @@ Message usableNames(const Quantities& quantities, Blanked blanked)
 
 Status checkUsable(const Plot3dArray& array, const Quantities& quantities, Blanked blanked, const Plot3dFile& solution)
 {
-    if (const std::int64_t wrong = notFiniteCount(array.values, blanked); wrong > 0)
-        return inPlot3dFile(solution.path(),
-                            Message::say("the array '%1' is not a finite number at %2 of its points. %3", array.name,
-                                         wrong, usableNames(quantities, blanked)),
-                            ErrorKind::WrongUsage);
     if (!varies(array.values, blanked))
         return inPlot3dFile(
             solution.path(),
@@ -166,7 +149,7 @@ Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid
         return array;
     }
     for (const std::string_view candidate : names)
-        if (auto values = evaluate(candidate, *quantities); isUsable(values, blanked))
+        if (auto values = evaluate(candidate, *quantities); varies(values, blanked))
             return Plot3dArray{std::string(candidate), std::move(values)};
     return inPlot3dFile(solution.path(), Message::say("none of its arrays varies, so there is nothing to see."));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/plot3d/plot3d_names.h"
 
+#include <tan/base.h>
+
 #include <initializer_list>
 #include <string>
 
@@ -51,6 +53,12 @@ std::vector<Path> gridNames(const Path& solution)
     addWithStemEnd(solution, "q", "x", names);
     addWithExtensions(solution, {".xyz", ".XYZ", ".x", ".X", ".g", ".grd", ".p3d"}, names);
     return names;
+}
+
+bool isSolutionName(const Path& path)
+{
+    const std::string stem = path.stem().string(), ending = fileEnding(path);
+    return ending == ".q" || ending == ".qsol" || ending == ".sol" || stem.ends_with('q') || stem.ends_with('Q');
 }
 
 Path firstExisting(const std::vector<Path>& names)

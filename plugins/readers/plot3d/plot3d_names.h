@@ -13,6 +13,9 @@ std::vector<std::filesystem::path> solutionNames(const std::filesystem::path& gr
 /// Where the grid that belongs to a solution file may lie.
 std::vector<std::filesystem::path> gridNames(const std::filesystem::path& solution);
 
+/// Whether a file is called like a solution.
+bool isSolutionName(const std::filesystem::path& path);
+
 /// The first of `names` that exists; empty if none does.
 std::filesystem::path firstExisting(const std::vector<std::filesystem::path>& names);
 

@@ -7,6 +7,10 @@
 #include <tan/data.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
 
 namespace tetra {
 
@@ -108,61 +112,32 @@ Result<std::vector<Eigen::Vector3d>> readPositions(const OpenPair& pair, const P
     return positions;
 }
 
-/// The cells of a grid between its points, as hexahedra; those with a point that is blanked out are holes.
-CellComplex hexahedra(std::vector<Eigen::Vector3d> positions, const std::array<std::uint32_t, 3>& size,
-                      std::span<const std::uint8_t> blanked)
+/// Cells with a corner that is blanked out are holes; null if there are none.
+std::shared_ptr<const std::vector<GridCell>> cellsWithout(std::span<const std::uint8_t> blanked, const Lattice& lattice)
 {
-    CellComplex complex{.positions = std::move(positions), .shapes = {}, .offsets = {0}, .corners = {}, .blanked = {}};
-    const std::uint64_t row = size[0], layer = row * size[1];
-    for (std::uint64_t k = 0; k + 1 < size[2]; ++k)
-        for (std::uint64_t j = 0; j + 1 < size[1]; ++j)
-            for (std::uint64_t i = 0; i + 1 < size[0]; ++i) {
-                const std::uint64_t low = i + j * row + k * layer, high = low + layer;
-                const std::array corners = {low,  low + 1,  low + 1 + row,  low + row,
-                                            high, high + 1, high + 1 + row, high + row};
-                complex.shapes.push_back(CellShape::Hexahedron);
-                complex.corners.insert(complex.corners.end(), corners.begin(), corners.end());
-                complex.offsets.push_back(complex.corners.size());
-                complex.blanked.push_back(static_cast<std::uint8_t>(
-                    std::ranges::any_of(corners, [&](std::uint64_t corner) { return blanked[corner] != 0; })));
+    if (blanked.empty())
+        return nullptr;
+    std::vector<GridCell> cells;
+    cells.reserve(lattice.cellCount());
+    const auto& size = lattice.size;
+    for (std::uint32_t k = 0; k + 1 < size[2]; ++k)
+        for (std::uint32_t j = 0; j + 1 < size[1]; ++j)
+            for (std::uint32_t i = 0; i + 1 < size[0]; ++i) {
+                std::uint8_t hides = 0;
+                for (std::uint32_t corner = 0; corner < 8; ++corner)
+                    hides |= blanked[lattice.index(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2))];
+                cells.push_back(hides != 0 ? GridCell::Blanked : GridCell::Kept);
             }
-    return complex;
+    return std::make_shared<const std::vector<GridCell>>(std::move(cells));
 }
 
-std::uint64_t cellsOf(const std::array<std::uint32_t, 3>& size)
-{
-    return std::uint64_t(size[0] - 1) * (size[1] - 1) * (size[2] - 1);
-}
-
-/// A grid with points that are blanked out.
-Result<Dataset> meshWithHoles(std::vector<Eigen::Vector3d> positions, const OpenPair& pair, Plot3dArray array,
-                              std::span<const std::uint8_t> blanked, const Source& source, const Progress& progress)
-{
-    constexpr std::uint64_t most = 20'000'000;
-    const auto& size = pair.grid.layout.sizes[pair.number];
-    if (cellsOf(size) > most)
-        return inPlot3dFile(
-            pair.grid.path(),
-            Message::say(
-                "some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular "
-                "mesh, which is too large for that. Take a part of it, or replace those values by numbers.",
-                cellsOf(size)),
-            ErrorKind::OutOfResource);
-    const SampleType type = pair.solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
-    auto dataset = irregularDataset(hexahedra(std::move(positions), size, blanked),
-                                    {std::move(array.values), false, type}, source, progress);
-    if (!dataset)
-        return dataset.error();
-    dataset->remarks.insert(dataset->remarks.begin(), Message::say("A grid with cells that are blanked out, or whose "
-                                                                   "values are no numbers: an irregular mesh without "
-                                                                   "them."));
-    return dataset;
-}
-
-/// Single precision if the solution was.
+/// Single precision if the solution was and its values fit.
 Result<ScalarField> fieldOf(const Plot3dArray& array, std::uint32_t realBytes)
 {
-    const SampleType type = realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
+    const bool fits = std::ranges::all_of(array.values, [](double value) {
+        return !std::isfinite(value) || std::abs(value) <= std::numeric_limits<float>::max();
+    });
+    const SampleType type = realBytes == 4 && fits ? SampleType::Float32 : SampleType::Float64;
     auto samples = allocateSamples(type, array.values.size());
     if (!samples)
         return samples.error();
@@ -184,9 +159,6 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     auto array = readPlot3dArray(pair.solution, pair.number, arrayName, blanked, progress.part(0.3, 0.7));
     if (!array)
         return array.error();
-    const Source source = {pair.grid.path().filename().string() + ", " + array->name, path, 0};
-    if (!blanked.empty())
-        return meshWithHoles(*std::move(positions), pair, *std::move(array), blanked, source, progress.part(0.7, 1));
     const auto values = fieldOf(*array, pair.solution.layout.realBytes);
     if (!values)
         return values.error();
@@ -195,8 +167,9 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     dataset.lattice.size = pair.grid.layout.sizes[pair.number];
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
     dataset.values = *values;
-    dataset.source = source;
-    if (const Status usable = checkGrid(dataset); !usable)
+    dataset.source = {pair.grid.path().filename().string() + ", " + array->name, path, 0};
+    dataset.cells = cellsWithout(blanked, dataset.lattice);
+    if (const Status usable = hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
         return inPlot3dFile(pair.grid.path(), usable.error().message);
     progress.report(1, Message::marked("Reading"));
     return dataset;
@@ -229,14 +202,8 @@ Result<FileContents> contentsOf(const Pair& pair, std::int64_t wanted, const Pro
         return open.error();
     const auto& size = open->grid.layout.sizes[open->number];
     contents.type = open->solution.layout.realBytes == 4 ? SampleType::Float32 : SampleType::Float64;
-    if (blankedPoints(open->grid, open->number).empty()) {
-        contents.lattice.size = size;
-        contents.points = contents.lattice.pointCount();
-        return contents;
-    }
-    contents.domain = DomainClass::Irregular;
-    contents.points = std::uint64_t(size[0]) * size[1] * size[2];
-    contents.cells = cellsOf(size);
+    contents.lattice.size = size;
+    contents.points = contents.lattice.pointCount();
     return contents;
 }
 
@@ -247,16 +214,31 @@ std::vector<std::string> Plot3dReader::nameFilters() const
     return {Message::marked("PLOT3D grid and solution (*.xyz *.x *.g *.grd *.p3d *.q *xyz.bin *q.bin)")};
 }
 
+namespace {
+
+/// Of a file, or of what is in the one with ".gz" of this name if there is only that; less a multiple of 4 GiB then.
+std::uint64_t bytesOf(fs::path path)
+{
+    std::error_code problem;
+    const std::uint64_t bytes = fs::file_size(path, problem);
+    if (!problem)
+        return bytes;
+    std::array<unsigned char, 4> size{};
+    std::ifstream packed(path += ".gz", std::ios::binary);
+    packed.seekg(-static_cast<std::streamoff>(size.size()), std::ios::end);
+    packed.read(reinterpret_cast<char*>(size.data()), size.size());
+    return packed ? size[0] | size[1] << 8 | size[2] << 16 | std::uint64_t(size[3]) << 24 : 0;
+}
+
+} // namespace
+
 double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
 {
     constexpr std::array<std::string_view, 7> ownNames = {".x", ".g", ".grd", ".p3d", ".q", ".qsol", ".xyz"};
     constexpr double binary = 0.9, text = 0.85, toSayWhatIsWrong = 0.2;
-    std::error_code problem;
-    const std::uint64_t bytes = fs::file_size(path, problem);
-    if (!problem)
-        for (const Plot3dKind kind : {Plot3dKind::Grid, Plot3dKind::Solution})
-            if (findPlot3dLayout(firstBytes, bytes, kind))
-                return binary;
+    for (const Plot3dKind kind : {Plot3dKind::Grid, Plot3dKind::Solution})
+        if (findPlot3dLayout(firstBytes, bytesOf(path), kind))
+            return binary;
     const std::string ending = fileEnding(path);
     if (std::ranges::find(ownNames, ending) == ownNames.end())
         return 0;
@@ -303,6 +285,16 @@ Result<Dataset> Plot3dReader::read(const fs::path& path, const ParameterValues& 
     if (!open)
         return open.error();
     return readDataset(path, *open, parameterValue<std::string>(all, values, "array"), progress.part(0.4, 1));
+}
+
+std::vector<fs::path> Plot3dReader::companions(const fs::path& path, const ParameterValues& values) const
+{
+    fs::path solution = parameterValue<std::string>(parameters(), values, "solution");
+    if (solution.empty())
+        return isSolutionName(path) ? gridNames(path) : solutionNames(path);
+    if (fileEnding(solution) == ".gz")
+        solution.replace_extension();
+    return {path.parent_path() / solution};
 }
 
 Result<FileContents> Plot3dReader::probe(const fs::path& path, const ParameterValues& values,

@@ -31,12 +31,6 @@ std::string shown(std::string_view field)
     return "'" + text + (field.size() > most ? "...'" : "'");
 }
 
-std::optional<double> finiteNumber(std::string_view field)
-{
-    const std::optional<double> number = parseNumber<double>(field);
-    return number && std::isfinite(*number) ? number : std::nullopt;
-}
-
 /// A line of names has no number at all where data have four.
 bool isNames(const std::vector<std::string_view>& fields)
 {
@@ -76,7 +70,8 @@ private:
     Status readFront();
     Status split(std::string_view line);
     Status addRow();
-    Result<double> number(std::size_t column) const;
+    Result<double> number(std::size_t column) const; ///< what is written there, also "nan"
+    Error notFinite(std::size_t column) const;
 
     std::string_view text_;
     const PointTableRequest& request_;
@@ -124,7 +119,7 @@ Status TableReading::readFront()
 Result<double> TableReading::number(std::size_t column) const
 {
     const std::string_view field = fields_[column];
-    if (const auto number = finiteNumber(field))
+    if (const auto number = parseNumber<double>(field))
         return *number;
     const Message line = lineText(lines_.number());
     const std::string name = printable(columns_.names[column]);
@@ -134,7 +129,13 @@ Result<double> TableReading::number(std::size_t column) const
     if (field.find(',') != std::string_view::npos)
         return Error{ErrorKind::BadInput, Message::say("%1, %2: %3 is not a number. Numbers need a decimal point.",
                                                        line, name, shown(field))};
-    return Error{ErrorKind::BadInput, Message::say("%1, %2: %3 is not a finite number.", line, name, shown(field))};
+    return notFinite(column);
+}
+
+Error TableReading::notFinite(std::size_t column) const
+{
+    return {ErrorKind::BadInput, Message::say("%1, %2: %3 is not a finite number.", lineText(lines_.number()),
+                                              printable(columns_.names[column]), shown(fields_[column]))};
 }
 
 Status TableReading::addRow()
@@ -149,6 +150,8 @@ Status TableReading::addRow()
         const Result<double> coordinate = number(column);
         if (!coordinate)
             return coordinate.error();
+        if (!std::isfinite(*coordinate))
+            return notFinite(column);
         if (std::abs(*coordinate) > largestCoordinate)
             return Error{ErrorKind::BadInput,
                          Message::say("%1, %2: %3 is too large for a position.", lineText(lines_.number()),
@@ -238,8 +241,8 @@ bool looksLikePointTable(std::string_view beginning)
     for (std::uint64_t tried = 0; tried < linesToTry && lines.next(line); ++tried) {
         if (!splitFields(line, separatorOf(line), fields))
             continue;
-        const auto numbers = static_cast<std::size_t>(
-            std::ranges::count_if(fields, [](std::string_view field) { return finiteNumber(field).has_value(); }));
+        const auto numbers = static_cast<std::size_t>(std::ranges::count_if(
+            fields, [](std::string_view field) { return parseNumber<double>(field).has_value(); }));
         if (numbers >= 4)
             return true;
         if (numbers == fields.size() && !fields.empty()) // sizes, as of a grid: rows have no fewer numbers

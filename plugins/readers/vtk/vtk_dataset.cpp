@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/readers/vtk/vtk_dataset.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -53,8 +53,14 @@ Result<Dataset> gridDataset(VtkFindings& found, const Progress& progress)
     if (!values)
         return values.error();
     dataset.values = *values;
-    const Status usable = onLattice ? checkFinite(dataset.lattice, dataset.values) : checkGrid(dataset);
-    if (!usable)
+    if (!found.blanked.empty()) {
+        std::vector<GridCell> cells(found.blanked.size());
+        std::ranges::transform(found.blanked, cells.begin(), [](std::uint8_t cell) {
+            return cell == 0 ? GridCell::Kept : cell == blankedForItsValue ? GridCell::NotFinite : GridCell::Blanked;
+        });
+        dataset.cells = std::make_shared<const std::vector<GridCell>>(std::move(cells));
+    }
+    if (const Status usable = onLattice || hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
         return usable.error();
     return dataset;
 }
@@ -79,35 +85,12 @@ Status checkPoints(const VtkFindings& found, std::span<const double> values)
     return {};
 }
 
-/// Points without a value are left out: they say nothing of the field.
-void leaveOutNotFinite(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values,
-                       std::vector<Message>& remarks)
-{
-    std::size_t kept = 0;
-    for (std::size_t point = 0; point < values.size(); ++point)
-        if (std::isfinite(values[point])) {
-            positions[kept] = positions[point];
-            values[kept++] = values[point];
-        }
-    if (kept < values.size())
-        remarks.push_back(Message::say("%1 points whose value is no number were left out.", values.size() - kept));
-    positions.resize(kept);
-    values.resize(kept);
-}
-
 Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
 {
     std::vector<double> values = doublesOf(found);
     if (const Status usable = checkPoints(found, values); !usable)
         return usable.error();
-    std::vector<Message> remarks;
-    leaveOutNotFinite(found.positions, values, remarks);
-    if (values.empty())
-        return Error{ErrorKind::BadInput, Message::say("none of its values is a number.")};
-    auto dataset = tetra::scatteredDataset(std::move(found.positions), std::move(values), source.name);
-    if (dataset)
-        dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());
-    return dataset;
+    return scatteredDataset(std::move(found.positions), std::move(values), source.name);
 }
 
 Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const Progress& progress)

@@ -29,6 +29,9 @@ struct VtkRequest {
 
 enum class VtkDataKind : std::uint8_t { Lattice, Grid, Cells, Points };
 
+/// A cell of a lattice or a grid that is a hole because its own value is not finite.
+inline constexpr std::uint8_t blankedForItsValue = 2;
+
 /// What VTK read, in plain arrays: not yet checked, the helper may have stumbled over a damaged file.
 struct VtkFindings {
     VtkDataKind kind = VtkDataKind::Lattice;
@@ -42,7 +45,7 @@ struct VtkFindings {
     std::vector<CellShape> shapes{}; ///< of Cells, with the following as in CellComplex
     std::vector<std::uint64_t> offsets{};
     std::vector<std::uint64_t> corners{};
-    std::vector<std::uint8_t> blanked{};
+    std::vector<std::uint8_t> blanked{}; ///< one a cell, nonzero: a hole; empty if there are none; not of Points
     std::string arrayName{};
     std::vector<Message> remarks{};
 };

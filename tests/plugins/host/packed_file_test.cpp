@@ -6,12 +6,11 @@
 #include "plugins/host/input_file.h"
 #include "plugins/host/packed_file.h"
 #include "plugins/samples/samples.h"
+#include "tests/plugins/host/gzipped.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include <zlib.h>
 
 #include <csignal>
 
@@ -25,20 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-QByteArray gzipped(const QByteArray& bytes)
+/// With the folder that it is in, which goes with it.
+std::optional<std::pair<UnpackedFiles, fs::path>> unpackedFile(const fs::path& packed)
 {
-    constexpr int asGzip = 15 + 16;
-    z_stream stream{};
-    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, asGzip, 8, Z_DEFAULT_STRATEGY);
-    QByteArray packed(static_cast<qsizetype>(deflateBound(&stream, static_cast<uLong>(bytes.size()))) + 64, '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.constData()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    deflate(&stream, Z_FINISH);
-    packed.resize(static_cast<qsizetype>(stream.total_out));
-    deflateEnd(&stream);
-    return packed;
+    const auto folder = UnpackedFiles::make(packed);
+    const auto file = folder ? folder->unpack(packed, "file", {}) : Result<fs::path>(folder.error());
+    return file ? std::optional(std::pair(*folder, *file)) : std::nullopt;
 }
 
 const QByteArray pointTable = "x,y,z,heat\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n1,1,1,5\n";
@@ -88,7 +79,7 @@ private slots:
         const fs::path packed = write("killed.csv.gz", gzipped(pointTable));
         const pid_t killed = fork();
         if (killed == 0) {
-            const auto unpacked = UnpackedFile::unpack(packed, {});
+            const auto unpacked = unpackedFile(packed);
             raise(SIGKILL);
         }
         QCOMPARE(waitpid(killed, nullptr, 0), killed);
@@ -96,10 +87,10 @@ private slots:
         const fs::path mine = fs::temp_directory_path() / "tan-unpacked-letter";
         fs::create_directory(mine);
         {
-            const auto first = UnpackedFile::unpack(packed, {});
+            const auto first = unpackedFile(packed);
             QVERIFY(first);
-            const auto second = UnpackedFile::unpack(packed, {});
-            QVERIFY(second && fs::exists(first->path()));
+            const auto second = unpackedFile(packed);
+            QVERIFY(second && fs::exists(first->second));
             QCOMPARE(left(), 3);
         }
         QVERIFY(fs::remove(mine));

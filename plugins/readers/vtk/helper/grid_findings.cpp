@@ -40,13 +40,20 @@ template <class Function> void forEachCell(const Size& size, const Function& fun
             }
 }
 
-/// The mean of the cells around each point: in double precision for the wider types, else single.
-VtkSamples meansAtPoints(const Size& size, const VtkSamples& cells)
+/// The mean of the cells around each point, NaN without any: in double precision for the wider types, else single.
+/// Cells that are blanked out do not count, and those whose value is not finite are blanked out.
+VtkSamples meansAtPoints(const Size& size, const VtkSamples& cells, std::vector<std::uint8_t>& blanked)
 {
     const std::vector<double> values = toDoubles(cells);
+    if (blanked.empty() && !std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+        blanked.resize(values.size(), 0);
     std::vector<double> sums(product(size), 0);
     std::vector<std::uint8_t> counts(sums.size(), 0);
     forEachCell(size, [&](std::uint64_t cell, const auto& corners) {
+        if (!blanked.empty() && blanked[cell] == 0 && !std::isfinite(values[cell]))
+            blanked[cell] = blankedForItsValue;
+        if (!blanked.empty() && blanked[cell] != 0)
+            return;
         for (const std::uint64_t corner : corners) {
             sums[corner] += values[cell];
             ++counts[corner];
@@ -72,83 +79,50 @@ VtkSamples meansAtPoints(const Size& size, const VtkSamples& cells)
     return points;
 }
 
-/// Brings the samples of a lattice whose axes run backwards or are exchanged into the order of ascending x, y, z.
-void straighten(const VtkGrid& grid, VtkFindings& found)
+/// Brings what there is of `bytes` bytes for each of `size` points or cells along the axes of the file into the order
+/// of ascending x, y, z, where the axes of a lattice run backwards or are exchanged.
+template <class List> void straighten(const VtkGrid& grid, const Size& size, std::size_t bytes, List& list)
 {
-    std::array<std::int64_t, 3> stride{}; // in the samples, along each axis of space
+    std::array<std::int64_t, 3> stride{}; // in the list, along each axis of space
+    Size sorted{};
     std::int64_t start = 0;
     std::int64_t step = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto along = static_cast<std::size_t>(grid.axes[axis]);
-        const double spacing = grid.spacing[static_cast<Eigen::Index>(axis)];
-        const std::int64_t last = std::int64_t(grid.size[axis]) - 1;
-        found.size[along] = grid.size[axis];
-        found.spacing[static_cast<Eigen::Index>(along)] = std::abs(spacing);
-        if (spacing < 0) {
-            found.origin[static_cast<Eigen::Index>(along)] += static_cast<double>(last) * spacing;
-            start += last * step;
-        }
-        stride[along] = spacing < 0 ? -step : step;
-        step *= grid.size[axis];
+        const bool backwards = grid.spacing[static_cast<Eigen::Index>(axis)] < 0;
+        sorted[along] = size[axis];
+        start += backwards ? (std::int64_t(size[axis]) - 1) * step : 0;
+        stride[along] = backwards ? -step : step;
+        step *= size[axis];
     }
-    if (stride == std::array<std::int64_t, 3>{1, grid.size[0], std::int64_t(grid.size[0]) * grid.size[1]})
+    if (stride == std::array<std::int64_t, 3>{1, size[0], std::int64_t(size[0]) * size[1]})
         return;
-    const Buffer<std::byte> before = std::move(found.samples);
-    const std::size_t bytes = sampleSize(found.type);
-    found.samples = Buffer<std::byte>(before.size());
-    std::byte* to = found.samples.data();
-    for (std::int64_t k = 0; k < found.size[2]; ++k)
-        for (std::int64_t j = 0; j < found.size[1]; ++j)
-            for (std::int64_t i = 0; i < found.size[0]; ++i, to += bytes)
+    const List before = std::move(list);
+    list = List(before.size());
+    auto* to = reinterpret_cast<std::byte*>(list.data());
+    for (std::int64_t k = 0; k < sorted[2]; ++k)
+        for (std::int64_t j = 0; j < sorted[1]; ++j)
+            for (std::int64_t i = 0; i < sorted[0]; ++i, to += bytes)
                 std::memcpy(to,
-                            before.data() +
+                            reinterpret_cast<const std::byte*>(before.data()) +
                                 static_cast<std::size_t>(start + i * stride[0] + j * stride[1] + k * stride[2]) * bytes,
                             bytes);
 }
 
-std::uint64_t countNotFinite(const VtkSamples& samples)
+/// The same of a lattice with all that it has.
+void straighten(const VtkGrid& grid, VtkFindings& found)
 {
-    return visitSampleType(samples.type, [&]<class T>() -> std::uint64_t {
-        const T* first = reinterpret_cast<const T*>(samples.samples.data());
-        return static_cast<std::uint64_t>(std::count_if(first, first + samples.samples.size() / sizeof(T), [](T value) {
-            return !std::isfinite(static_cast<double>(value));
-        }));
-    });
-}
-
-/// The grid as hexahedra, for domains with holes.
-Result<VtkFindings> asCells(vtkDataSet& data, const VtkGrid& grid, bool perCell, const VtkSamples& samples,
-                            std::vector<std::uint8_t> blanked)
-{
-    constexpr std::uint64_t most = 20'000'000;
-    const std::uint64_t cells = product({grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1});
-    if (cells > most)
-        return Error{
-            ErrorKind::OutOfResource,
-            Message::say(
-                "some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular "
-                "mesh, which is too large for that. Take a part of it, or replace those values by numbers.",
-                cells)};
-    VtkFindings found;
-    found.kind = VtkDataKind::Cells;
-    found.type = samples.type;
-    found.arrayName = samples.name;
-    found.remarks = samples.remarks;
-    found.remarks.push_back(Message::say(
-        "A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them."));
-    found.perCell = perCell;
-    found.positions = positionsOf(data);
-    const std::vector<double> values = toDoubles(samples);
-    const std::span bytes = std::as_bytes(std::span(values));
-    found.samples.assign(bytes.begin(), bytes.end());
-    found.shapes.assign(cells, CellShape::Hexahedron);
-    found.offsets.push_back(0);
-    forEachCell(grid.size, [&](std::uint64_t, const auto& corners) {
-        found.corners.insert(found.corners.end(), corners.begin(), corners.end());
-        found.offsets.push_back(found.corners.size());
-    });
-    found.blanked = std::move(blanked);
-    return found;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto along = static_cast<std::size_t>(grid.axes[axis]);
+        const double spacing = grid.spacing[static_cast<Eigen::Index>(axis)];
+        found.size[along] = grid.size[axis];
+        found.spacing[static_cast<Eigen::Index>(along)] = std::abs(spacing);
+        if (spacing < 0)
+            found.origin[static_cast<Eigen::Index>(along)] += (double(grid.size[axis]) - 1) * spacing;
+    }
+    straighten(grid, grid.size, sampleSize(found.type), found.samples);
+    if (!found.blanked.empty())
+        straighten(grid, {grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1}, 1, found.blanked);
 }
 
 } // namespace
@@ -157,14 +131,12 @@ Result<VtkFindings> gridFindings(vtkDataSet& data, const VtkGrid& grid, const Vt
 {
     const bool isVolume = std::ranges::all_of(grid.size, [](std::uint32_t points) { return points > 1; });
     const bool fits = static_cast<std::uint64_t>(data.GetNumberOfPoints()) == product(grid.size);
-    if (isVolume && fits) { // otherwise it will be refused for its size
-        std::vector<std::uint8_t> blanked = blankedCells(data);
-        if (!blanked.empty() || countNotFinite(samples) > 0)
-            return asCells(data, grid, array.perCell, samples, std::move(blanked));
-        if (array.perCell)
-            samples = meansAtPoints(grid.size, samples);
-    }
     VtkFindings found;
+    if (isVolume && fits) { // otherwise it will be refused for its size
+        found.blanked = blankedCells(data);
+        if (array.perCell)
+            samples = meansAtPoints(grid.size, samples, found.blanked);
+    }
     found.kind = grid.onLattice ? VtkDataKind::Lattice : VtkDataKind::Grid;
     found.size = grid.size;
     found.origin = grid.origin;

@@ -25,8 +25,8 @@ struct VtkGrid {
 /// rectilinear grids of equal steps.
 std::optional<VtkGrid> gridOf(vtkDataSet& data);
 
-/// The findings of a grid: a lattice brought to ascending axes, a grid with its positions, or cells if some are blanked
-/// out or have values that are no numbers. Values of cells become the mean of the cells around each point.
+/// The findings of a grid: a lattice brought to ascending axes, or a grid with its positions. Values of cells become
+/// the mean of the cells around each point. Holes are left to withHoles().
 Result<VtkFindings> gridFindings(vtkDataSet& data, const VtkGrid& grid, const VtkArray& array, VtkSamples samples);
 
 } // namespace tetra

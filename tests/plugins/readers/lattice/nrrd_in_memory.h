@@ -25,7 +25,7 @@ inline Result<Dataset> readNrrdInMemory(std::string_view file)
     const Result<ScalarField> values = readSamples(data, layout->samples, {});
     if (!values)
         return values.error();
-    return Dataset{.lattice = layout->samples.lattice, .values = *values, .source = {}};
+    return withHoles(Dataset{.lattice = layout->samples.lattice, .values = *values, .source = {}});
 }
 
 } // namespace tetra

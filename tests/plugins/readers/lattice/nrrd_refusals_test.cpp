@@ -20,8 +20,8 @@ class NrrdRefusalsTest : public QObject {
 private slots:
     void ofFiles_data();
     void ofFiles();
-    void ofSamplesThatAreNotFinite_data();
-    void ofSamplesThatAreNotFinite();
+    void samplesThatAreNotFiniteAreHoles_data();
+    void samplesThatAreNotFiniteAreHoles();
     void ofWhatIsNoFile();
     void ofFilesThatMayNotBeRead();
     void ofDataFilesThatAreNotThere();
@@ -157,7 +157,7 @@ void NrrdRefusalsTest::ofFiles()
     checkRefused(folder_.write("wrong.nrrd", file), words);
 }
 
-void NrrdRefusalsTest::ofSamplesThatAreNotFinite_data()
+void NrrdRefusalsTest::samplesThatAreNotFiniteAreHoles_data()
 {
     QTest::addColumn<bool>("isDouble");
     QTest::addColumn<double>("value");
@@ -169,25 +169,34 @@ void NrrdRefusalsTest::ofSamplesThatAreNotFinite_data()
     }
 }
 
-/// S20: how many, and where the first one is.
-void NrrdRefusalsTest::ofSamplesThatAreNotFinite()
+/// C10, S20: they are holes.
+void NrrdRefusalsTest::samplesThatAreNotFiniteAreHoles()
 {
     QFETCH(bool, isDouble);
     QFETCH(double, value);
     QByteArray samples = testSamples(isDouble ? SampleType::Float64 : SampleType::Float32);
-    for (const qsizetype point : {qsizetype(2 + 3 * (1 + 4 * 2)), qsizetype(59)}) { // (2, 1, 2) and the last
-        const auto single = static_cast<float>(value);
-        if (isDouble)
-            samples.replace(point * 8, 8, reinterpret_cast<const char*>(&value), 8);
-        else
-            samples.replace(point * 4, 4, reinterpret_cast<const char*>(&single), 4);
-    }
+    constexpr qsizetype point = 2 + 3 * (1 + 4 * 2); // (2, 1, 2)
+    const auto single = static_cast<float>(value);
+    if (isDouble)
+        samples.replace(point * 8, 8, reinterpret_cast<const char*>(&value), 8);
+    else
+        samples.replace(point * 4, 4, reinterpret_cast<const char*>(&single), 4);
     const QByteArray type = isDouble ? "double" : "float";
-    checkRefused(folder_.write("nan.nrrd", nrrdHeader("type: " + type + "\nendian: little\n") + samples),
-                 {"2 of its 60 samples", "(2, 1, 2)"});
-    checkRefused(
-        folder_.write("text.nrrd", nrrdHeader("sizes: 2 2 2\ntype: float\nencoding: text\n") + "1 2 nan 4 5 6 7 8"),
-        {"1 of its 8 samples", "(0, 1, 0)"});
+    const auto dataset = complete(asLoaded<LatticeReader>().read(
+        folder_.write("nan.nrrd", nrrdHeader("type: " + type + "\nendian: little\n") + samples), {}, {}));
+    QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+    QCOMPARE(dataset->domain, DomainClass::Irregular);
+    QCOMPARE(dataset->pointCount(), std::uint64_t(58)); // also without (2, 0, 2), whose cells all have that corner
+    QCOMPARE(dataset->values.notFiniteCount(), std::uint64_t(0));
+    const auto text = asLoaded<LatticeReader>().read(
+        folder_.write("text.nrrd", nrrdHeader("sizes: 2 2 2\ntype: float\nencoding: text\n") + "1 2 nan 4 5 6 7 8"), {},
+        {});
+    QVERIFY(text.ok());
+    const auto nothingLeft = withHoles(*text);
+    QVERIFY(!nothingLeft.ok());
+    QCOMPARE(nothingLeft.error().kind, ErrorKind::BadInput);
+    QVERIFY2(nothingLeft.error().text().find("nothing is left") != std::string::npos,
+             nothingLeft.error().text().c_str());
 }
 
 void NrrdRefusalsTest::ofWhatIsNoFile()

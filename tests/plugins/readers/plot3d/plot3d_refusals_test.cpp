@@ -28,7 +28,7 @@ private:
     }
     static Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values = {})
     {
-        return asLoaded<Plot3dReader>().read(path, values, {});
+        return complete(asLoaded<Plot3dReader>().read(path, values, {}));
     }
 
     std::unique_ptr<QTemporaryDir> folder_;

@@ -163,6 +163,19 @@ private slots:
         QCOMPARE(dataset->remarks[0].text(), std::string("2 incomplete rows were skipped."));
     }
 
+    /// C10
+    void pointsWithoutAFiniteValueAreLeftOut()
+    {
+        const auto dataset = read("x,y,z,v\n1,2,3,nan\n4,5,6,7\n0,0,0,-inf\n");
+        QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
+        QCOMPARE(dataset->pointCount(), std::uint64_t(1));
+        QCOMPARE(dataset->remarks.size(), std::size_t(1));
+        QCOMPARE(dataset->remarks[0].text(), std::string("2 points without a finite value were left out."));
+        const auto none = read("x,y,z,v\n1,2,3,nan\n");
+        QVERIFY(!none.ok());
+        QVERIFY2(none.error().text().find("none of its values") != std::string::npos, none.error().text().c_str());
+    }
+
     void pointsOnOnePlaceAreMergedAndTold()
     {
         const auto dataset = read("1,2,3,10\n4,5,6,7\n1,2,3,10\n4,5,6,8\n0,0,0,1\n-0,0,0,1\n4,5,6,9\n");

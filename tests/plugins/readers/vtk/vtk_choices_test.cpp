@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be chosen of a VTK file, and how its grids become datasets (R1, S6).
+#include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
 #include <QTest>
@@ -180,7 +181,7 @@ private slots:
 private:
     Result<Dataset> read(const QByteArray& vti, const ParameterValues& values = {})
     {
-        return builtVtkReader().read(folder_.write("file.vti", vti), values, {});
+        return complete(builtVtkReader().read(folder_.write("file.vti", vti), values, {}));
     }
 
     VtkFolder folder_;
