@@ -4,6 +4,7 @@
 #include "ui/viewport/canvas.h"
 #include "ui/workbench/scene_builder.h"
 
+#include <QProxyStyle>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -66,6 +67,11 @@ private slots:
     void nothingArrivesAfterAnotherMesh();
     void movingPicturesAreQuickAndRestingOnesFull();
     void draftsDoNotDisturbAFinePicture();
+    void theChosenMeshIsPrepared();
+    void theFirstPictureOfAMovementIsCoarse_data();
+    void theFirstPictureOfAMovementIsCoarse();
+    void fullQualityIsAlwaysFull();
+    void finePicturesFadeIn();
 
 private:
     struct Shown {
@@ -75,6 +81,7 @@ private:
     SceneRequest request(const char* mode) const;
     Shown shown(const char* mode) const;
     std::vector<DraftScene> drafts(const Shown& shown) const;
+    View viewOf(const Shown& shown) const;
 
     QTemporaryDir folder_;
     std::unique_ptr<PluginHost> host_;
@@ -258,6 +265,177 @@ void DraftBuilderTest::draftsDoNotDisturbAFinePicture()
     QVERIFY(canvas.settled());
     QCoreApplication::processEvents();
     QCOMPARE(pictures, 0);
+}
+
+/// C4: of an error or a share that the user chose, and none where there is no coarser one.
+void DraftBuilderTest::theChosenMeshIsPrepared()
+{
+    const Shown full = shown("volume");
+    const std::uint64_t whole = full.scene.mesh.tetrahedra;
+    DraftBuilder builder;
+    QSignalSpy ready(&builder, &DraftBuilder::draftsReady);
+    const auto last = [&] { return ready.last()[0].value<std::vector<DraftScene>>(); };
+    builder.setQuality({MovingQuality::Kind::Error, 5});
+    builder.request(full.request, full.scene.mesh);
+    QTRY_VERIFY_WITH_TIMEOUT(!ready.isEmpty() && last().size() == 1, 60'000);
+    MeshQuery coarse = full.request.query;
+    coarse.error = 5;
+    QCOMPARE(last()[0].tetrahedra, std::uint64_t(extractMesh(*model_, coarse).value()->mesh.tetrahedronCount()));
+
+    builder.setQuality({MovingQuality::Kind::Share, 20});
+    QVERIFY(last().empty()); // at once
+    QTRY_VERIFY_WITH_TIMEOUT(last().size() == 1, 60'000);
+    QVERIFY(last()[0].tetrahedra > whole / 10 && last()[0].tetrahedra <= whole / 5);
+
+    builder.setQuality({MovingQuality::Kind::FrameRate, 0});
+    QTRY_COMPARE_WITH_TIMEOUT(last().size(), coarserMeshes(whole).size(), 60'000);
+
+    for (const MovingQuality& none :
+         {MovingQuality{MovingQuality::Kind::Full, 0}, MovingQuality{MovingQuality::Kind::Error, 0.05}}) {
+        builder.setQuality(none);
+        QVERIFY(last().empty());
+        const auto before = ready.size();
+        QVERIFY(!ready.wait(300));
+        QCOMPARE(ready.size(), before);
+    }
+}
+
+View DraftBuilderTest::viewOf(const Shown& shown) const
+{
+    View view;
+    view.levels.push_back({shown.scene.scene, shown.scene.mesh.tetrahedra});
+    for (const DraftScene& draft : drafts(shown))
+        view.levels.push_back({draft.scene, draft.tetrahedra});
+    view.camera = fitted(Camera(), model_->description().bounds);
+    return view;
+}
+
+void DraftBuilderTest::theFirstPictureOfAMovementIsCoarse_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::newRow("frame rate") << int(MovingQuality::Kind::FrameRate);
+    QTest::newRow("chosen") << int(MovingQuality::Kind::Share);
+}
+
+/// C4: after a rest, whose fine picture is on the screen or on its way, no full one comes first.
+void DraftBuilderTest::theFirstPictureOfAMovementIsCoarse()
+{
+    QFETCH(int, kind);
+    const Shown full = shown("volume");
+    View view = viewOf(full);
+    Canvas canvas;
+    canvas.resize(640, 480);
+    canvas.setMovingKind(static_cast<MovingQuality::Kind>(kind));
+    canvas.setFrameRate(100);
+    std::vector<FrameReport> reports;
+    connect(&canvas, &Canvas::framePainted, this, [&](const FrameReport& report) { reports.push_back(report); });
+    for (const bool settled : {true, false}) {
+        view.moving = false;
+        view.camera = turned(view.camera, 5, 0);
+        canvas.setView(view);
+        if (settled)
+            QTRY_VERIFY_WITH_TIMEOUT(canvas.settled(), 60'000);
+        reports.clear();
+        view.moving = true;
+        view.camera = turned(view.camera, 5, 0);
+        canvas.setView(view);
+        QTRY_VERIFY_WITH_TIMEOUT(!reports.empty(), 60'000);
+        QVERIFY(reports.front().moving);
+        QVERIFY(reports.front().tetrahedra < full.scene.mesh.tetrahedra || reports.front().reduction > 1);
+        if (kind == int(MovingQuality::Kind::Share)) {
+            QCOMPARE(reports.front().tetrahedra, view.levels.back().tetrahedra);
+            QCOMPARE(reports.front().reduction, 1.0);
+        }
+    }
+}
+
+/// C4: also while it moves, and what was drawn then is not drawn again at rest.
+void DraftBuilderTest::fullQualityIsAlwaysFull()
+{
+    const Shown full = shown("volume");
+    View view = viewOf(full);
+    Canvas canvas;
+    canvas.resize(320, 240);
+    canvas.setMovingKind(MovingQuality::Kind::Full);
+    canvas.setFrameRate(1000);
+    std::vector<FrameReport> reports;
+    connect(&canvas, &Canvas::framePainted, this, [&](const FrameReport& report) { reports.push_back(report); });
+    canvas.setView(view);
+    QTRY_VERIFY_WITH_TIMEOUT(canvas.settled(), 60'000);
+    view.moving = true;
+    view.camera = turned(view.camera, 5, 0);
+    canvas.setView(view);
+    QTRY_VERIFY_WITH_TIMEOUT(canvas.settled(), 60'000);
+    QCOMPARE(reports.size(), std::size_t(2));
+    for (const FrameReport& report : reports) {
+        QCOMPARE(report.tetrahedra, full.scene.mesh.tetrahedra);
+        QCOMPARE(report.reduction, 1.0);
+    }
+    const QImage moving = canvas.picture();
+    view.moving = false;
+    canvas.setView(view);
+    QVERIFY(canvas.settled());
+    QCOMPARE(reports.size(), std::size_t(2));
+
+    Canvas resting;
+    resting.resize(320, 240);
+    resting.setView(view);
+    QTRY_VERIFY_WITH_TIMEOUT(resting.settled(), 60'000);
+    QCOMPARE(moving, resting.picture());
+}
+
+namespace {
+
+/// A desktop where things glide, or one where nothing should.
+class MotionStyle : public QProxyStyle {
+public:
+    explicit MotionStyle(bool moves) : moves_(moves) {}
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override
+    {
+        return hint == SH_Widget_Animation_Duration ? (moves_ ? 200 : 0)
+                                                    : QProxyStyle::styleHint(hint, option, widget, data);
+    }
+
+private:
+    bool moves_;
+};
+
+} // namespace
+
+/// C4: from the coarse picture, unless nothing should move.
+void DraftBuilderTest::finePicturesFadeIn()
+{
+    const Shown full = shown("volume");
+    for (const bool moves : {true, false}) {
+        MotionStyle style(moves);
+        View view = viewOf(full);
+        Canvas canvas;
+        canvas.setStyle(&style);
+        canvas.resize(320, 240);
+        canvas.show();
+        canvas.setFrameRate(1000);
+        std::vector<QImage> seen; // as each fine picture arrives
+        std::size_t coarse = 0;
+        connect(&canvas, &Canvas::framePainted, this, [&](const FrameReport& report) {
+            coarse += report.moving;
+            if (!report.moving)
+                seen.push_back(canvas.grab().toImage());
+        });
+        view.moving = true;
+        canvas.setView(view);
+        QTRY_VERIFY_WITH_TIMEOUT(coarse == 1, 60'000);
+        const QImage before = canvas.grab().toImage();
+        view.moving = false;
+        canvas.setView(view);
+        QTRY_VERIFY_WITH_TIMEOUT(canvas.settled(), 60'000);
+        const QImage after = canvas.grab().toImage();
+        QVERIFY(!seen.empty() && before != after);
+        if (moves)
+            QCOMPARE(seen.front(), before);
+        else
+            QCOMPARE(seen.back(), after);
+    }
 }
 
 QTEST_MAIN(DraftBuilderTest)

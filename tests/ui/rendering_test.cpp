@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -31,6 +32,8 @@ private slots:
     void aDefaultThatIsConfirmedIsNoEdit();
     void aSettingOfAnotherTypeIsLeftOut();
     void theFrameRateIsKept();
+    void whatIsDrawnWhileMovingIsKept();
+    void theFullPictureComesAfterTheIdleTime();
     void theCameraIsEditedInNumbers();
     void theCameraIsSavedAndLoaded();
     void theBackgroundIsChosen();
@@ -174,6 +177,36 @@ void RenderingTest::theFrameRateIsKept()
     window_ = std::make_unique<WindowFixture>();
     QCOMPARE(window_->find<QSpinBox>("rendering.frameRate").value(), 24);
     window_->find<QSpinBox>("rendering.frameRate").setValue(0);
+}
+
+/// C4
+void RenderingTest::whatIsDrawnWhileMovingIsKept()
+{
+    window_->find<QComboBox>("rendering.moving").setCurrentIndex(2);
+    window_->find<QSpinBox>("rendering.movingShare").setValue(33);
+    window_->find<QSpinBox>("rendering.idleTime").setValue(700);
+    window_ = std::make_unique<WindowFixture>();
+    QCOMPARE(window_->find<QComboBox>("rendering.moving").currentData().toString(), QString("share"));
+    QCOMPARE(window_->find<QSpinBox>("rendering.movingShare").value(), 33);
+    QCOMPARE(window_->find<QSpinBox>("rendering.idleTime").value(), 700);
+    QCOMPARE(window_->viewport().idleTime(), std::chrono::milliseconds(700));
+    window_->find<QComboBox>("rendering.moving").setCurrentIndex(0);
+    window_->find<QSpinBox>("rendering.idleTime").setValue(150);
+}
+
+/// C4
+void RenderingTest::theFullPictureComesAfterTheIdleTime()
+{
+    constexpr int idle = 900;
+    window_->find<QSpinBox>("rendering.idleTime").setValue(idle);
+    QElapsedTimer clock;
+    clock.start();
+    Viewport& viewport = window_->viewport();
+    viewport.setCamera(turned(viewport.camera(), 10, 0));
+    QVERIFY(!viewport.settled());
+    QTRY_VERIFY_WITH_TIMEOUT(viewport.settled(), 60'000);
+    QVERIFY(clock.elapsed() >= idle);
+    window_->find<QSpinBox>("rendering.idleTime").setValue(150);
 }
 
 void RenderingTest::theCameraIsEditedInNumbers()

@@ -204,6 +204,9 @@ void FramePacer::setLevels(std::vector<FrameLevel> levels)
 
 FramePlan FramePacer::nextFrame(double pixels)
 {
+    const bool isFull = kind_ == MovingQuality::Kind::Full;
+    if (isFull || (kind_ != MovingQuality::Kind::FrameRate && levels_.size() > 1))
+        return {isFull ? 0 : levels_.size() - 1, 1};
     last_ = chooseFrame(levels_, pixels, plannedPart / frameRate_, last_);
     return *last_;
 }

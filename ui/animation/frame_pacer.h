@@ -77,6 +77,19 @@ struct RefinementStep {
 /// if that will take long, such as take a fraction of it, so that all take little longer than the last alone.
 std::vector<RefinementStep> refinementSteps(const FrameLevel& finest, double pixels, int samplesPerAxis);
 
+/// What is drawn while something moves, as the user chooses (R23, C4).
+struct MovingQuality {
+    enum class Kind : std::uint8_t {
+        FrameRate, ///< as many tetrahedra and pixels as a frame rate allows
+        Error,     ///< a mesh of this error, at full size
+        Share,     ///< a mesh with this share of the tetrahedra, at full size
+        Full,      ///< what is drawn at rest
+    };
+    Kind kind = Kind::FrameRate;
+    double percent = 0; ///< of the value range, or of the tetrahedra; 0 for other kinds
+    bool operator==(const MovingQuality&) const = default;
+};
+
 /// Holds a frame rate while the camera moves (R23): learns from the pictures that were drawn, and says how to draw the
 /// next one. Knows no clock, no scene and no thread; a value.
 class FramePacer {
@@ -84,6 +97,9 @@ public:
     /// Pictures a second, above zero.
     void setFrameRate(double perSecond) noexcept { frameRate_ = perSecond; }
     double frameRate() const noexcept { return frameRate_; }
+    /// Of Error and Share the one coarser level is drawn; while there is none, the frame rate counts.
+    void setKind(MovingQuality::Kind kind) noexcept { kind_ = kind; }
+    MovingQuality::Kind kind() const noexcept { return kind_; }
 
     /// What can be drawn from now on, the finest first; costs and `measured` are its own affair. What was learnt goes
     /// over to the levels nearest in size.
@@ -103,6 +119,7 @@ private:
     std::vector<FrameLevel> levels_{FrameLevel{}};
     std::optional<FramePlan> last_;
     double frameRate_ = 15;
+    MovingQuality::Kind kind_ = MovingQuality::Kind::FrameRate;
 };
 
 } // namespace tetra

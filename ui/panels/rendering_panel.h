@@ -6,6 +6,8 @@
 #include <QWidget>
 
 class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QSpinBox;
 
@@ -14,8 +16,8 @@ namespace tetra {
 class ParameterForm;
 class Viewport;
 
-/// How a model is looked at (R27): the mode, and what it can be told; and the frame rate to hold while something moves
-/// (R23), which is the user's and kept in the settings.
+/// How a model is looked at (R27): the mode, and what it can be told; and what is drawn while something moves, and for
+/// how long (R23, C4), which is the user's and kept in the settings.
 class RenderingPanel : public QWidget {
     Q_OBJECT
 public:
@@ -34,14 +36,22 @@ private:
     void showModel();
     void showAppearance();
     void showExample();
+    QFormLayout* makeMotion();
     void setFrameRate(int perSecond);
+    void readMotion();
+    void setMotion();
 
     Workbench& workbench_;
     Viewport& viewport_;
     QComboBox* mode_;
     QLabel* explanation_;
     ParameterForm* settings_;
+    QFormLayout* motion_ = nullptr;
+    QComboBox* moving_;
     QSpinBox* frameRate_;
+    QDoubleSpinBox* movingError_;
+    QSpinBox* movingShare_;
+    QSpinBox* idleTime_;
     std::string shownMode_;
 };
 

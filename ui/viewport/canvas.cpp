@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/colour_button.h"
 #include "ui/session/message_text.h"
+#include "ui/widgets/motion.h"
 #include "ui/workbench/picture_file.h"
 #include "ui/workbench/scene_pipeline.h"
 
@@ -29,6 +30,9 @@ constexpr double longestSmoothing = 5;
 constexpr double mostSamplesOfGl = 24e6;
 /// A coarse picture on its way is finished and shown before a newer one begins; a fine one is given up.
 constexpr auto movingPatience = std::chrono::milliseconds(200);
+/// What the user chose to draw, whatever it takes, is finished.
+constexpr auto chosenPatience = std::chrono::hours(1);
+constexpr int fadeTime = 150; // milliseconds
 /// The order of cells is used again for cameras that differ by less, in degrees: what is wrong then cannot be seen in
 /// motion.
 constexpr double movingTolerance = 4;
@@ -82,8 +86,7 @@ bool choosesGl(BackendChoice choice)
 bool haveSameStill(const View& first, const View& second)
 {
     const auto still = [](const View& view) { return view.levels.empty() ? nullptr : view.levels.front().scene.get(); };
-    return !first.moving && !second.moving && still(first) == still(second) && first.camera == second.camera &&
-           first.background == second.background;
+    return still(first) == still(second) && first.camera == second.camera && first.background == second.background;
 }
 
 /// Whether a moving picture of this level of `second` would show what was seen of `first` already: its scene is not
@@ -139,9 +142,23 @@ Canvas::Canvas(BackendChoice choice, QWidget* parent)
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     pacer_.setFrameRate(usualFrameRate());
+    fade_.setStartValue(0.0);
+    fade_.setEndValue(1.0);
+    fade_.setDuration(fadeTime);
+    connect(&fade_, &QVariantAnimation::valueChanged, this, [this] { update(); });
+    connect(&fade_, &QVariantAnimation::finished, this, [this] { fadedFrom_ = {}; });
 }
 
 Canvas::~Canvas() = default;
+
+void Canvas::setMovingKind(MovingQuality::Kind kind)
+{
+    if (kind == pacer_.kind())
+        return;
+    pacer_.setKind(kind);
+    if (newest_ > 0)
+        render();
+}
 
 QString Canvas::backendName() const
 {
@@ -157,10 +174,13 @@ void Canvas::setView(const View& view)
     if (view_.levels.empty() && !before.levels.empty()) {
         // What was seen is gone, and is not to be taken for what comes.
         shown_ = {};
+        fade_.stop();
         emptied_ = newest_;
         update();
     }
-    if (newest_ == 0 || !(haveSameStill(before, view_) || bringsNothing(before)))
+    const bool isAlwaysFull = pacer_.kind() == MovingQuality::Kind::Full;
+    const bool areStill = isAlwaysFull || (!before.moving && !view_.moving);
+    if (newest_ == 0 || !((areStill && haveSameStill(before, view_)) || bringsNothing(before)))
         render();
 }
 
@@ -177,6 +197,8 @@ void Canvas::render()
     ++newest_;
     if (pixels().isEmpty())
         return;
+    if (pacer_.kind() == MovingQuality::Kind::Full)
+        return drawFull();
     if (view_.moving)
         return drawMoving();
     steps_ = pacer_.refinement(pixelCount(), smoothSamples());
@@ -213,6 +235,16 @@ void Canvas::drawMoving()
     submit(order);
 }
 
+/// As at rest, at once.
+void Canvas::drawFull()
+{
+    Order order;
+    order.moving = view_.moving;
+    order.isLast = true;
+    order.options.samplesPerAxis = smoothSamples();
+    submit(order);
+}
+
 /// Draws this step and, when it is on the screen, the next one.
 void Canvas::refine(std::size_t step)
 {
@@ -240,7 +272,9 @@ void Canvas::submit(Order order)
                 this, [this, order, drawn = draw(*backends, order, stop)] { arrived(order, drawn); },
                 Qt::QueuedConnection);
         },
-        order.moving ? movingPatience : std::chrono::milliseconds(0));
+        !order.moving                                     ? std::chrono::milliseconds(0)
+        : pacer_.kind() == MovingQuality::Kind::FrameRate ? movingPatience
+                                                          : std::chrono::milliseconds(chosenPatience));
 }
 
 Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::stop_token& stop)
@@ -250,7 +284,7 @@ Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::st
         drawn.error = translatedMessage(made.error().message);
         return drawn;
     }
-    RenderBackend& backend = order.moving ? *backends.moving : *backends.fine;
+    RenderBackend& backend = order.isLast || !order.moving ? *backends.fine : *backends.moving;
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
     Scene scene = order.level.scene ? *order.level.scene : nothing;
@@ -281,9 +315,8 @@ void Canvas::arrived(const Order& order, const Drawn& drawn)
     // An older picture is still news while the camera moves, but not over a newer fine one.
     if (!isNewest && (settled_ || !order.moving))
         return;
-    shown_ = drawn.image;
+    show(order, drawn.image);
     settled_ = isNewest && order.isLast;
-    update();
     emit framePainted({drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction,
                        order.level.tetrahedra, drawn.statistics.cells, drawn.statistics.brokenCycles});
     if (isNewest && !order.moving && !order.isLast)
@@ -303,16 +336,46 @@ void Canvas::tellError(const Order& order, const QString& error)
         emit failed(error);
 }
 
+/// A finer picture of what a coarse one shows fades in; what moves is there at once.
+void Canvas::show(const Order& order, const QImage& image)
+{
+    const bool fades = isShownCoarse_ && !order.moving && !shown_.isNull() && order.camera == shownCamera_ &&
+                       isVisible() && mayGlide(*this);
+    if (fades) {
+        QImage seen(pixels(), QImage::Format_RGB32);
+        QPainter painter(&seen);
+        paint(painter, seen.rect());
+        fadedFrom_ = seen;
+    }
+    fade_.stop();
+    shown_ = image;
+    shownCamera_ = order.camera;
+    isShownCoarse_ = !order.isLast;
+    if (fades)
+        fade_.start();
+    else
+        fadedFrom_ = {};
+    update();
+}
+
+void Canvas::paint(QPainter& painter, const QRect& area) const
+{
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != pixels());
+    if (!fadedFrom_.isNull()) {
+        painter.drawImage(area, fadedFrom_);
+        painter.setOpacity(fade_.currentValue().toDouble());
+    }
+    painter.drawImage(area, shown_);
+}
+
 void Canvas::paintEvent(QPaintEvent* event)
 {
     Q_UNUSED(event);
     QPainter painter(this);
-    if (shown_.isNull()) {
+    if (shown_.isNull())
         painter.fillRect(rect(), qtColour(view_.background));
-        return;
-    }
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != pixels());
-    painter.drawImage(rect(), shown_);
+    else
+        paint(painter, rect());
 }
 
 void Canvas::resizeEvent(QResizeEvent* event)

@@ -9,6 +9,7 @@
 
 #include <QImage>
 #include <QString>
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include <memory>
@@ -48,7 +49,7 @@ enum class BackendChoice { Automatic, Cpu, Gl };
 
 /// The part of the viewport that draws, with a back end in a worker, so that the window never waits for a picture:
 /// while the camera moves pictures that keep up, of a coarser mesh or smaller; when it rests finer ones up to the best
-/// (R23). It takes no input: that goes on to the viewport around it.
+/// (R23), which fade in (C4). It takes no input: that goes on to the viewport around it.
 class Canvas : public QWidget {
     Q_OBJECT
 public:
@@ -62,8 +63,10 @@ public:
     double frameRate() const { return pacer_.frameRate(); }
     /// The rate to hold unless the user says otherwise.
     double usualFrameRate() const { return usesGl_ ? 30 : 15; }
+    /// What is drawn while something moves.
+    void setMovingKind(MovingQuality::Kind kind);
     /// True once the fine picture of the last view is on the screen.
-    bool settled() const { return settled_; }
+    bool settled() const { return settled_ && fade_.state() != QAbstractAnimation::Running; }
     /// The picture that is on the screen, in its own pixels.
     QImage picture() const { return shown_; }
 
@@ -108,14 +111,21 @@ private:
     bool bringsNothing(const View& before);
     void render();
     void drawMoving();
+    void drawFull();
     void refine(std::size_t step);
     void submit(Order order);
     void arrived(const Order& order, const Drawn& drawn);
     void tellError(const Order& order, const QString& error);
+    void show(const Order& order, const QImage& image);
+    void paint(QPainter& painter, const QRect& area) const;
 
     const bool usesGl_;
     View view_;
     QImage shown_;
+    Camera shownCamera_;         ///< of that picture
+    bool isShownCoarse_ = false; ///< it is not the fine one
+    QImage fadedFrom_;           ///< what was seen before it, on its way to it
+    QVariantAnimation fade_;
     bool settled_ = false;
     bool isTooSmooth_ = false; ///< the graphics card has no room for the smoothest pictures
     quint64 newest_ = 0;       ///< the number of the last view

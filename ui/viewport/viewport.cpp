@@ -21,9 +21,6 @@
 namespace tetra {
 namespace {
 
-/// The camera rests when it has not moved for this long.
-constexpr auto restAfter = std::chrono::milliseconds(150);
-
 /// Wheel turns and keys that follow each other within this are one series.
 constexpr auto seriesPause = std::chrono::milliseconds(700);
 constexpr int glideTime = 220; // milliseconds
@@ -59,7 +56,7 @@ Viewport::Viewport(Session& session, BackendChoice choice, QWidget* parent)
     setMinimumSize(200, 150);
     setMouseTracking(true);
     resting_.setSingleShot(true);
-    resting_.setInterval(restAfter);
+    resting_.setInterval(usualIdleTime);
     connect(&resting_, &QTimer::timeout, this, &Viewport::rest);
     pausing_.setSingleShot(true);
     pausing_.setInterval(seriesPause);
@@ -104,6 +101,7 @@ void Viewport::useCanvas(Canvas* canvas)
         useCanvas(new Canvas);
     });
     setFrameRate(frameRate_);
+    canvas_->setMovingKind(movingKind_);
     layout()->addWidget(canvas_);
     canvas_->lower(); // below what tools draw over it
     canvas_->setView(view_);
@@ -256,6 +254,12 @@ void Viewport::setFrameRate(std::optional<double> perSecond)
 {
     frameRate_ = perSecond;
     canvas_->setFrameRate(perSecond.value_or(canvas_->usualFrameRate()));
+}
+
+void Viewport::setMovingKind(MovingQuality::Kind kind)
+{
+    movingKind_ = kind;
+    canvas_->setMovingKind(kind);
 }
 
 QString Viewport::backendName() const

@@ -10,6 +10,7 @@
 #include <QVariantAnimation>
 #include <QWidget>
 
+#include <chrono>
 #include <optional>
 
 namespace tetra {
@@ -57,6 +58,12 @@ public:
     /// That is held.
     double frameRate() const { return canvas_->frameRate(); }
     double usualFrameRate() const { return canvas_->usualFrameRate(); }
+    /// What is drawn while something moves (C4).
+    void setMovingKind(MovingQuality::Kind kind);
+    /// So long after the last move the full picture is drawn.
+    void setIdleTime(std::chrono::milliseconds time) { resting_.setInterval(time); }
+    std::chrono::milliseconds idleTime() const { return resting_.intervalAsDuration(); }
+    static constexpr auto usualIdleTime = std::chrono::milliseconds(150);
 
     QString backendName() const;
     /// True once the fine picture of the present scene and camera is on the screen.
@@ -104,6 +111,7 @@ private:
     bool previewing_ = false;         ///< the view's camera is another one
     bool byHand_ = false;             ///< the session's camera is being moved from here: no glide
     std::optional<double> frameRate_; ///< else the usual one of the back end
+    MovingQuality::Kind movingKind_ = MovingQuality::Kind::FrameRate;
     bool following_ = false;
     QPointF lastPosition_;
     QTimer resting_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/scene_builder.h"
 
-#include "ui/animation/frame_pacer.h"
-
 #include <tan/query.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <functional>
 #include <new>
 #include <optional>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -36,22 +35,42 @@ bool haveSameMesh(const SceneRequest& first, const SceneRequest& second)
     return first.model == second.model && first.query == second.query;
 }
 
-/// The budgets of the meshes before window and values that leave a quarter of the last one each.
-std::vector<std::uint64_t> budgetsFor(const ShownMesh& shown)
-{
-    const double whole = static_cast<double>(shown.wholeTetrahedra) / static_cast<double>(shown.tetrahedra);
-    std::vector<std::uint64_t> budgets;
-    for (const std::uint64_t size : coarserMeshes(shown.tetrahedra))
-        budgets.push_back(static_cast<std::uint64_t>(whole * static_cast<double>(size)));
-    return budgets;
-}
-
 /// Closed sets are found at once, whatever the field; a draft need not be the smallest mesh.
 MeshQuery coarserQuery(MeshQuery query, std::uint64_t budget)
 {
     query.budget = query.budget ? std::min(*query.budget, budget) : budget;
     query.method = VariableMethod::ClosedSet;
     return query;
+}
+
+/// Of the meshes to prepare, the finest first: before window and values each has a quarter of the last one, or there is
+/// only the one that is chosen. A mesh that is no coarser is left out.
+std::vector<MeshQuery> coarserQueries(const MeshQuery& query, const ShownMesh& shown, const MovingQuality& quality)
+{
+    std::vector<MeshQuery> queries;
+    const double whole = static_cast<double>(shown.wholeTetrahedra) / static_cast<double>(shown.tetrahedra);
+    switch (quality.kind) {
+    case MovingQuality::Kind::FrameRate:
+        for (const std::uint64_t size : coarserMeshes(shown.tetrahedra))
+            queries.push_back(coarserQuery(query, static_cast<std::uint64_t>(whole * static_cast<double>(size))));
+        break;
+    case MovingQuality::Kind::Error:
+        if (query.error.bounds().minimum < quality.percent) {
+            queries.push_back(query);
+            queries.back().error = largerOf(query.error, quality.percent);
+            queries.back().method = VariableMethod::ClosedSet;
+        }
+        break;
+    case MovingQuality::Kind::Share:
+        if (quality.percent < 100)
+            queries.push_back(coarserQuery(
+                query,
+                std::max<std::uint64_t>(1, static_cast<std::uint64_t>(quality.percent / 100 *
+                                                                      static_cast<double>(shown.wholeTetrahedra)))));
+        break;
+    case MovingQuality::Kind::Full: break;
+    }
+    return queries;
 }
 
 } // namespace
@@ -121,38 +140,41 @@ struct DraftBuilder::Pipelines {
     using Tell = std::function<void(std::vector<DraftScene>)>;
 
     std::optional<SceneRequest> present;                   ///< that the meshes belong to
-    std::vector<std::uint64_t> budgets;                    ///< of the meshes, the finest first
+    MovingQuality quality;                                 ///< likewise
+    std::vector<MeshQuery> queries;                        ///< of the meshes, the finest first
     std::vector<std::unique_ptr<ScenePipeline>> pipelines; ///< the coarsest first, as far as they were made
     std::size_t made = 0;                                  ///< of them, so many have had a scene
     ScenePipeline::Extractor extractor = std::make_shared<std::optional<MeshExtractor>>();
 
-    void make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress, const Tell& tell);
+    void make(const SceneRequest& request, const ShownMesh& shown, const MovingQuality& wanted,
+              const Progress& progress, const Tell& tell);
     void clear();
 };
 
 /// What fails or is cancelled leaves fewer drafts: the full scene tells what is wrong.
-void DraftBuilder::Pipelines::make(const SceneRequest& request, const ShownMesh& shown, const Progress& progress,
-                                   const Tell& tell)
+void DraftBuilder::Pipelines::make(const SceneRequest& request, const ShownMesh& shown, const MovingQuality& wanted,
+                                   const Progress& progress, const Tell& tell)
 try {
-    if (!present || !haveSameMesh(*present, request)) {
+    if (!present || !haveSameMesh(*present, request) || wanted != quality) {
         pipelines.clear();
         made = 0;
-        budgets = budgetsFor(shown);
+        quality = wanted;
+        queries = coarserQueries(request.query, shown, quality);
     }
     present = request;
     std::vector<DraftScene> drafts;
-    for (std::size_t i = 0; i < budgets.size(); ++i) {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
         if (i == pipelines.size())
             pipelines.push_back(std::make_unique<ScenePipeline>(makeCpuBackend(), extractor));
         SceneRequest coarser = request;
-        coarser.query = coarserQuery(request.query, budgets[budgets.size() - 1 - i]);
+        coarser.query = queries[queries.size() - 1 - i];
         const auto built = pipelines[i]->make(coarser, progress);
-        if (!built || built->mesh.tetrahedra == 0)
+        if (!built || built->mesh.tetrahedra == 0 || built->mesh.tetrahedra >= shown.tetrahedra)
             return;
         drafts.insert(drafts.begin(), {built->scene, built->mesh.tetrahedra});
         const bool isNew = i == made;
         made = std::max(made, i + 1);
-        if (isNew || i + 1 == budgets.size())
+        if (isNew || i + 1 == queries.size())
             tell(drafts);
     }
 } catch (const std::bad_alloc&) {
@@ -170,6 +192,15 @@ void DraftBuilder::Pipelines::clear()
 DraftBuilder::DraftBuilder(QObject* parent) : QObject(parent), pipelines_(std::make_shared<Pipelines>()) {}
 
 DraftBuilder::~DraftBuilder() = default;
+
+void DraftBuilder::setQuality(const MovingQuality& quality)
+{
+    if (quality == std::exchange(quality_, quality) || !last_)
+        return;
+    cleared_ = newest_;
+    emit draftsReady({});
+    submit(*last_);
+}
 
 void DraftBuilder::request(const SceneRequest& request, const ShownMesh& shown)
 {
@@ -196,16 +227,18 @@ void DraftBuilder::submit(const SceneRequest& request)
 {
     last_ = request;
     job_.submit(
-        [this, request, shown = shown_, pipelines = pipelines_, number = ++newest_](const std::stop_token& stop) {
-            pipelines->make(request, shown, Progress(stop, {}), [this, number](std::vector<DraftScene> drafts) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, number, drafts = std::move(drafts)] {
-                        if (number > cleared_)
-                            emit draftsReady(drafts);
-                    },
-                    Qt::QueuedConnection);
-            });
+        [this, request, shown = shown_, quality = quality_, pipelines = pipelines_,
+         number = ++newest_](const std::stop_token& stop) {
+            pipelines->make(request, shown, quality, Progress(stop, {}),
+                            [this, number](std::vector<DraftScene> drafts) {
+                                QMetaObject::invokeMethod(
+                                    this,
+                                    [this, number, drafts = std::move(drafts)] {
+                                        if (number > cleared_)
+                                            emit draftsReady(drafts);
+                                    },
+                                    Qt::QueuedConnection);
+                            });
         },
         draftPatience);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/animation/frame_pacer.h"
 #include "ui/work/latest_job.h"
 #include "ui/workbench/scene_pipeline.h"
 
@@ -55,14 +56,17 @@ struct DraftScene {
 };
 
 /// Prepares in a worker what can be drawn quickly while the camera moves or a slider is dragged (R23): the same scene
-/// of a few coarser meshes. Meshes are extracted only when the query changes; what the renderer keeps of them makes
-/// other changes quick. The newest request wins. Used from the thread that it lives in, where it emits its signals.
+/// of a few coarser meshes, or of the one that the user chose (C4). Meshes are extracted only when the query changes;
+/// what the renderer keeps of them makes other changes quick. The newest request wins. Used from the thread that it
+/// lives in, where it emits its signals.
 class DraftBuilder : public QObject {
     Q_OBJECT
 public:
     explicit DraftBuilder(QObject* parent = nullptr);
     ~DraftBuilder() override;
 
+    /// Of which meshes, from now on.
+    void setQuality(const MovingQuality& quality);
     /// The scene of `request`, whose mesh is `shown`.
     void request(const SceneRequest& request, const ShownMesh& shown);
     /// The same meshes as the last request, seen otherwise; nothing if that was about other meshes.
@@ -82,6 +86,7 @@ private:
     quint64 cleared_ = 0;              ///< requests up to this number are dropped
     std::optional<SceneRequest> last_; ///< that was asked for
     ShownMesh shown_;                  ///< of it
+    MovingQuality quality_;
     std::shared_ptr<Pipelines> pipelines_;
     LatestJob job_;
 };

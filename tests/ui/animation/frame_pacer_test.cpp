@@ -85,6 +85,25 @@ private slots:
         QVERIFY(coarserMeshes(0).empty());
     }
 
+    /// C4: what the user chose is drawn, whatever it takes.
+    void theChosenLevelIsDrawn()
+    {
+        FramePacer pacer;
+        pacer.setFrameRate(1000);
+        pacer.setLevels(levelsOf(10'000'000));
+        QVERIFY(pacer.nextFrame(pixels) != (FramePlan{0, 1}));
+        pacer.setKind(MovingQuality::Kind::Full);
+        QCOMPARE(pacer.nextFrame(pixels), (FramePlan{0, 1}));
+        pacer.setLevels({{1e7, true, 0}, {1e6, true, 0}});
+        QCOMPARE(pacer.nextFrame(pixels), (FramePlan{0, 1}));
+        for (const auto kind : {MovingQuality::Kind::Error, MovingQuality::Kind::Share}) {
+            pacer.setKind(kind);
+            QCOMPARE(pacer.nextFrame(pixels), (FramePlan{1, 1}));
+        }
+        pacer.setLevels({{1e7, true, 0}}); // not there yet
+        QVERIFY(pacer.nextFrame(pixels).reduction > 1);
+    }
+
     void holdsTheRateWithBackEndsOfAnySpeed_data()
     {
         QTest::addColumn<double>("speed");

@@ -4,6 +4,7 @@
 #include "tests/ui/driving/scene_facts.h"
 #include "ui/session/appearance.h"
 
+#include <QComboBox>
 #include <QSettings>
 #include <QSpinBox>
 #include <QToolButton>
@@ -60,6 +61,13 @@ Driver boundarySetting(const QString& id, const ParameterValue& value,
     return driver;
 }
 
+/// What is drawn then: the entry of this number.
+void whileMoving(DrivenWindow& window, int kind)
+{
+    window.raise("dock.rendering");
+    window.find<QComboBox>("rendering.moving").setCurrentIndex(kind);
+}
+
 Drivers renderingControls()
 {
     const auto typeClipPlane = [](DrivenWindow& window) {
@@ -96,10 +104,41 @@ Drivers renderingControls()
                 return QSettings().value("rendering/frameRate").toInt() == 1 && window.viewport().frameRate() == 1;
             },
             [](DrivenWindow& window) {
-                window.raise("dock.rendering");
+                whileMoving(window, 0);
                 window.find<QSpinBox>("rendering.frameRate").setValue(0); // automatic
                 if (window.viewport().frameRate() != window.viewport().usualFrameRate())
                     qFatal("the usual frame rate is not held");
+            }),
+        showing(
+            "rendering.moving",
+            [](const DrivenWindow& window) {
+                return QSettings().value("rendering/moving").toString() == "error" &&
+                       window.find<QWidget>("rendering.movingError").isVisible();
+            },
+            [](DrivenWindow& window) { whileMoving(window, 0); }),
+        showing(
+            "rendering.movingError",
+            [](const DrivenWindow&) { return QSettings().value("rendering/movingError").toDouble() == 5; },
+            [](DrivenWindow& window) {
+                whileMoving(window, 1);
+                window.find<QDoubleSpinBox>("rendering.movingError").setValue(4);
+            }),
+        showing(
+            "rendering.movingShare",
+            [](const DrivenWindow&) { return QSettings().value("rendering/movingShare").toInt() == 11; },
+            [](DrivenWindow& window) {
+                whileMoving(window, 2);
+                window.find<QSpinBox>("rendering.movingShare").setValue(10);
+            }),
+        showing(
+            "rendering.idleTime",
+            [](const DrivenWindow& window) {
+                return QSettings().value("rendering/idleTime").toInt() == 200 &&
+                       window.viewport().idleTime() == std::chrono::milliseconds(200);
+            },
+            [](DrivenWindow& window) {
+                whileMoving(window, 0);
+                window.find<QSpinBox>("rendering.idleTime").setValue(150);
             }),
     };
 }
