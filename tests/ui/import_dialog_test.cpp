@@ -2,6 +2,7 @@
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
+#include "tests/plugins/host/gzipped.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/slice_preview.h"
 #include "ui/window/import_dialog.h"
@@ -30,6 +31,7 @@ private slots:
     void init();
     void cleanup();
     void aRawFileIsDescribed();
+    void aPackedRawFileIsDescribed();
     void aWrongLayoutIsSeenAtOnce();
     void thePreviewShowsTheSamples();
     void choicesAreThoseOfTheFile();
@@ -122,6 +124,25 @@ void ImportDialogTest::aRawFileIsDescribed()
     QVERIFY(!dialog()->isVisible());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
     QVERIFY(window_->find<QLabel>("build.estimate").text().contains("memory"));
+}
+
+/// C10: by the size of what is in it, which the preview shows.
+void ImportDialogTest::aPackedRawFileIsDescribed()
+{
+    QFile plain(writeRaw("samples.raw"));
+    QVERIFY(plain.open(QIODevice::ReadOnly));
+    QFile packed(window_->folder.filePath("packed.raw.gz"));
+    QVERIFY(packed.open(QIODevice::WriteOnly));
+    packed.write(gzipped(plain.readAll()));
+    packed.close();
+    window_->window.open(packed.fileName());
+    QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());
+    QCOMPARE(window_->find<QLineEdit>("import.option.size").text(), QString("8x8x8"));
+    QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes: the file has"));
+    click("import.read");
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
+    QVERIFY(window_->workbench.opening().nameFilters().front().contains("*.gz"));
 }
 
 void ImportDialogTest::aWrongLayoutIsSeenAtOnce()

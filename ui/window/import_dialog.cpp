@@ -147,6 +147,7 @@ void ImportDialog::connectAll()
     connect(&workbench_.opening(), &Opening::datasetOpened, this, [this] {
         if (isReading()) {
             showReading(false);
+            question_.unpacked.reset();
             accept();
         }
     });
@@ -160,7 +161,7 @@ void ImportDialog::ask(const ImportQuestion& question)
 {
     question_ = question;
     contents_ = question.contents;
-    fileBytes_ = static_cast<std::uint64_t>(QFileInfo(pathText(question.path)).size());
+    fileBytes_ = static_cast<std::uint64_t>(QFileInfo(pathText(question.samples)).size());
     withLayout_ = needsLayout(question.reader.plugin->parameters(), contents_);
     const QString name = QFileInfo(pathText(question.path)).fileName();
     setWindowTitle(tr("Import %1").arg(name));
@@ -293,7 +294,7 @@ void ImportDialog::showContents(const Result<FileContents>& contents)
 void ImportDialog::showLayout()
 {
     const auto samples = storedSamplesOf(form_->values());
-    preview_->setSamples(question_.path, samples);
+    preview_->setSamples(question_.samples, samples);
     const ImportCheck check =
         samples ? checkRawSize(*samples, fileBytes_)
                 : ImportCheck{false, tr("Give the number of points along x, y and z, as in 64x64x32.")};
@@ -370,10 +371,12 @@ void ImportDialog::read()
 
 void ImportDialog::reject()
 {
-    if (isReading())
+    if (isReading()) {
         workbench_.opening().reading().cancel(); // ends with importFailed()
-    else
-        QDialog::reject();
+        return;
+    }
+    question_.unpacked.reset();
+    QDialog::reject();
 }
 
 } // namespace tetra

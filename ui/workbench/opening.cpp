@@ -30,6 +30,24 @@ ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter
     return options;
 }
 
+/// For the preview of a raw file, and the check of its size.
+Status findSamples(ImportQuestion& question, const Progress& progress)
+{
+    question.samples = question.path;
+    const auto bytes = firstBytesOf(question.path);
+    if (!bytes || !isPackedByGzip(*bytes))
+        return {};
+    auto folder = UnpackedFiles::make(question.path);
+    if (!folder)
+        return folder.error();
+    const auto unpacked = folder->unpack(question.path, unpackedName(question.path).filename(), progress);
+    if (!unpacked)
+        return unpacked.error();
+    question.samples = *unpacked;
+    question.unpacked = *std::move(folder);
+    return {};
+}
+
 } // namespace
 
 Opening::Opening(PluginHost& host, Session& session, SceneService& scenes, std::filesystem::path views)
@@ -49,6 +67,7 @@ QStringList Opening::nameFilters()
                         tr("Pictures with their sessions (*.png)")};
     for (const std::string& filter : readableFiles(host_))
         filters.append(translatedText(filter));
+    filters.append(tr("Datasets packed by gzip (*.gz)"));
     static const QRegularExpression patterns(R"(\(([^)]*)\)$)");
     QStringList all;
     for (const QString& filter : std::as_const(filters))
@@ -130,6 +149,8 @@ std::function<void()> Opening::whenLookedAt(const std::filesystem::path& path, b
         question.reader = lastReader ? *lastReader : *reader;
         question.contents = contents ? *contents : FileContents();
         question.reason = isIncomplete ? translatedMessage(contents.error().message) : QString();
+        if (const Status found = findSamples(question, progress.part(0.1, 1)); !found)
+            return tellLater(found.error());
         return [this, question] { emit choicesNeeded(question); };
     }
     return [this, path, read = readDataset(path, {}, progress.part(0.1, 1))] { datasetRead(path, read); };
