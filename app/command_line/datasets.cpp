@@ -8,6 +8,10 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 namespace tetra {
 namespace {
 
@@ -180,6 +184,29 @@ void addRemarks(const Dataset& dataset, Outcome& outcome)
         outcome.text += remark.text() + "\n";
     }
     outcome.figures["remarks"] = remarks;
+    addFaultyCells(dataset, outcome);
+}
+
+void addFaultyCells(const Dataset& dataset, Outcome& outcome)
+{
+    if (!dataset.faultyCells)
+        return;
+    constexpr std::array<const char*, 7> names = {"not-finite",   "no-volume", "warped", "duplicate",
+                                                  "crowded-face", "inverted",  "overlap"};
+    constexpr std::size_t mostListed = 10'000, mostLines = 5;
+    const std::vector<FaultyCell>& cells = *dataset.faultyCells;
+    QJsonArray list;
+    for (const FaultyCell& one : std::span(cells).first(std::min(cells.size(), mostListed))) {
+        list.append(QJsonObject{{"cell", static_cast<qint64>(one.cell)},
+                                {"fault", names.at(static_cast<std::size_t>(one.fault))}});
+        if (static_cast<std::size_t>(list.size()) <= mostLines)
+            outcome.text +=
+                "Cell " + std::to_string(one.cell) + " was left out: " + std::string(cellFaultText(one.fault)) + ".\n";
+    }
+    if (cells.size() > mostLines)
+        outcome.text += "... and " + std::to_string(cells.size() - mostLines) + " more cells; --json lists them.\n";
+    outcome.figures["faulty_cells"] = list;
+    outcome.figures["faulty_cell_count"] = static_cast<qint64>(cells.size());
 }
 
 } // namespace tetra

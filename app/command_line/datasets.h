@@ -37,7 +37,10 @@ QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);
 
-/// What reading the dataset changed: "remarks", and a line of the text each.
+/// The cells that were taken out of the mesh: "faulty_cells", the first ten thousand, "faulty_cell_count", and a few
+/// lines of the text. Nothing if there are none.
+void addFaultyCells(const Dataset& dataset, Outcome& outcome);
+/// What reading the dataset changed: "remarks", and a line of the text each; and addFaultyCells().
 void addRemarks(const Dataset& dataset, Outcome& outcome);
 
 } // namespace tetra

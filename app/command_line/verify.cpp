@@ -206,7 +206,9 @@ Result<Outcome> runVerify(const Invocation& invocation)
             return level.error();
         verdict->levels.push_back(*std::move(level));
     }
-    return describe(*verdict, path, (*model)->description().warpingWeight > 0);
+    Outcome outcome = describe(*verdict, path, (*model)->description().warpingWeight > 0);
+    addFaultyCells(*original, outcome);
+    return outcome;
 }
 
 } // namespace tetra

@@ -26,6 +26,10 @@ public:
     /// the corner or edge that they share, or had no area. Exact. About O(what lies close by) for each added one.
     bool meetsItself(std::span<const SurfaceTriangle> added, std::span<const SurfaceTriangle> removed) const;
 
+    /// Whether a triangle of the surface meets or touches another one elsewhere than in the corner or edge that they
+    /// share. Exact.
+    bool isTouched(const SurfaceTriangle& triangle) const { return meetsRest(triangle, std::span(&triangle, 1)); }
+
     /// Each of `removed` is in the surface, in either orientation.
     void replace(std::span<const SurfaceTriangle> removed, std::span<const SurfaceTriangle> added);
 

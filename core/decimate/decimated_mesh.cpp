@@ -96,8 +96,10 @@ void DecimatedMesh::findSides()
         }
 }
 
-/// Marks the vertices of an irregular boundary. Where that is no surface, they stay; so does, for want of a meaning of
-/// its warping in two spaces, that of a grid with holes.
+/// Marks the vertices of an irregular boundary. Where that is no surface, as parts touch in a vertex or an edge, and
+/// where its triangles touch others, as along a seam whose sides are cut differently, they stay, and with them every
+/// such vertex, edge and triangle: no other place can come to touch (C10). So does, for want of a meaning of its
+/// warping in two spaces, the boundary of a grid with holes.
 void DecimatedMesh::findBoundary()
 {
     std::vector<SurfaceTriangle> triangles;
@@ -114,6 +116,12 @@ void DecimatedMesh::findBoundary()
         if (!input_.physical.empty() || !star_.rimIsOneCycle())
             sides_[vertex] = locked;
     }
+    if (!input_.physical.empty())
+        return;
+    for (const SurfaceTriangle& triangle : triangles)
+        if (boundary_->isTouched(triangle))
+            for (const std::uint32_t corner : triangle)
+                sides_[corner] = locked;
 }
 
 bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const

@@ -50,8 +50,8 @@ struct DecimationResult {
 /// Half-edge collapse judged by the exact resulting error and warping (R11, S11, S12), to the end or to `stopKey`; the
 /// history of vertex splits, coarse first, then goes to `sink` with delaunay = false, and sink.finish(). Every mesh on
 /// the way is conforming, positive, keeps the domain's components, holes and cavities, and its boundary does not meet
-/// itself. One thread. Errors: numbers out of range, more than 2^32 - 2 points, refused memory (decimationBytes()
-/// beforehand), the sink's, cancelled.
+/// itself but where the input's does (C10). One thread. Errors: numbers out of range, more than 2^32 - 2 points,
+/// refused memory (decimationBytes() beforehand), the sink's, cancelled.
 Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
                                   const Progress& progress = {});
 

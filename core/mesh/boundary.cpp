@@ -160,21 +160,22 @@ ManifoldBreaches findBreaches(std::span<const Triangle> triangles)
     return breaches;
 }
 
-std::vector<std::uint32_t> surfaceComponents(std::span<const Triangle> triangles)
+std::vector<std::uint32_t> surfacePieces(std::span<const Triangle> triangles, const std::vector<bool>& alone)
 {
     const std::vector<EdgeUse> uses = sortedEdgeUses(triangles);
+    const auto isAlone = [&](const EdgeUse& use) { return !alone.empty() && alone[use.triangle]; };
     DisjointSets joined(triangles.size());
     forEdges(uses, [&](std::size_t first, std::size_t count) {
-        for (std::size_t i = 1; i < count; ++i)
-            joined.join(uses[first].triangle, uses[first + i].triangle);
+        if (count == 2 && !isAlone(uses[first]) && !isAlone(uses[first + 1]))
+            joined.join(uses[first].triangle, uses[first + 1].triangle);
     });
-    std::vector<std::uint32_t> components(triangles.size());
+    std::vector<std::uint32_t> pieces(triangles.size());
     std::uint32_t count = 0;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         const std::uint32_t root = joined.root(t);
-        components[t] = root == t ? count++ : components[root];
+        pieces[t] = root == t ? count++ : pieces[root];
     }
-    return components;
+    return pieces;
 }
 
 } // namespace tetra

@@ -47,8 +47,10 @@ struct ManifoldBreaches {
 /// Each sorted, each once; the ends of breached edges are not among the vertices for that alone. O(n log n).
 ManifoldBreaches findBreaches(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// For each triangle the number of its component, from 0; triangles that share an edge are of one. The surface is a
-/// manifold.
-std::vector<std::uint32_t> surfaceComponents(std::span<const std::array<std::uint32_t, 3>> triangles);
+/// For each triangle the number of its piece, from 0, in the order of their first triangles. Triangles are of one piece
+/// that share an edge which no third one has; one of `alone`, which is empty or says it of each triangle, is a piece
+/// by itself. O(n log n).
+std::vector<std::uint32_t> surfacePieces(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                         const std::vector<bool>& alone = {});
 
 } // namespace tetra

@@ -4,6 +4,7 @@
 #include "core/mesh/boundary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <random>
 
@@ -40,74 +41,89 @@ Eigen::AlignedBox3d TriangleBoxes::boxOf(std::span<const Eigen::Vector3d> positi
 
 namespace {
 
-/// Looks from each component of a surface which side of the others it is on.
+/// Looks from each piece of a surface what is on its outer side.
 class BuriedSearch {
 public:
     BuriedSearch(std::span<const Eigen::Vector3d> positions, std::span<const SurfaceTriangle> triangles)
-        : positions_(positions), triangles_(triangles), components_(surfaceComponents(triangles))
+        : positions_(positions), triangles_(triangles)
     {
     }
 
-    std::vector<std::uint32_t> run(const Progress& progress)
+    std::vector<std::uint32_t> run(const std::vector<bool>& touched, const Progress& progress)
     {
-        std::vector<std::uint32_t> firsts; // a triangle of each
-        std::vector<double> volumes;
+        const std::vector<std::uint32_t> pieces = surfacePieces(triangles_, touched);
+        std::vector<std::uint32_t> probes; // of each piece: its largest triangle, where there is most room
+        std::vector<double> areas;
+        double volume = 0;
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-            if (components_[t] == firsts.size()) {
-                firsts.push_back(t);
-                volumes.push_back(0);
+            if (pieces[t] == probes.size()) {
+                probes.push_back(t);
+                areas.push_back(0);
             }
-            const Eigen::Vector3d& origin = positions_[triangles_[firsts[components_[t]]][0]];
-            const auto& [a, b, c] = triangles_[t];
-            volumes[components_[t]] +=
-                (positions_[a] - origin).dot((positions_[b] - origin).cross(positions_[c] - origin));
+            if (const double area = normalOf(t).norm(); area > areas[pieces[t]]) {
+                areas[pieces[t]] = area;
+                probes[pieces[t]] = t;
+            }
+            const Eigen::Vector3d& origin = positions_[triangles_[0][0]];
+            volume += (positions_[triangles_[t][0]] - origin).dot(normalOf(t));
         }
         std::vector<std::uint32_t> buried;
-        if (firsts.size() == 1 && volumes[0] >= 0)
+        if (probes.size() == 1 && volume > 0)
             return buried;
         const TriangleBoxes boxes(positions_, triangles_);
         Eigen::AlignedBox3d all;
         for (const Eigen::AlignedBox3d& box : boxes.boxes())
             all.extend(box);
-        for (std::uint32_t component = 0; component < firsts.size() && !progress.cancelled(); ++component) {
-            // The outside of a cavity's surface is what it encloses, where its own winding number is -1.
-            const int own = volumes[component] < 0 ? -1 : 0;
-            const Eigen::Vector3d& from = positions_[triangles_[firsts[component]][0]];
-            if (own + windingOfOthers(boxes, component, from, 3 * all.diagonal().norm() + 1) != 0)
-                buried.push_back(firsts[component]);
-        }
+        const double beyondAll = 8 * all.diagonal().norm() + 1;
+        for (const std::uint32_t probe : probes)
+            if (!progress.cancelled() && (touched.empty() || !touched[probe]) &&
+                windingOutside(boxes, probe, beyondAll) != 0)
+                buried.push_back(probe);
         return buried;
     }
 
 private:
-    /// How often the other components wind around a point that is not on them.
-    int windingOfOthers(const TriangleBoxes& boxes, std::uint32_t component, const Eigen::Vector3d& from,
-                        double beyondAll)
+    Eigen::Vector3d normalOf(std::uint32_t t) const
     {
+        const auto& [a, b, c] = triangles_[t];
+        return (positions_[b] - positions_[a]).cross(positions_[c] - positions_[a]);
+    }
+
+    /// How often the surface winds around the place just outside the middle of a triangle that nothing touches.
+    int windingOutside(const TriangleBoxes& boxes, std::uint32_t triangle, double beyondAll)
+    {
+        const auto& [a, b, c] = triangles_[triangle];
+        const Eigen::Vector3d from = (positions_[a] + positions_[b] + positions_[c]) / 3;
+        const Eigen::Vector3d normal = normalOf(triangle).normalized();
         for (;;) {
             Eigen::Vector3d direction;
             for (double& coordinate : direction)
-                coordinate = std::uniform_real_distribution(0.3, 1.0)(random_);
-            if (const auto winding = windingAlong(boxes, component, from, from + beyondAll * direction))
+                coordinate = std::uniform_real_distribution(-1.0, 1.0)(random_);
+            constexpr double steepEnough = 0.25;
+            if (std::abs(direction.dot(normal)) < steepEnough)
+                continue;
+            if (direction.dot(normal) < 0)
+                direction = -direction;
+            if (const auto winding = windingAlong(boxes, triangle, from, from + beyondAll * direction))
                 return *winding;
         }
     }
 
-    std::optional<int> windingAlong(const TriangleBoxes& boxes, std::uint32_t component, const Eigen::Vector3d& from,
+    std::optional<int> windingAlong(const TriangleBoxes& boxes, std::uint32_t leftOut, const Eigen::Vector3d& from,
                                     const Eigen::Vector3d& to) const
     {
-        const Eigen::Vector3d way = to - from;
+        const Eigen::Array3d way = (to - from).array();
         const auto near = [&](const Eigen::AlignedBox3d& box) {
-            // All its directions rise: where it enters the box is before it leaves. With room for rounding.
+            // Where the line enters the box is before it leaves. With room for rounding.
             constexpr double tolerance = 1e-9;
-            const Eigen::Array3d enters = (box.min() - from).array() / way.array();
-            const Eigen::Array3d leaves = (box.max() - from).array() / way.array();
-            return enters.maxCoeff() - tolerance <= leaves.minCoeff() + tolerance && leaves.minCoeff() >= -tolerance;
+            const Eigen::Array3d one = (box.min() - from).array() / way, other = (box.max() - from).array() / way;
+            const double enters = one.min(other).maxCoeff(), leaves = one.max(other).minCoeff();
+            return enters - tolerance <= leaves + tolerance && leaves >= -tolerance;
         };
         int winding = 0;
         bool unclear = false;
         boxes.tree().visitNear(near, [&](std::uint32_t t) {
-            if (unclear || components_[t] == component || !near(boxes.boxes()[t]))
+            if (unclear || t == leftOut || !near(boxes.boxes()[t]))
                 return;
             const auto& [a, b, c] = triangles_[t];
             const Crossing crossing = crossingOf(from, to, positions_[a], positions_[b], positions_[c]);
@@ -119,36 +135,36 @@ private:
 
     std::span<const Eigen::Vector3d> positions_;
     std::span<const SurfaceTriangle> triangles_;
-    std::vector<std::uint32_t> components_;
     std::mt19937 random_{1};
 };
 
 } // namespace
 
 std::vector<std::uint32_t> findBuried(std::span<const Eigen::Vector3d> positions,
-                                      std::span<const SurfaceTriangle> triangles, const Progress& progress)
+                                      std::span<const SurfaceTriangle> triangles, const std::vector<bool>& touched,
+                                      const Progress& progress)
 {
-    return triangles.empty() ? std::vector<std::uint32_t>() : BuriedSearch(positions, triangles).run(progress);
+    return triangles.empty() ? std::vector<std::uint32_t>() : BuriedSearch(positions, triangles).run(touched, progress);
 }
 
-BoundaryFaults findBoundaryFaults(std::span<const Eigen::Vector3d> positions,
-                                  std::span<const SurfaceTriangle> triangles, const Progress& progress)
+std::vector<bool> findTouched(std::span<const Eigen::Vector3d> positions, std::span<const SurfaceTriangle> triangles,
+                              const Progress& progress)
 {
     constexpr std::size_t enoughMeetings = 100000;
-    BoundaryFaults faults;
+    std::vector<bool> touched(triangles.size());
     const TriangleBoxes boxes(positions, triangles);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        if (progress.cancelled() || faults.meetings.size() > enoughMeetings)
-            return faults;
+    std::size_t meetings = 0;
+    for (std::uint32_t t = 0; t < triangles.size() && !progress.cancelled(); ++t) {
         boxes.visitMeeting(
             triangles[t], [t](std::uint32_t other) { return other > t; },
             [&](std::uint32_t other) {
-                faults.meetings.push_back({t, other});
+                ++meetings;
+                touched[t] = touched[other] = true;
             });
+        if (meetings > enoughMeetings)
+            return std::vector<bool>(triangles.size(), true);
     }
-    if (faults.meetings.empty())
-        faults.buried = findBuried(positions, triangles, progress);
-    return faults;
+    return touched;
 }
 
 } // namespace tetra

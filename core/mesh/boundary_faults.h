@@ -44,24 +44,21 @@ private:
     BoxTree tree_;
 };
 
-/// Where a closed surface, the boundary of positive tetrahedra that match, shows that they overlap.
-struct BoundaryFaults {
-    std::vector<std::array<std::uint32_t, 2>> meetings; ///< pairs of triangles that meet where they share nothing
-    /// A triangle of each component whose outer side is inside of other tetrahedra; looked for if none meet.
-    std::vector<std::uint32_t> buried;
-};
+/// Which triangles of a surface meet or touch others elsewhere than in the corner or edge that they share; all, if
+/// there are more than 100,000 such pairs. Exact. Ends early when cancelled; expected O(n log n) for a surface that
+/// does not meet itself much.
+std::vector<bool> findTouched(std::span<const Eigen::Vector3d> positions, std::span<const SurfaceTriangle> triangles,
+                              const Progress& progress);
 
-/// Together with matching faces and a manifold boundary, finding no fault proves that the tetrahedra cover what
-/// they cover once: how many of them lie over a point is the boundary's winding number there, which only changes at the
-/// boundary, by one, and is zero just outside each of its components. Exact, but for which side of a closed surface is
-/// the inner one, which its volume in doubles tells. Ends early when cancelled, and with 100,000 meetings; expected
-/// O(n log n) for a surface that does not meet itself much. `triangles` are a manifold, seen from outside
-/// counterclockwise.
-BoundaryFaults findBoundaryFaults(std::span<const Eigen::Vector3d> positions,
-                                  std::span<const SurfaceTriangle> triangles, const Progress& progress);
-
-/// BoundaryFaults::buried of a surface that does not meet itself. O(n), if it is of one component.
+/// Of a closed surface, the boundary of positive tetrahedra that match: a triangle of each piece with something on its
+/// outer side. `touched` as by findTouched(), or empty if nothing is; touched triangles are left out.
+///
+/// How many tetrahedra lie over a point changes only at the boundary, by one. So no two overlap if there are none on
+/// the outer side of each triangle. In a piece (surfacePieces()), which nothing else touches, there are everywhere as
+/// many, and a triangle of it tells how many: as often as the surface winds around a point just outside. What is beside
+/// touched triangles, the tetrahedra there have to tell. O(n log n), if there are few pieces.
 std::vector<std::uint32_t> findBuried(std::span<const Eigen::Vector3d> positions,
-                                      std::span<const SurfaceTriangle> triangles, const Progress& progress);
+                                      std::span<const SurfaceTriangle> triangles, const std::vector<bool>& touched,
+                                      const Progress& progress);
 
 } // namespace tetra

@@ -50,22 +50,29 @@ void joinFans(const SurfaceEdge& first, const SurfaceEdge& second, DisjointSets&
     fans.join(corner(first, 1), corner(second, 0));
 }
 
-/// The vertices of each triangle whose corners fall into more than one fan, sorted.
-std::vector<std::uint32_t> verticesOfManyFans(std::span<const Triangle> triangles, DisjointSets& fans)
+/// The vertices whose triangles fall into more than one fan, and into how many.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pinchedVertices(std::span<const Triangle> triangles,
+                                                                     DisjointSets& fans)
 {
-    std::vector<std::array<std::uint32_t, 2>> roots; // of a vertex
+    std::vector<std::uint32_t> centres; // of each fan
     for (std::uint32_t corner = 0; corner < 3 * triangles.size(); ++corner)
-        roots.push_back({triangles[corner / 3][corner % 3], fans.root(corner)});
-    sortUnique(roots);
-    std::vector<std::uint32_t> broken;
-    for (std::size_t i = 1; i < roots.size(); ++i)
-        if (roots[i][0] == roots[i - 1][0] && (broken.empty() || broken.back() != roots[i][0]))
-            broken.push_back(roots[i][0]);
-    return broken;
+        if (fans.root(corner) == corner)
+            centres.push_back(triangles[corner / 3][corner % 3]);
+    std::ranges::sort(centres);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pinched;
+    for (auto begin = centres.begin(); begin != centres.end();) {
+        const auto end = std::find_if(begin, centres.end(), [&](std::uint32_t vertex) { return vertex != *begin; });
+        if (end - begin > 1)
+            pinched.emplace_back(*begin, static_cast<std::uint32_t>(end - begin));
+        begin = end;
+    }
+    return pinched;
 }
 
-/// Numbers the surfaces in the order of their first triangles, and counts what they have: every fan is a vertex.
-void nameSurfaces(std::size_t triangleCount, DisjointSets& joined, DisjointSets& fans, BoundarySurfaces& found)
+/// Numbers the surfaces in the order of their first triangles, and counts what they have: every fan is a vertex, every
+/// side of a seam an edge.
+void nameSurfaces(std::size_t triangleCount, const std::vector<std::uint32_t>& sidesOfSeams, DisjointSets& joined,
+                  DisjointSets& fans, BoundarySurfaces& found)
 {
     constexpr std::uint32_t none = 0xffffffff;
     std::vector<std::uint32_t> names(triangleCount, none);
@@ -77,11 +84,13 @@ void nameSurfaces(std::size_t triangleCount, DisjointSets& joined, DisjointSets&
         }
         found.surfaceOf.push_back(name);
     }
-    std::vector<std::int64_t> triangles(found.surfaces.size());
+    std::vector<std::int64_t> triangles(found.surfaces.size()), sides(found.surfaces.size());
     for (std::uint32_t triangle = 0; triangle < triangleCount; ++triangle)
         ++triangles[found.surfaceOf[triangle]];
+    for (const std::uint32_t triangle : sidesOfSeams)
+        ++sides[found.surfaceOf[triangle]];
     for (std::size_t surface = 0; surface < triangles.size(); ++surface)
-        found.surfaces[surface].euler = triangles[surface] - 3 * triangles[surface] / 2;
+        found.surfaces[surface].euler = triangles[surface] - (3 * triangles[surface] + sides[surface]) / 2;
     for (std::uint32_t corner = 0; corner < 3 * triangleCount; ++corner)
         if (fans.root(corner) == corner)
             ++found.surfaces[found.surfaceOf[corner / 3]].euler;
@@ -95,6 +104,7 @@ BoundarySurfaces boundarySurfaces(std::span<const Triangle> triangles)
     const std::vector<SurfaceEdge> edges = sortedEdges(triangles);
     DisjointSets joined(triangles.size());
     DisjointSets fans(3 * triangles.size());
+    std::vector<std::uint32_t> sidesOfSeams; // the triangle of each
     for (auto begin = edges.begin(); begin != edges.end();) {
         const auto end =
             std::find_if(begin, edges.end(), [&](const SurfaceEdge& edge) { return edge.points != begin->points; });
@@ -102,13 +112,14 @@ BoundarySurfaces boundarySurfaces(std::span<const Triangle> triangles)
             joined.join(begin->triangle, (end - 1)->triangle);
             joinFans(*begin, *(end - 1), fans);
         } else {
-            found.brokenEdges.push_back(begin->points);
+            found.seams.emplace_back(begin->points, static_cast<std::uint32_t>(end - begin));
+            for (auto side = begin; side != end; ++side)
+                sidesOfSeams.push_back(side->triangle);
         }
         begin = end;
     }
-    if (found.brokenEdges.empty())
-        found.brokenVertices = verticesOfManyFans(triangles, fans);
-    nameSurfaces(triangles.size(), joined, fans, found);
+    found.pinches = pinchedVertices(triangles, fans);
+    nameSurfaces(triangles.size(), sidesOfSeams, joined, fans, found);
     return found;
 }
 
@@ -498,6 +509,18 @@ std::vector<std::uint32_t> surfacesOfPoints(std::size_t points, std::span<const 
     return surfaceOf;
 }
 
+std::vector<std::array<std::uint32_t, 2>> surfacesOfPinches(std::span<const Triangle> boundary,
+                                                            const BoundarySurfaces& surfaces)
+{
+    std::vector<std::array<std::uint32_t, 2>> result;
+    for (std::size_t triangle = 0; triangle < boundary.size(); ++triangle)
+        for (const std::uint32_t point : boundary[triangle])
+            if (surfaces.isPinched(point))
+                result.push_back({point, surfaces.surfaceOf[triangle]});
+    sortUnique(result);
+    return result;
+}
+
 std::vector<std::uint32_t> componentsOfPoints(const Dataset& dataset)
 {
     DisjointSets joined(dataset.pointCount());
@@ -525,14 +548,13 @@ ScatteredOriginal::ScatteredOriginal(const Dataset& dataset)
 
 IrregularOriginal::IrregularOriginal(const Dataset& dataset, std::vector<std::string>& failures)
     : points(dataset), boundary(boundaryOf(dataset, failures)), surfaces(boundarySurfaces(boundary)),
-      surfaceOf(surfacesOfPoints(dataset.pointCount(), boundary, surfaces)), componentOf(componentsOfPoints(dataset)),
-      faces(boundary), tree(points.positions, boundary), diagonal(dataset.bounds().diagonal().norm())
+      surfaceOf(surfacesOfPoints(dataset.pointCount(), boundary, surfaces)),
+      atPinches(surfacesOfPinches(boundary, surfaces)), componentOf(componentsOfPoints(dataset)), faces(boundary),
+      tree(points.positions, boundary), diagonal(dataset.bounds().diagonal().norm())
 {
     for (Triangle& face : faces)
         std::ranges::sort(face);
     std::ranges::sort(faces);
-    if (!surfaces.isManifold())
-        failures.emplace_back("The boundary of the dataset is no manifold.");
 }
 
 namespace {

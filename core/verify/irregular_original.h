@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -46,19 +47,25 @@ struct ScatteredOriginal {
 
 // Triangles are by numbers of points, counterclockwise seen from outside.
 
-/// The closed surfaces that make up a boundary, what holds of each, and what is wrong with them.
+/// The surfaces that make up a boundary, what holds of each, and where they touch themselves or each other. Triangles
+/// are of one surface that share an edge which belongs to them alone, in opposite directions: the others are seams, at
+/// which surfaces end.
 struct BoundarySurfaces {
     struct Surface {
         std::uint32_t firstTriangle = 0; ///< its first one
         std::int64_t euler = 0;          ///< vertices - edges + triangles: 2 for a sphere, 0 for a torus
+        auto operator<=>(const Surface&) const = default;
     };
     std::vector<Surface> surfaces;
     std::vector<std::uint32_t> surfaceOf; ///< of each triangle
-    /// Edges that do not belong to two triangles of opposite directions, and vertices whose triangles are not one fan:
-    /// by their points. With any, the surfaces mean nothing.
-    std::vector<std::array<std::uint32_t, 2>> brokenEdges;
-    std::vector<std::uint32_t> brokenVertices;
-    bool isManifold() const noexcept { return brokenEdges.empty() && brokenVertices.empty(); }
+    /// Edges that are seams, by their points, and how many triangles have them. Sorted.
+    std::vector<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> seams;
+    /// Vertices whose triangles are several fans, and how many. Sorted.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pinches;
+    bool isPinched(std::uint32_t point) const
+    {
+        return std::ranges::binary_search(pinches, point, {}, [](const auto& pinch) { return pinch.first; });
+    }
 };
 
 /// Joins triangles over their edges. O(n log n).
@@ -148,11 +155,13 @@ struct IrregularOriginal {
     ScatteredOriginal points;
     std::vector<Triangle> boundary;
     BoundarySurfaces surfaces;
-    std::vector<std::uint32_t> surfaceOf;   ///< of each point; none inside
-    std::vector<std::uint32_t> componentOf; ///< of each point, the smallest point that it is joined with
-    std::vector<Triangle> faces;            ///< `boundary`, each with its points in increasing order, sorted
-    TriangleTree tree;                      ///< of `boundary`
-    double diagonal;                        ///< of the bounds
+    /// Of each point, one of those that it lies on; none inside. The others of a pinch are in `atPinches`.
+    std::vector<std::uint32_t> surfaceOf;
+    std::vector<std::array<std::uint32_t, 2>> atPinches; ///< a pinched point and a surface that it lies on, sorted
+    std::vector<std::uint32_t> componentOf;              ///< of each point, the smallest point that it is joined with
+    std::vector<Triangle> faces; ///< `boundary`, each with its points in increasing order, sorted
+    TriangleTree tree;           ///< of `boundary`
+    double diagonal;             ///< of the bounds
 
     bool isOnBoundary(std::uint32_t point) const { return surfaceOf[point] != none; }
     /// Whether it is one of `boundary`.

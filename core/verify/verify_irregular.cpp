@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 namespace tetra {
 
@@ -42,9 +46,10 @@ private:
 
 constexpr std::size_t trianglesAtOnce = 256;
 
-/// The boundary is a manifold that does not meet itself, and has, surface for surface, the vertices and the Euler
-/// characteristic of one of the original's; the cells have the original's components; and they hold what is inside once
-/// only. Where the original's own faces meet they may go on doing so. For cells that conform.
+/// The boundary is a manifold but where the original's is none, and there it is none in the same way; it has, surface
+/// for surface, the vertices and the Euler characteristic of one of the original's; it does not meet itself; the cells
+/// have the original's components; and they hold what is inside once only. Where the original's own faces meet they may
+/// go on doing so (C10). For cells that conform.
 class BoundaryCheck {
 public:
     BoundaryCheck(const IrregularOriginal& original, const LevelCells& cells, const MeshBoundary& boundary)
@@ -61,7 +66,8 @@ private:
     Status checkMeetings(const Progress& progress);
     void checkCoveredOnce();
     bool isUndivided(std::size_t cell) const;
-    std::optional<std::uint32_t> triangleWithRoom(std::uint32_t surface) const;
+    std::vector<std::uint32_t> surfacesAt(std::uint32_t point) const;
+    std::vector<std::vector<std::uint32_t>> untouchedPieces() const;
     PlacedCell placed(std::size_t cell) const { return placedCell(original_.points.positions, cells_.points(cell)); }
     std::string name(std::uint32_t point) const
     {
@@ -76,6 +82,7 @@ private:
     const IrregularOriginal& original_;
     const LevelCells& cells_;
     const MeshBoundary& boundary_;
+    std::vector<std::uint8_t> touched_; ///< of each triangle: it meets others, as it does in the original
     Findings manifold_;
     Findings components_;
     Findings surfaces_;
@@ -83,16 +90,35 @@ private:
     Findings coverage_;
 };
 
+/// What is in the first sorted list and not in the second one.
+template <class Item> std::vector<Item> onlyIn(const std::vector<Item>& first, const std::vector<Item>& second)
+{
+    std::vector<Item> result;
+    std::ranges::set_difference(first, second, std::back_inserter(result));
+    return result;
+}
+
 void BoundaryCheck::checkManifold()
 {
-    for (const auto& edge : boundary_.surfaces.brokenEdges)
+    const BoundarySurfaces &here = boundary_.surfaces, &there = original_.surfaces;
+    for (const auto& [edge, sides] : onlyIn(here.seams, there.seams))
         manifold_.add(edge[0], [&] {
-            return "The boundary's edge from point " + name(edge[0]) + " to " + name(edge[1]) +
-                   " does not belong to two of its faces.";
+            return "The boundary's edge from point " + name(edge[0]) + " to " + name(edge[1]) + " belongs to " +
+                   std::to_string(sides) + " of its faces, which is not so in the data.";
         });
-    for (const std::uint32_t vertex : boundary_.surfaces.brokenVertices)
+    for (const auto& [vertex, fans] : onlyIn(here.pinches, there.pinches))
         manifold_.add(vertex, [&] {
-            return "The boundary touches itself at point " + name(vertex) + ": it is no manifold there.";
+            return "The boundary touches itself at point " + name(vertex) + " otherwise than that of the data.";
+        });
+    for (const auto& [edge, sides] : onlyIn(there.seams, here.seams))
+        manifold_.add(edge[0], [&] {
+            return "The data's boundary touches itself in the edge from point " + name(edge[0]) + " to " +
+                   name(edge[1]) + ", and that of the mesh does not in the same way.";
+        });
+    for (const auto& [vertex, fans] : onlyIn(there.pinches, here.pinches))
+        manifold_.add(vertex, [&] {
+            return "The data's boundary touches itself at point " + name(vertex) +
+                   ", and that of the mesh does not in the same way.";
         });
 }
 
@@ -128,6 +154,20 @@ void BoundaryCheck::checkComponents()
         });
 }
 
+/// Those of the original that the point lies on, sorted.
+std::vector<std::uint32_t> BoundaryCheck::surfacesAt(std::uint32_t point) const
+{
+    if (!original_.isOnBoundary(point))
+        return {};
+    if (!original_.surfaces.isPinched(point))
+        return {original_.surfaceOf[point]};
+    std::vector<std::uint32_t> surfaces;
+    for (auto at = std::ranges::lower_bound(original_.atPinches, std::array{point, 0U});
+         at != original_.atPinches.end() && (*at)[0] == point; ++at)
+        surfaces.push_back((*at)[1]);
+    return surfaces;
+}
+
 /// Each surface is one of the original's and of its kind.
 void BoundaryCheck::checkSurfaces()
 {
@@ -138,36 +178,59 @@ void BoundaryCheck::checkSurfaces()
             return "The boundary has " + std::to_string(surfaces.size()) + " surfaces, and that of the data has " +
                    std::to_string(originals.size()) + ".";
         });
-    constexpr std::uint32_t unknown = 0xfffffffe;
-    std::vector<std::uint32_t> meant(surfaces.size(), unknown);
+    // Of each surface those of the original that all its points lie on: one, unless it ends in seams everywhere.
+    std::vector<std::optional<std::vector<std::uint32_t>>> meant(surfaces.size());
     for (std::uint32_t triangle = 0; triangle < boundary_.triangles.size(); ++triangle)
         for (const std::uint32_t point : boundary_.triangles[triangle]) {
-            std::uint32_t& surface = meant[boundary_.surfaces.surfaceOf[triangle]];
-            if (surface == unknown)
-                surface = original_.surfaceOf[point];
-            if (original_.surfaceOf[point] != surface || surface == IrregularOriginal::none)
+            auto& candidates = meant[boundary_.surfaces.surfaceOf[triangle]];
+            if (candidates && candidates->size() == 1 && original_.surfaceOf[point] == candidates->front())
+                continue; // as nearly always
+            std::vector<std::uint32_t> common = surfacesAt(point);
+            if (candidates) {
+                std::vector<std::uint32_t> both;
+                std::ranges::set_intersection(*candidates, common, std::back_inserter(both));
+                common = std::move(both);
+            }
+            if (common.empty()) {
                 surfaces_.add(triangle, [&] {
                     return "The boundary goes through point " + name(point) +
                            (original_.isOnBoundary(point) ? ", which lies on another surface of the data."
                                                           : ", which lies inside the data.");
                 });
+                continue; // said, and looked at with what there was
+            }
+            candidates = std::move(common);
         }
+    std::vector<std::uint32_t> order(surfaces.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(
+        order, {}, [&](std::uint32_t surface) { return meant[surface] ? meant[surface]->size() : std::size_t(0); });
     std::vector<bool> taken(originals.size());
-    for (std::size_t surface = 0; surface < surfaces.size(); ++surface) {
-        if (meant[surface] >= originals.size())
+    for (const std::uint32_t surface : order) {
+        if (!meant[surface])
             continue; // said already
-        if (taken[meant[surface]])
+        const auto isFree = [&](std::uint32_t original) { return !taken[original]; };
+        const auto isOfItsKind = [&](std::uint32_t original) {
+            return isFree(original) && originals[original].euler == surfaces[surface].euler;
+        };
+        auto found = std::ranges::find_if(*meant[surface], isOfItsKind);
+        const bool isKind = found != meant[surface]->end();
+        if (!isKind)
+            found = std::ranges::find_if(*meant[surface], isFree);
+        if (found == meant[surface]->end()) {
             surfaces_.add(surfaces[surface].firstTriangle, [&] {
                 return "A surface of the data's boundary became two, one of them with the face " +
                        name(boundary_.triangles[surfaces[surface].firstTriangle]) + ".";
             });
-        taken[meant[surface]] = true;
-        if (surfaces[surface].euler != originals[meant[surface]].euler)
+            continue;
+        }
+        taken[*found] = true;
+        if (!isKind)
             surfaces_.add(surfaces[surface].firstTriangle, [&] {
                 return "The surface of the boundary with the face " +
                        name(boundary_.triangles[surfaces[surface].firstTriangle]) + " has Euler characteristic " +
                        std::to_string(surfaces[surface].euler) + ", and that of the data has " +
-                       std::to_string(originals[meant[surface]].euler) + ": a hole was opened or closed.";
+                       std::to_string(originals[*found].euler) + ": a hole was opened or closed.";
             });
     }
 }
@@ -175,11 +238,19 @@ void BoundaryCheck::checkSurfaces()
 Status BoundaryCheck::checkMeetings(const Progress& progress)
 {
     const auto& triangles = boundary_.triangles;
+    touched_.assign(triangles.size(), 0);
+    const auto touch = [this](std::uint32_t number) {
+        std::atomic_ref(touched_[number]).store(1, std::memory_order_relaxed);
+    };
     const auto checkTriangle = [&](std::uint32_t number) {
         boundary_.tree.visitMeeting(boundary_.tree.boxOf(number), [&](std::uint32_t other) {
-            if (other <= number || !facesMeet(original_.points.positions, triangles[number], triangles[other]) ||
-                (original_.isFace(triangles[number]) && original_.isFace(triangles[other])))
+            if (other <= number || !facesMeet(original_.points.positions, triangles[number], triangles[other]))
                 return;
+            if (original_.isFace(triangles[number]) && original_.isFace(triangles[other])) {
+                touch(number);
+                touch(other);
+                return;
+            }
             meetings_.add(number, [&] {
                 return "The boundary meets itself: the faces " + name(triangles[number]) + " and " +
                        name(triangles[other]) + " have more in common than their corners.";
@@ -190,18 +261,25 @@ Status BoundaryCheck::checkMeetings(const Progress& progress)
                       [&](std::size_t number) { checkTriangle(static_cast<std::uint32_t>(number)); });
 }
 
-/// A triangle of the surface whose cell has a middle that doubles can name.
-std::optional<std::uint32_t> BoundaryCheck::triangleWithRoom(std::uint32_t surface) const
+/// The triangles that nothing touches, in pieces that hang together by edges.
+std::vector<std::vector<std::uint32_t>> BoundaryCheck::untouchedPieces() const
 {
-    for (std::uint32_t triangle = boundary_.surfaces.surfaces[surface].firstTriangle;
-         triangle < boundary_.triangles.size(); ++triangle) {
-        if (boundary_.surfaces.surfaceOf[triangle] == surface && placeInside(placed(boundary_.cells[triangle])))
-            return triangle;
-    }
-    return {};
+    std::vector<std::uint32_t> numbers;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t number = 0; number < touched_.size(); ++number)
+        if (touched_[number] == 0) {
+            numbers.push_back(number);
+            triangles.push_back(boundary_.triangles[number]);
+        }
+    const BoundarySurfaces found = boundarySurfaces(triangles);
+    std::vector<std::vector<std::uint32_t>> pieces(found.surfaces.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        pieces[found.surfaceOf[i]].push_back(numbers[i]);
+    return pieces;
 }
 
-/// Whether no face of the boundary goes into a cell. With cells that conform none goes even through its faces.
+/// Whether no face of the boundary goes into a cell, but for those that touch others in the original, too. With cells
+/// that conform none goes even through its faces.
 bool BoundaryCheck::isUndivided(std::size_t cell) const
 {
     const PlacedCell corners = placed(cell);
@@ -212,6 +290,8 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
             faces[face][i] = cells_.point(c[cornersOfFace[face][i]]);
     bool undivided = true;
     boundary_.tree.visitMeeting(boxOf(corners), [&](std::uint32_t number) {
+        if (touched_[number] != 0)
+            return;
         const Triangle& other = boundary_.triangles[number];
         undivided = undivided &&
                     std::ranges::none_of(boundary_.tree.corners(number),
@@ -224,20 +304,24 @@ bool BoundaryCheck::isUndivided(std::size_t cell) const
 }
 
 /// How many cells hold a place changes only at the boundary, and there by one. So it is at most one everywhere if it is
-/// one just inside each of the surfaces, which do not meet.
+/// one just inside each of the surfaces, which do not meet but where the original's do.
 void BoundaryCheck::checkCoveredOnce()
 {
-    for (std::uint32_t surface = 0; surface < boundary_.surfaces.surfaces.size(); ++surface) {
-        const auto triangle = triangleWithRoom(surface);
-        if (triangle) { // just inside the surface there is its cell alone
+    for (const std::vector<std::uint32_t>& piece : untouchedPieces()) {
+        const auto hasRoom = [this](std::uint32_t triangle) {
+            return placeInside(placed(boundary_.cells[triangle])).has_value();
+        };
+        const auto triangle = std::ranges::find_if(piece, hasRoom);
+        if (triangle != piece.end()) { // just inside the surface there is its cell alone
             const std::size_t cell = boundary_.cells[*triangle];
             if (countHolding(original_.points.positions, cells_, *placeInside(placed(cell))) == 1 && isUndivided(cell))
                 continue;
         }
-        const std::uint32_t first = boundary_.surfaces.surfaces[surface].firstTriangle;
-        coverage_.add(first, [&] {
-            return (triangle ? "Cells lie on one another" : std::string("No cell has room for a number in doubles")) +
-                   " inside the surface of the boundary with the face " + name(boundary_.triangles[first]) + ".";
+        coverage_.add(piece.front(), [&] {
+            return (triangle != piece.end() ? "Cells lie on one another"
+                                            : std::string("No cell has room for a number in doubles")) +
+                   " inside the surface of the boundary with the face " + name(boundary_.triangles[piece.front()]) +
+                   ".";
         });
     }
 }

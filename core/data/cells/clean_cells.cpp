@@ -14,6 +14,20 @@
 
 namespace tetra {
 
+MarkedText cellFaultText(CellFault fault) noexcept
+{
+    switch (fault) {
+    case CellFault::NotFinite: return Message::marked("it has a value that is not finite");
+    case CellFault::NoVolume: return Message::marked("it has no volume");
+    case CellFault::Warped: return Message::marked("it is too warped to be cut into tetrahedra");
+    case CellFault::Duplicate: return Message::marked("it is there twice");
+    case CellFault::CrowdedFace: return Message::marked("more than two cells share one of its faces");
+    case CellFault::Folded: return Message::marked("it is inverted and overlaps its neighbours");
+    case CellFault::Overlap: break;
+    }
+    return Message::marked("it overlaps others");
+}
+
 std::vector<Message> repairRemarks(const Repairs& repairs)
 {
     std::vector<Message> remarks;
@@ -57,10 +71,17 @@ std::vector<Message> repairRemarks(const Repairs& repairs)
                      repairs.warped));
     add(repairs.duplicates, Message::say("1 tetrahedron was there twice."),
         Message::say("%1 tetrahedra were there twice.", repairs.duplicates));
-    add(repairs.pinching,
-        Message::say("1 tetrahedron was left out where parts of the mesh touched only in an edge or a point."),
-        Message::say("%1 tetrahedra were left out where parts of the mesh touched only in an edge or a point.",
-                     repairs.pinching));
+    const auto countOf = [&repairs](CellFault fault) {
+        return static_cast<std::uint64_t>(std::ranges::count(repairs.faulty, fault, &FaultyCell::fault));
+    };
+    const std::uint64_t crowded = countOf(CellFault::CrowdedFace), folded = countOf(CellFault::Folded),
+                        overlapping = countOf(CellFault::Overlap);
+    add(crowded, Message::say("1 cell was left out: more than two cells share one of its faces."),
+        Message::say("%1 cells were left out: more than two cells share one of their faces.", crowded));
+    add(folded, Message::say("1 cell was left out: it is inverted and overlaps its neighbours."),
+        Message::say("%1 cells were left out: they are inverted and overlap their neighbours.", folded));
+    add(overlapping, Message::say("1 cell was left out: it overlaps others."),
+        Message::say("%1 cells were left out: they overlap others.", overlapping));
     add(repairs.unused, Message::say("1 point belongs to no cell and was left out."),
         Message::say("%1 points belong to no cell and were left out.", repairs.unused));
     return remarks;
@@ -203,9 +224,11 @@ private:
                 counts.add(cell);
             else if (std::ranges::any_of(corners, [&](std::uint64_t p) { return p >= complex_.positions.size(); }))
                 range.add(cell);
-            else if (!hasValue(complex_, values_, cell))
+            else if (!hasValue(complex_, values_, cell)) {
                 ++repairs_.notFinite;
-            else if (!std::ranges::all_of(corners, [&](std::uint64_t p) { return complex_.positions[p].allFinite(); }))
+                repairs_.faulty.push_back({cell, CellFault::NotFinite});
+            } else if (!std::ranges::all_of(corners,
+                                            [&](std::uint64_t p) { return complex_.positions[p].allFinite(); }))
                 places.add(cell);
             else
                 chosen_.push_back(cell);

@@ -250,6 +250,7 @@ private:
         }
         if (positive + negative == 0) {
             ++(repeatsCorner(shape, nodes) ? repairs_.repeated : repairs_.flat);
+            repairs_.faulty.push_back({cells_.origins[cell], CellFault::NoVolume});
             return;
         }
         if (countsAsTurned(shape))

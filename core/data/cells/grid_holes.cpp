@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -125,6 +126,19 @@ CellComplex hexahedraOf(const Dataset& grid, const Left& left, std::vector<doubl
     return complex;
 }
 
+/// The same by the grid's numbers of cells in place of those of the cells that are left.
+std::shared_ptr<const std::vector<FaultyCell>> byCellsOfGrid(const Dataset& grid, std::vector<FaultyCell> faulty)
+{
+    std::uint64_t cell = 0, kept = 0;
+    auto next = faulty.begin();
+    (void)forEachCell(grid, {}, [&](const auto& /*corners*/, GridCell what) {
+        if (what == GridCell::Kept && next != faulty.end() && next->cell == kept++)
+            (next++)->cell = cell;
+        ++cell;
+    });
+    return std::make_shared<const std::vector<FaultyCell>>(std::move(faulty));
+}
+
 Message remarkOn(const Dataset& grid, const Left& left)
 {
     const Message irregular = Message::say("The grid has become an irregular mesh with holes.");
@@ -154,6 +168,8 @@ Result<Dataset> makeHoles(const Dataset& grid, const Progress& progress)
                                           grid.source, progress.part(searched, 1));
     if (!dataset)
         return dataset.error();
+    if (dataset->faultyCells)
+        dataset->faultyCells = byCellsOfGrid(grid, *dataset->faultyCells);
     std::vector<Message> remarks = grid.remarks;
     remarks.push_back(remarkOn(grid, *left));
     dataset->remarks.insert(dataset->remarks.begin(), remarks.begin(), remarks.end());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/irregular_check.h"
 
+#include "core/base/sort_unique.h"
+#include "core/geometry/box_tree.h"
 #include "core/geometry/orientation.h"
+#include "core/geometry/tetrahedron_overlap.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/boundary_faults.h"
 #include "core/mesh/face_adjacency.h"
@@ -19,6 +22,83 @@ using Positions = std::span<const Eigen::Vector3d>;
 using TetrahedronSpan = std::span<const std::array<std::uint32_t, 4>>;
 
 constexpr MarkedText checkingMesh = Message::marked("Checking the mesh");
+
+/// Tetrahedra that have part in every overlap there is in a mesh, or none.
+std::vector<std::uint32_t> suspects(Positions positions, TetrahedronSpan tetrahedra, const MeshFaces& faces,
+                                    const Progress& progress)
+{
+    std::vector<std::uint32_t> result = faces.crowded;
+    result.insert(result.end(), faces.folded.begin(), faces.folded.end());
+    std::vector<Triangle> boundary;
+    for (const std::uint32_t side : faces.boundary)
+        boundary.push_back(sideCorners(tetrahedra, side));
+    const std::vector<bool> touched = findTouched(positions, boundary, progress);
+    if (std::ranges::find(touched, true) != touched.end()) {
+        std::vector<bool> there(positions.size());
+        for (std::size_t t = 0; t < boundary.size(); ++t)
+            if (touched[t])
+                for (const std::uint32_t corner : boundary[t])
+                    there[corner] = true;
+        for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+            if (std::ranges::any_of(tetrahedra[t], [&](std::uint32_t corner) { return there[corner]; }))
+                result.push_back(t);
+    }
+    // With other faces the boundary alone says nothing; those that have them are among the suspects.
+    if (faces.crowded.empty() && faces.folded.empty()) {
+        const std::vector<std::uint32_t> buried = findBuried(positions, boundary, touched, progress);
+        if (!buried.empty()) {
+            const std::vector<std::uint32_t> pieces = surfacePieces(boundary, touched);
+            std::vector<bool> isBuried(boundary.size());
+            for (const std::uint32_t triangle : buried)
+                isBuried[pieces[triangle]] = true;
+            for (std::size_t t = 0; t < boundary.size(); ++t)
+                if (isBuried[pieces[t]])
+                    result.push_back(FaceAdjacency::cellOf(faces.boundary[t]));
+        }
+    }
+    sortUnique(result);
+    return result;
+}
+
+} // namespace
+
+MeshOverlaps findOverlaps(Positions positions, TetrahedronSpan tetrahedra, const MeshFaces& faces,
+                          const std::function<bool(std::uint32_t, std::uint32_t)>& enough, const Progress& progress)
+{
+    MeshOverlaps found;
+    progress.report(0, checkingMesh);
+    const std::vector<std::uint32_t> suspected = suspects(positions, tetrahedra, faces, progress);
+    if (suspected.empty())
+        return found;
+    const auto boxOf = [&](std::uint32_t t) {
+        Eigen::AlignedBox3d box;
+        for (const std::uint32_t corner : tetrahedra[t])
+            box.extend(positions[corner]);
+        return box;
+    };
+    const BoxTree tree(tetrahedra.size(), boxOf, [&](std::uint32_t t, Eigen::Index axis) {
+        const auto& [a, b, c, d] = tetrahedra[t];
+        return positions[a][axis] + positions[b][axis] + positions[c][axis] + positions[d][axis];
+    });
+    for (const std::uint32_t one : suspected) {
+        if (progress.cancelled() || !found.complete)
+            break;
+        const Eigen::AlignedBox3d box = boxOf(one);
+        const auto near = [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); };
+        tree.visitNear(near, [&](std::uint32_t other) {
+            if (!found.complete || other == one || !near(boxOf(other)) ||
+                (other < one && std::ranges::binary_search(suspected, other)) ||
+                !tetrahedraOverlap(positions, tetrahedra[one], tetrahedra[other]))
+                return;
+            found.pairs.push_back({std::min(one, other), std::max(one, other)});
+            found.complete = !enough(one, other);
+        });
+    }
+    std::ranges::sort(found.pairs);
+    return found;
+}
+
+namespace {
 
 std::string placeText(const Eigen::Vector3d& place)
 {
@@ -71,23 +151,6 @@ Status checkFaces(Positions positions, TetrahedronSpan tetrahedra, const MeshFac
     return {};
 }
 
-Status checkManifold(Positions positions, const ManifoldBreaches& breaches)
-{
-    if (!breaches.edges.empty()) {
-        const std::uint64_t count = breaches.edges.size();
-        const std::string place = placeText(positions[breaches.edges[0][0]]);
-        return fault(count == 1 ? Message::say("1 edge in which parts of it only touch, one at %1", place)
-                                : Message::say("%1 edges in which parts of it only touch, one at %2", count, place));
-    }
-    if (!breaches.vertices.empty()) {
-        const std::uint64_t count = breaches.vertices.size();
-        const std::string place = placeText(positions[breaches.vertices[0]]);
-        return fault(count == 1 ? Message::say("1 point in which parts of it only touch, one at %1", place)
-                                : Message::say("%1 points in which parts of it only touch, one at %2", count, place));
-    }
-    return {};
-}
-
 Status checkPoints(const Dataset& dataset)
 {
     const auto bad = [](Message text) { return Error{ErrorKind::BadInput, std::move(text)}; };
@@ -111,39 +174,6 @@ Status checkPoints(const Dataset& dataset)
 
 } // namespace
 
-Status checkTetrahedra(Positions positions, TetrahedronSpan tetrahedra, const MeshFaces& faces,
-                       const Progress& progress)
-{
-    if (const Status matching = checkFaces(positions, tetrahedra, faces); !matching)
-        return matching;
-    std::vector<std::array<std::uint32_t, 3>> boundary;
-    for (const std::uint32_t side : faces.boundary)
-        boundary.push_back(sideCorners(tetrahedra, side));
-    if (const Status manifold = checkManifold(positions, findBreaches(boundary)); !manifold)
-        return manifold;
-    progress.report(0.6, checkingMesh);
-    const BoundaryFaults faults = findBoundaryFaults(positions, boundary, progress);
-    if (progress.cancelled())
-        return cancelledError(checkingMesh);
-    if (!faults.meetings.empty()) {
-        const std::uint64_t count = faults.meetings.size();
-        const std::string place = placeText(positions[boundary[faults.meetings[0][0]][0]]);
-        return fault(count == 1 ? Message::say("1 pair of boundary faces that cut or touch each other: cells overlap "
-                                               "or do not fit together there, one at %1",
-                                               place)
-                                : Message::say("%1 pairs of boundary faces that cut or touch each other: cells overlap "
-                                               "or do not fit together there, one at %2",
-                                               count, place));
-    }
-    if (!faults.buried.empty()) {
-        const std::uint64_t count = faults.buried.size();
-        const std::string place = placeText(positions[boundary[faults.buried[0]][0]]);
-        return fault(count == 1 ? Message::say("1 part inside another part, one at %1", place)
-                                : Message::say("%1 parts inside other parts, one at %2", count, place));
-    }
-    return {};
-}
-
 Status checkIrregular(const Dataset& dataset, const Progress& progress)
 {
     if (const Status points = checkPoints(dataset); !points)
@@ -154,7 +184,20 @@ Status checkIrregular(const Dataset& dataset, const Progress& progress)
                                                             largestAdjacentCellCount)};
     if (const Status positive = checkSigns(*dataset.positions, tetrahedra); !positive)
         return positive;
-    return checkTetrahedra(*dataset.positions, tetrahedra, findMeshFaces(tetrahedra), progress);
+    const Positions positions = *dataset.positions;
+    const MeshFaces faces = findMeshFaces(tetrahedra);
+    if (const Status matching = checkFaces(positions, tetrahedra, faces); !matching)
+        return matching;
+    const MeshOverlaps overlaps = findOverlaps(
+        positions, tetrahedra, faces, [](std::uint32_t, std::uint32_t) { return false; }, progress);
+    if (progress.cancelled())
+        return cancelledError(checkingMesh);
+    if (overlaps.pairs.empty())
+        return {};
+    const std::uint64_t count = overlaps.pairs.size();
+    const std::string place = placeText(centreOf(positions, tetrahedra[overlaps.pairs[0][0]]));
+    return fault(count == 1 ? Message::say("1 pair of tetrahedra that overlap, one at %1", place)
+                            : Message::say("%1 pairs of tetrahedra that overlap, one at %2", count, place));
 }
 
 } // namespace tetra

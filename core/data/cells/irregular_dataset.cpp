@@ -2,8 +2,7 @@
 #include "core/base/guarded.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
-#include "core/data/cells/irregular_check.h"
-#include "core/data/cells/pinch_repair.h"
+#include "core/data/cells/faulty_cells.h"
 #include "core/mesh/topology.h"
 
 #include <tan/data.h>
@@ -11,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace tetra {
 
@@ -120,6 +121,8 @@ constexpr std::uint64_t cellsPerWarpedOne = 100;
 Status checkWarped(const CellComplex& complex, const CleanCells& cells, const CutCells& cutChecked, Repairs& repairs)
 {
     repairs.warped = cutChecked.warped.size();
+    for (const std::uint32_t cell : cutChecked.warped)
+        repairs.faulty.push_back({cells.origins[cell], CellFault::Warped});
     if (cutChecked.warped.size() * cellsPerWarpedOne <= cells.count())
         return {};
     const std::uint64_t origin = cells.origins[cutChecked.warped.front()];
@@ -146,20 +149,15 @@ Result<CutCells> cutChecked(const CellComplex& complex, CleanCells& cells, Repai
     return cutCells(complex.positions, cells, repairs, progress);
 }
 
-/// Without holes that the file has or that were made, parts that touch in an edge or a point are the mesh's own, and
-/// so is what would be taken away: no more than one in so many tetrahedra.
-constexpr std::uint64_t tetrahedraPerPinchingOne = 100;
-
-Status repairMesh(std::span<const Eigen::Vector3d> positions, CutCells& cutChecked, Repairs& repairs,
-                  const Progress& progress)
+/// Each once, with the first of its faults.
+std::shared_ptr<const std::vector<FaultyCell>> listed(std::vector<FaultyCell> faulty)
 {
-    MeshFaces faces = findMeshFaces(cutChecked.tetrahedra);
-    repairs.duplicates = removeDuplicates(cutChecked, faces);
-    const bool holes = repairs.blanked + repairs.notFinite + repairs.warped > 0;
-    const std::uint64_t count = cutChecked.tetrahedra.size();
-    repairs.pinching =
-        removePinches(cutChecked, faces, holes ? count : count / tetrahedraPerPinchingOne, progress.part(0, 0.3));
-    return checkTetrahedra(positions, cutChecked.tetrahedra, faces, progress.part(0.3, 1));
+    if (faulty.empty())
+        return nullptr;
+    std::ranges::sort(faulty, {}, [](const FaultyCell& one) { return std::pair(one.cell, one.fault); });
+    const auto again = std::ranges::unique(faulty, {}, &FaultyCell::cell);
+    faulty.erase(again.begin(), again.end());
+    return std::make_shared<const std::vector<FaultyCell>>(std::move(faulty));
 }
 
 Result<ScalarField> fieldOf(const std::vector<double>& values, SampleType type)
@@ -187,9 +185,10 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
         return sound.error();
     if (cutting->tetrahedra.empty())
         return Error{ErrorKind::BadInput, Message::say("No cell of the mesh has a volume: nothing is left.")};
-    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, repairs);
-    if (const Status sound = repairMesh(complex.positions, *cutting, repairs, progress.part(0.5, 0.95)); !sound)
+    if (const Status sound = takeOutFaulty(complex.positions, *cells, *cutting, repairs, progress.part(0.5, 0.95));
+        !sound)
         return sound.error();
+    const std::vector<double> all = pointValues(complex, values, *cells, *cutting, repairs);
     Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
 
     const std::vector<std::uint32_t> used = renumberUsed(tetrahedra, complex.positions.size());
@@ -214,6 +213,7 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
     dataset.source = source;
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     dataset.remarks = repairRemarks(repairs);
+    dataset.faultyCells = listed(std::move(repairs.faulty));
     return dataset;
 }
 

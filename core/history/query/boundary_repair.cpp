@@ -139,11 +139,11 @@ private:
     /// Where something lies inside of other tetrahedra, all that reaches near it is refined.
     void findBuriedParts(const Progress& progress)
     {
-        const std::vector<std::uint32_t> buried = findBuried(boundary_.positions, boundary_.triangles, progress);
+        const std::vector<std::uint32_t> buried = findBuried(boundary_.positions, boundary_.triangles, {}, progress);
         if (buried.empty())
             return;
         repair_.isSound = false;
-        const std::vector<std::uint32_t> components = surfaceComponents(boundary_.triangles);
+        const std::vector<std::uint32_t> components = surfacePieces(boundary_.triangles);
         for (const std::uint32_t part : buried) {
             Eigen::AlignedBox3d box;
             for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)

@@ -251,6 +251,27 @@ enum class GridCell : std::uint8_t {
     NotFinite, ///< it has a value of its own, which is no finite number
 };
 
+/// Why a cell of a file is no part of the mesh that was read from it. In texts for the user: cellFaultText().
+enum class CellFault : std::uint8_t {
+    NotFinite,   ///< a value that is not finite
+    NoVolume,    ///< no volume, or a repeated corner
+    Warped,      ///< too warped to be cut into tetrahedra without a new point
+    Duplicate,   ///< there twice, in whole or in part
+    CrowdedFace, ///< more than two cells at one of its faces
+    Folded,      ///< inverted: on the same side of a face as its neighbour
+    Overlap      ///< overlaps others in another way
+};
+
+/// "it overlaps others".
+TAN_API MarkedText cellFaultText(CellFault fault) noexcept;
+
+/// A cell that was taken out of a mesh and left a hole (C10).
+struct FaultyCell {
+    std::uint64_t cell = 0; ///< its number in the file, from 0; over all its pieces
+    CellFault fault = CellFault::NotFinite;
+    bool operator==(const FaultyCell&) const = default;
+};
+
 /// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
 ///
 /// Regular: the lattice says where the points lie. Curvilinear (and rectilinear): the lattice is the computational
@@ -270,6 +291,8 @@ struct TAN_API Dataset {
     /// Of a grid that withHoles() is still to finish: a GridCell for each cell, the first index running fastest. Else
     /// null.
     std::shared_ptr<const std::vector<GridCell>> cells = nullptr;
+    /// Of irregular data: the cells that were taken out, each once, ascending; null if there are none.
+    std::shared_ptr<const std::vector<FaultyCell>> faultyCells = nullptr;
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const
@@ -342,9 +365,11 @@ struct ComplexValues {
 /// The irregular dataset that such cells make (R1, S6, S20), a mesh that covers its domain once: every cell is cut into
 /// tetrahedra, quadratic ones through all their nodes; cells blanked or with a value that is not finite are holes.
 /// Harmless defects are repaired and listed in `remarks`: points on one place (the mean of their values), points that
-/// no cell uses, cells with a repeated corner, without volume, inverted or duplicated. Refused with a count and an
-/// example: polyhedra, overlapping cells, faces in three cells, a boundary that is no manifold or meets itself, numbers
-/// of points out of range, nothing left. One thread, about 300 bytes a tetrahedron; safe from any thread.
+/// no cell uses, cells with a repeated corner, without volume, numbered the other way round or duplicated. Cells that
+/// overlap others, also by lying on the same side of a face, are taken out, which `faultyCells` lists, if they are at
+/// most a thousandth of the cells or of the volume (C10). The boundary may touch itself. Refused with a count and an
+/// example: polyhedra, more than a thousandth of faulty cells, numbers of points out of range, nothing left. One
+/// thread, about 300 bytes a tetrahedron, and 100 more where cells overlap; safe from any thread.
 TAN_API Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                          const Progress& progress = {});
 

@@ -68,7 +68,8 @@ struct TAN_API VerificationReport {
 /// claims against the original data, weighted if the model was built with weights. Curvilinear data: exact in
 /// computational space, then in physical space; cells without volume are counted apart, and so are inverted ones that
 /// the grid itself makes, which are no failure (S5). Irregular data: the boundary, wherever it lies, is a manifold that
-/// does not meet itself, with the components and the surfaces of the original (S12). A damaged model gives failures; an
+/// does not meet itself but where the original does, in the same way (C10), with the components and the surfaces of the
+/// original (S12). A damaged model gives failures; an
 /// Error only if checking itself was impossible: cancelled, out of memory. On all threads; levels one after the other,
 /// each about as long as extracting its mesh and locating every sample in it.
 TAN_API Result<VerificationReport> verify(const Model& model, const Dataset& original,

@@ -2,9 +2,12 @@
 // The judge of irregular models (B3, R4, R5, S12): what decimation makes is proved, and each kind of lie is found.
 #include "core/decimate/lattice_tetrahedra.h"
 #include "core/history/batch_builder.h"
+#include "tests/core/data/cells/damaged_cells.h"
 #include "tests/core/history/irregular/irregular_models.h"
 
 #include <tan/data.h>
+#include <tan/query.h>
+#include <tan/render.h>
 #include <tan/verify.h>
 
 #include <QTemporaryDir>
@@ -62,6 +65,35 @@ Dataset datasetOfCubes(const std::vector<std::array<std::uint32_t, 4>>& tetrahed
     return withoutUnused(datasetOfTetrahedra(positions, values, tetrahedra));
 }
 
+/// Whether a picture of the model's boundary and volume, coarse and fine, shows anything. Empty: all do.
+QString pictureFault(const Model& model)
+{
+    for (const double error : {5.0, 0.0}) {
+        auto extracted = extractPrefix(model, meshSizeAt(model, {error, anyWarping}).sites);
+        if (!extracted)
+            return QString::fromStdString(extracted.error().text());
+        const auto mesh = std::make_shared<const TetrahedralMesh>(*std::move(extracted));
+        const auto boundary = BoundaryCache(mesh).plain({.opacity = 0.5F});
+        const TransferFunction function{
+            .colours = {{-2, {0, 0, 1}}, {2, {1, 0.5F, 0}}}, .opacities = {{-2, 0.2F}, {2, 0.9F}}, .unitDistance = 1};
+        const auto volume = VolumeCache(mesh).update(function, false);
+        if (!boundary || !volume)
+            return "no boundary or no volume";
+        Scene scene;
+        for (const Eigen::Vector3f& position : mesh->positions)
+            scene.bounds.extend(position.cast<double>());
+        scene.drawables.push_back({.id = "boundary", .shape = *boundary});
+        scene.drawables.push_back({.id = "volume", .shape = *volume});
+        const auto picture = makeCpuBackend()->render(scene, fitted({}, scene.bounds),
+                                                      {.width = 48, .height = 48, .background = {0, 0, 0}});
+        if (!picture)
+            return QString::fromStdString(picture.error().text());
+        if (std::ranges::count_if(picture->pixels, [](const auto& p) { return int(p[0]) + p[1] + p[2] > 60; }) < 300)
+            return "the picture shows next to nothing";
+    }
+    return {};
+}
+
 /// A model whose only mesh are these tetrahedra of the grid, whatever the dataset's are.
 RecordedHistory oneMesh(const Dataset& dataset, const std::vector<std::array<std::uint32_t, 4>>& tetrahedra)
 {
@@ -115,6 +147,74 @@ private slots:
             QCOMPARE(finest.twoSidedBound, 0.0);
         }
         QVERIFY(coarser > 40);
+    }
+
+    /// C10, acceptance: meshes damaged at random in up to a thousandth of their cells, and with parts that only touch,
+    /// are opened, built, verified at eight accuracies, and pictured. TAN_DAMAGED_MESHES says how many; then larger
+    /// ones.
+    void damagedMeshesAreProved()
+    {
+        const std::vector<Accuracy> eight = {{100, anyWarping}, {30, 30}, {10, 10}, {4, 4}, {2, 2}, {1, 1},
+                                             {.2, .2},          {0, 0}};
+        const int wanted = qEnvironmentVariableIntValue("TAN_DAMAGED_MESHES");
+        std::array<std::uint64_t, DamagedCells::KindCount> damages{};
+        std::uint64_t cells = 0, faulty = 0;
+        const auto count = static_cast<std::uint32_t>(wanted > 0 ? wanted : 3);
+        for (std::uint32_t seed = 0; seed < count; ++seed) {
+            const DamagedCells damaged(wanted > 0 ? 11 + seed % 5 : 9, 1000 + seed);
+            const auto dataset = irregularDataset(damaged.complex(), damaged.values(), {"damaged", {}, 0});
+            const QString name = QString("seed %1\n").arg(seed);
+            QVERIFY2(dataset.ok(), qPrintable(name + (dataset ? "" : dataset.error().text().c_str())));
+            const auto model = modelOf(path(), *dataset, decimated(*dataset));
+            const auto verdict = verify(*model, *dataset, eight);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(name + textOf(verdict)));
+            QVERIFY2(pictureFault(*model).isEmpty(), qPrintable(name + pictureFault(*model)));
+            cells += damaged.complex().shapes.size();
+            faulty += dataset->faultyCells ? dataset->faultyCells->size() : 0;
+            for (int kind = 0; kind < DamagedCells::KindCount; ++kind)
+                damages[std::size_t(kind)] += damaged.count(static_cast<DamagedCells::Kind>(kind));
+        }
+        if (wanted == 0)
+            return;
+        QString text = QString("%1 meshes, %2 cells, %3 taken out;").arg(count).arg(cells).arg(faulty);
+        for (const std::uint64_t damage : damages)
+            text += QString(" %1").arg(damage);
+        qInfo().noquote() << text;
+    }
+
+    /// C10: where the data touch themselves, in an edge, a point or with faces that do not fit together, a mesh may and
+    /// must do so, and nowhere else.
+    void touchingIsAsInTheData_data()
+    {
+        QTest::addColumn<Domain>("data");
+        QTest::addColumn<Domain>("mesh");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, const Domain& data, const Domain& mesh, const char* says) {
+            QTest::newRow(name) << data << mesh << QString(says);
+        };
+        // All of the same points.
+        const Domain block = [](const Cube& p) { return p[0] < 3 && p[1] < 3; };
+        const Domain columns = [=](const Cube& p) { return block(p) && (p[0] + p[1]) % 2 == 0; };
+        const Domain corners = [=](const Cube& p) { return block(p) && p[0] % 2 == p[1] % 2 && p[0] % 2 == p[2] % 2; };
+        row("right: columns", columns, columns, "");
+        row("right: corners", corners, corners, "");
+        row("edges closed", columns, block, "and that of the mesh does not in the same way");
+        row("edges made", block, columns, "which is not so in the data");
+        row("corners closed", corners, block, "and that of the mesh does not in the same way");
+        row("corners made", block, corners, "touches itself at point");
+        row("edges for corners", corners, columns, "which is not so in the data");
+    }
+    void touchingIsAsInTheData()
+    {
+        QFETCH(Domain, data);
+        QFETCH(Domain, mesh);
+        QFETCH(QString, says);
+        const Dataset dataset = datasetOfCubes(cubes(data));
+        const auto model = modelOf(path(), dataset, oneMesh(dataset, cubes(mesh)));
+        const auto verdict = verify(*model, dataset, {{0, 0}});
+        const bool right = QString(QTest::currentDataTag()).startsWith("right");
+        QVERIFY2(verdict.ok() && verdict->ok() == right, qPrintable(textOf(verdict)));
+        QVERIFY2(textOf(verdict).contains(says), qPrintable(textOf(verdict)));
     }
 
     /// Straight edges of the boundary that rounding bends: removed points of theirs lie outside, if only by rounding,

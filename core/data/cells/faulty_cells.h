@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/data/cells/clean_cells.h"
+#include "core/data/cells/cut_cells.h"
+
+#include <tan/base.h>
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace tetra {
+
+/// Takes out the cells of which tetrahedra are there twice, but for one, and those that overlap others (C10): so many
+/// that no two overlap, of the rest first the one that overlaps the most. `repairs` is told. Error: BadInput if more
+/// than a thousandth of the cells, and of the volume, would have to go because of overlaps; cancelled. Positive
+/// tetrahedra; findOverlaps() for each layer of cells that is taken out, three or four at most.
+Status takeOutFaulty(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, CutCells& cut,
+                     Repairs& repairs, const Progress& progress);
+
+} // namespace tetra
