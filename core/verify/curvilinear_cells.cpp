@@ -39,9 +39,9 @@ struct CornerSigns {
 };
 
 /// Where the corners of a cell of the grid lie; the bits of a corner's number choose the later point along x, y and z.
-class GridCell {
+class CellPlaces {
 public:
-    GridCell(const Dataset& original, const LatticePoint& cell)
+    CellPlaces(const Dataset& original, const LatticePoint& cell)
     {
         const auto& size = original.lattice.size;
         const Eigen::Vector3d* const first =
@@ -136,7 +136,7 @@ Result<CurvilinearOriginal> CurvilinearOriginal::make(const Dataset& original, b
     std::vector<std::array<CornerSigns, 2>> counts(layerCount);
     const Status counted = verifyEach(layerCount, 1, activity, progress.part(0, 0.5), [&](std::size_t layer) {
         forEachGridCell(original.lattice, layer, [&, &count = counts[layer]](const LatticePoint& cell) {
-            const GridCell places(original, cell);
+            const CellPlaces places(original, cell);
             for (unsigned corner = 0; corner < 8; ++corner) {
                 const double rough = places.roughVolume(corner);
                 count[0].add(places.sign(corner, rough));
@@ -167,7 +167,7 @@ Result<CurvilinearOriginal> CurvilinearOriginal::make(const Dataset& original, b
     std::vector<Faulty> layers(layerCount);
     const Status listed = verifyEach(layerCount, 1, activity, progress.part(0.5, 1), [&](std::size_t layer) {
         forEachGridCell(original.lattice, layer, [&, &found = layers[layer]](const LatticePoint& cell) {
-            const GridCell places(original, cell);
+            const CellPlaces places(original, cell);
             CornerSigns signs;
             for (unsigned corner = 0; corner < 8; ++corner)
                 signs.add(places.sign(corner, places.roughVolume(corner)));
