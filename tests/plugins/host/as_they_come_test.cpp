@@ -158,7 +158,7 @@ void AsTheyComeTest::everyReaderOpensThem_data()
     row("PLOT3D, text", {{"a.xyz", testText(binary, false, firstBlanked)}, {"a.q", testText(binary, true)}},
         3 * 4 * 5 - 1, holes);
     QByteArray solution = testFile({}, true);
-    constexpr qsizetype firstDensity = 4 * (1 + 3 + 1) + 4 * (1 + 4 + 1) + 4;
+    constexpr qsizetype firstDensity = 3 * 4 + 4 * 4; // behind the size and the state
     solution.replace(firstDensity, 4, "\xff\xff\xff\x7f");
     row("PLOT3D, NaN", {{"a.xyz", testFile({}, false)}, {"a.q", solution}}, 3 * 4 * 5 - 1, holes);
     row("VTK unstructured grid", {{"a.vtu", twoTetrahedra("1 2 3 4 nan")}}, 4, "became a hole");
