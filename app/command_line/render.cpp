@@ -255,6 +255,7 @@ void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
 {
     figures["cells_drawn"] = static_cast<qint64>(statistics.cells);
     figures["fragments"] = static_cast<qint64>(statistics.fragments);
+    figures["cut_cells"] = static_cast<qint64>(statistics.cutCells);
     figures["broken_cycles"] = static_cast<qint64>(statistics.brokenCycles);
     figures["order_seconds"] = statistics.orderSeconds;
     figures["set_up_seconds"] = statistics.setUpSeconds;

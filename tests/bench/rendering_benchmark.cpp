@@ -67,7 +67,7 @@ BenchCase measure(const RenderingScene& scene, const Prepared& prepared, int siz
         const double orderSeconds =
             secondsOn(threads, [&] { order = orderForCamera(prepared.mesh, camera, options).value(); });
         const double drawSeconds = secondsOn(threads, [&] {
-            picture = drawVolume(prepared.mesh, prepared.transfer, order.cells, camera, options).value();
+            picture = drawVolume(prepared.mesh, prepared.transfer, order, camera, options).value();
         });
         if (i == 0)
             continue;

@@ -83,8 +83,23 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
             {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
 }
 
+namespace {
+
+QString cyclesText(const OrderFaults& faults)
+{
+    if (faults == OrderFaults{})
+        return countText(0);
+    const QString cut = countText(faults.cutCells);
+    if (faults.brokenCycles == 0)
+        return Statistics::tr("%1 tetrahedra were cut to order them").arg(cut);
+    return Statistics::tr("%1 tetrahedra were cut to order them; %2 groups overlap and are drawn by distance")
+        .arg(cut, countText(faults.brokenCycles));
+}
+
+} // namespace
+
 std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds,
-                                       std::optional<std::size_t> brokenCycles)
+                                       const std::optional<OrderFaults>& faults)
 {
     std::vector<StatisticsFact> facts{
         {Statistics::tr("Shown"), Statistics::tr("%1 vertices, %2 tetrahedra")
@@ -99,12 +114,8 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
     facts.push_back({Statistics::tr("Preparation"), durationText(scene.sceneSeconds)});
     if (frameSeconds > 0)
         facts.push_back({Statistics::tr("A frame"), durationText(frameSeconds)});
-    if (brokenCycles)
-        facts.push_back(
-            {Statistics::tr("Visibility cycles"),
-             *brokenCycles == 0
-                 ? countText(0)
-                 : Statistics::tr("%1, in which cells are drawn by their distance").arg(countText(*brokenCycles))});
+    if (faults)
+        facts.push_back({Statistics::tr("Visibility cycles"), cyclesText(*faults)});
     return facts;
 }
 

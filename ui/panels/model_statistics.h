@@ -41,9 +41,16 @@ struct StatisticsFact {
 
 /// Of the model, and of what is shown of it.
 std::vector<StatisticsFact> modelFacts(const Model& model);
-/// `brokenCycles`: of the visibility order of the last picture; none if it has no volume.
+/// What a visibility order needed (RenderStatistics).
+struct OrderFaults {
+    std::size_t cutCells = 0;
+    std::size_t brokenCycles = 0;
+    bool operator==(const OrderFaults&) const = default;
+};
+
+/// `faults`: of the order of the last picture; none if it has no volume.
 std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeconds,
-                                       std::optional<std::size_t> brokenCycles);
+                                       const std::optional<OrderFaults>& faults);
 
 /// All of it as lines of text with tabs between the columns, for a clipboard.
 QString statisticsText(const std::vector<StatisticsFact>& facts, const std::vector<LevelStatistics>& levels);

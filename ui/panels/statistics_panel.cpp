@@ -101,11 +101,12 @@ void StatisticsPanel::connectSources(Viewport& viewport)
     session_.whenChanged(ViewPart::Query, this, &StatisticsPanel::showQuery);
     connect(&scenes_, &SceneBuilder::sceneReady, this, &StatisticsPanel::showScene);
     connect(&viewport, &Viewport::framePainted, this, [this](const FrameReport& report) {
-        const auto cycles = report.cells > 0 ? std::optional(report.brokenCycles) : std::nullopt;
-        if (report.moving || (report.seconds == frameSeconds_ && cycles == brokenCycles_))
+        const auto faults =
+            report.cells > 0 ? std::optional(OrderFaults{report.cutCells, report.brokenCycles}) : std::nullopt;
+        if (report.moving || (report.seconds == frameSeconds_ && faults == orderFaults_))
             return;
         frameSeconds_ = report.seconds;
-        brokenCycles_ = cycles;
+        orderFaults_ = faults;
         showFacts();
     });
 }
@@ -115,7 +116,7 @@ void StatisticsPanel::showModel()
     setEnabled(session_.model() != nullptr);
     scene_.reset();
     frameSeconds_ = 0;
-    brokenCycles_.reset();
+    orderFaults_.reset();
     histogram_->setHistogram(nullptr);
     showLevels();
     showFacts();
@@ -177,7 +178,7 @@ void StatisticsPanel::showFacts()
     }
     facts_ = session_.model() ? modelFacts(*session_.model()) : std::vector<StatisticsFact>();
     if (scene_)
-        for (const StatisticsFact& fact : sceneFacts(*scene_, frameSeconds_, brokenCycles_))
+        for (const StatisticsFact& fact : sceneFacts(*scene_, frameSeconds_, orderFaults_))
             facts_.push_back(fact);
     int row = 0;
     for (const auto& [name, value] : facts_) {

@@ -51,7 +51,7 @@ private:
     std::optional<BuiltScene> scene_;
     std::optional<double> pace_; ///< seconds for a tetrahedron, as last measured
     double frameSeconds_ = 0;
-    std::optional<std::size_t> brokenCycles_; ///< of the last picture
+    std::optional<OrderFaults> orderFaults_; ///< of the last picture
 };
 
 } // namespace tetra

@@ -318,7 +318,8 @@ void Canvas::arrived(const Order& order, const Drawn& drawn)
     show(order, drawn.image);
     settled_ = isNewest && order.isLast;
     emit framePainted({drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction,
-                       order.level.tetrahedra, drawn.statistics.cells, drawn.statistics.brokenCycles});
+                       order.level.tetrahedra, drawn.statistics.cells, drawn.statistics.cutCells,
+                       drawn.statistics.brokenCycles});
     if (isNewest && !order.moving && !order.isLast)
         refine(order.step + 1);
 }

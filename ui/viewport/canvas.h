@@ -39,7 +39,8 @@ struct FrameReport {
     double reduction = 1;       ///< of width and height
     std::uint64_t tetrahedra = 0;
     std::size_t cells = 0;        ///< of volumes that were drawn
-    std::size_t brokenCycles = 0; ///< of their visibility order (S14)
+    std::size_t cutCells = 0;     ///< of their visibility order (RenderStatistics)
+    std::size_t brokenCycles = 0; ///< the same
 };
 
 /// Which back end the viewport draws with. Automatic takes OpenGL where a graphics card does the work; OpenGL that is

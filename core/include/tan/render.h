@@ -494,7 +494,9 @@ struct PictureOptions {
 struct RenderStatistics {
     std::size_t cells = 0;        ///< tetrahedra of the volume that were drawn, counted once a tile by the CPU back end
     std::size_t fragments = 0;    ///< samples of the picture times the cells drawn there, as far as they are counted
-    std::size_t brokenCycles = 0; ///< of the visibility order (S14)
+    /// Tetrahedra that were cut, because they hide each other in a circle and so have no order as a whole (S14).
+    std::size_t cutCells = 0;
+    std::size_t brokenCycles = 0; ///< circles left as they are, because their tetrahedra overlap
     bool orderReused = false;
     double orderSeconds = 0;
     double setUpSeconds = 0; ///< projecting, binning

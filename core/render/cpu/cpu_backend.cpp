@@ -55,15 +55,22 @@ struct PartView {
     VolumeView volume;
 };
 
-/// The visibility orders of the scene's volume and of the fine one in its focus; empty if there is none.
-struct VolumeOrders {
-    std::span<const std::uint32_t> volume, fine;
-};
-
 /// The volumes of a scene.
 struct SceneVolumes {
     const Volume* volume = nullptr;     ///< of a blend that outside
     const FocusVolume* focus = nullptr; ///< the blend
+};
+
+/// A volume with the cells that its order names, front to back.
+struct OrderedVolume {
+    Volume volume;
+    std::span<const std::uint32_t> order;
+};
+
+/// The volumes of a scene as they are drawn.
+struct OrderedVolumes {
+    std::optional<OrderedVolume> volume, fine; ///< fine: in the focus
+    const FocusVolume* focus = nullptr;        ///< if there is a fine one
 };
 
 constexpr MarkedText drawingParts = Message::marked("Drawing the picture");
@@ -99,7 +106,7 @@ struct ProjectedFocus {
 
 /// A part of a scene made ready to be drawn.
 struct ProjectedPart {
-    SceneVolumes scene;
+    OrderedVolumes scene;
     DrawList list;
     TileBins bins;
     ClipBounds clips;
@@ -117,7 +124,7 @@ public:
     {
         if (part.volume)
             volume_.emplace(part.source, view.volume);
-        surroundings_.splitCells = part.scene.volume == nullptr || !part.scene.volume->wholeCells;
+        surroundings_.splitCells = !part.scene.volume || !part.scene.volume->volume.wholeCells;
         surroundings_.depth = options.depth;
         surroundings_.model = part.model ? &*part.model : nullptr;
         surroundings_.clips = part.clips.empty() ? nullptr : &part.clips;
@@ -173,7 +180,7 @@ private:
         FocusTile focus;
         if (part_.focus) {
             focus = {&part_.focus->rays, &part_.focus->source, part_.focus->volume.bins.cellsOf(number),
-                     part_.scene.volume->mesh->mesh->positions, part_.scene.focus->fine.mesh->mesh->positions};
+                     part_.scene.volume->volume.mesh->mesh->positions, part_.scene.fine->volume.mesh->mesh->positions};
             surroundings.focus = &focus;
         }
         if (!noSurfaces) {
@@ -226,15 +233,14 @@ int tileSideFor(int samplesPerAxis)
 /// the volume, both together, front to back (R21). Adds to the statistics. On all threads of
 /// the current arena, the same picture with any number. Errors: a scene whose indices lead nowhere, cancelled. May
 /// throw std::bad_alloc.
-Status drawPart(const Scene& scene, const SceneVolumes& volumes, const PartView& view, const VolumeOrders& orders,
-                const PictureOptions& options, const Progress& progress, Picture& picture, RenderStatistics& statistics)
+Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartView& view, const PictureOptions& options,
+                const Progress& progress, Picture& picture, RenderStatistics& statistics)
 {
     Stopwatch watch;
     progress.report(0, drawingParts);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
-    Result<DrawList> list =
-        makeDrawList(scene, view.surfaces, options.samplesPerAxis,
-                     volumes.volume != nullptr ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
+    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
+                                         volumes.volume ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
     if (!list)
         return list.error();
     if (progress.cancelled())
@@ -242,17 +248,17 @@ Status drawPart(const Scene& scene, const SceneVolumes& volumes, const PartView&
     TileBins bins(*list, grid);
     ProjectedPart part{
         volumes, std::move(list).value(), std::move(bins), ClipBounds(scene.clipPlanes, view.volume), {}, {}, {}, {}};
-    if (volumes.volume != nullptr) {
-        const Volume& volume = *volumes.volume;
-        part.volume = projectVolume(*volume.mesh, *volume.transfer, orders.volume, view.volume, grid, progress);
+    if (volumes.volume) {
+        const Volume& volume = volumes.volume->volume;
+        part.volume = projectVolume(*volume.mesh, *volume.transfer, volumes.volume->order, view.volume, grid, progress);
         part.source = setupSourceOf(*volume.mesh, *volume.transfer, *part.volume, view.volume,
                                     volume.shaded || volume.model != nullptr);
         part.model = tileModelOf(volume, *part.volume, view.volume);
     }
     if (volumes.focus != nullptr) {
-        const Volume& fine = volumes.focus->fine;
+        const Volume& fine = volumes.fine->volume;
         part.focus.emplace(ProjectedFocus{
-            projectVolume(*fine.mesh, *fine.transfer, orders.fine, view.volume, grid, progress),
+            projectVolume(*fine.mesh, *fine.transfer, volumes.fine->order, view.volume, grid, progress),
             {},
             FocusRays(*volumes.focus, view.volume),
         });
@@ -341,13 +347,19 @@ private:
                 return status.error();
             const PartView part{parts[i], partOf(transform, parts[i]), partOf(view, parts[i])};
             const Progress drawing = progress.part(share(volumes.volume != nullptr ? 0.1 : 0), share(1));
-            Status status = drawPart(scene, volumes, part, {order_.cells(), fineOrder_.cells()}, options, drawing,
-                                     picture, statistics);
+            Status status = drawPart(scene, ordered(volumes), part, options, drawing, picture, statistics);
             if (!status)
                 return status.error();
         }
         statistics_ = statistics;
         return picture;
+    }
+
+    static void count(const CachedOrder& order, RenderStatistics& statistics)
+    {
+        statistics.orderReused = statistics.orderReused && order.reused();
+        statistics.cutCells = std::max(statistics.cutCells, order.cutCells());
+        statistics.brokenCycles = std::max(statistics.brokenCycles, order.brokenCycles());
     }
 
     Status orderCells(const SceneVolumes& volumes, CachedOrder::Request request, const Progress& progress,
@@ -358,17 +370,26 @@ private:
         if (volumes.volume != nullptr) {
             request.mesh = volumes.volume->mesh;
             status = order_.prepare(request, progress);
-            statistics.orderReused = statistics.orderReused && order_.reused();
-            statistics.brokenCycles = std::max(statistics.brokenCycles, order_.brokenCycles());
+            count(order_, statistics);
         }
         if (status && volumes.focus != nullptr) {
             request.mesh = volumes.focus->fine.mesh;
             status = fineOrder_.prepare(request, progress);
-            statistics.orderReused = statistics.orderReused && fineOrder_.reused();
-            statistics.brokenCycles = std::max(statistics.brokenCycles, fineOrder_.brokenCycles());
+            count(fineOrder_, statistics);
         }
         statistics.orderSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return status;
+    }
+
+    OrderedVolumes ordered(const SceneVolumes& volumes) const
+    {
+        OrderedVolumes drawn;
+        if (volumes.volume != nullptr)
+            drawn.volume = OrderedVolume{order_.withPieces(*volumes.volume), order_.cells()};
+        drawn.focus = volumes.focus;
+        if (volumes.focus != nullptr)
+            drawn.fine = OrderedVolume{fineOrder_.withPieces(volumes.focus->fine), fineOrder_.cells()};
+        return drawn;
     }
 
     CachedOrder order_;

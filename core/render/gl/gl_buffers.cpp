@@ -183,14 +183,20 @@ Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBu
         vertices[i] = {place.x(), place.y(), place.z(), mesh.values[i]};
     });
     fillTextureBuffer(gl, buffers.vertices, gl::rgba32f, byteCount(vertices));
+    buffers.vertexCount = vertices.size();
     return gl.getError() == gl::outOfMemory ? Status(outOfMemory()) : Status();
 }
 
 } // namespace
 
-Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const VolumeTransfer& transfer,
-                 VolumeBuffers& buffers)
+Status fillCells(const GlFunctions& gl, const Volume& volume, VolumeBuffers& buffers)
 {
+    const Volume cut = buffers.order.withPieces(volume);
+    const TetrahedralMesh& mesh = *cut.mesh->mesh;
+    const VolumeTransfer& transfer = *cut.transfer;
+    if (buffers.order.cutCells() > 0 || buffers.vertexCount != mesh.positions.size())
+        if (Status status = fillVertices(gl, mesh, buffers); !status)
+            return status;
     const std::span<const std::uint32_t> order = buffers.order.cells();
     std::vector<ChunkData> data((order.size() + cellsPerChunk - 1) / cellsPerChunk);
     tbb::parallel_for(std::size_t(0), data.size(), [&](std::size_t i) {

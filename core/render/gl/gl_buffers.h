@@ -98,7 +98,8 @@ struct CellChunk {
 
 /// A volume in the memory of the graphics card: 16 bytes a vertex, 20 a visible cell.
 struct VolumeBuffers {
-    TextureBuffer vertices; ///< places and values, as they are
+    TextureBuffer vertices;      ///< places and values, as they are
+    std::size_t vertexCount = 0; ///< more than the mesh has where cells were cut
     std::vector<CellChunk> chunks;
     std::size_t cells = 0;     ///< in all chunks
     std::size_t sentBytes = 0; ///< for them
@@ -106,9 +107,9 @@ struct VolumeBuffers {
     std::weak_ptr<const VolumeTransfer> transfer;
 };
 
-/// Sends the cells of buffers.order of which something is seen. Error: out of memory.
-Status fillCells(const GlFunctions& gl, const TetrahedralMesh& mesh, const VolumeTransfer& transfer,
-                 VolumeBuffers& buffers);
+/// Sends the cells of buffers.order, which was made for the volume's mesh, of which something is seen; where cells were
+/// cut for it, the vertices as well. Errors: more vertices than the driver allows, out of memory.
+Status fillCells(const GlFunctions& gl, const Volume& volume, VolumeBuffers& buffers);
 /// Three texels for each segment, as slab.frag reads them.
 void fillSegments(const GlFunctions& gl, const ScaledSegments& segments, TextureBuffer& buffer);
 

@@ -156,11 +156,12 @@ Status VolumePainter::prepareBuffers(const Volume& volume, const CachedOrder::Re
         return status;
     statistics_.orderSeconds += secondsSince(start);
     statistics_.orderReused = statistics_.orderReused && buffers.order.reused();
+    statistics_.cutCells = std::max(statistics_.cutCells, buffers.order.cutCells());
     statistics_.brokenCycles = std::max(statistics_.brokenCycles, buffers.order.brokenCycles());
     start = Clock::now();
     if (!buffers.order.reused() || buffers.transfer.lock() != volume.transfer) {
         buffers.transfer.reset(); // until it is true
-        if (Status status = fillCells(gl_, *volume.mesh->mesh, *volume.transfer, buffers); !status)
+        if (Status status = fillCells(gl_, volume, buffers); !status)
             return status;
         buffers.transfer = volume.transfer;
         statistics_.sentBytes += buffers.sentBytes;

@@ -207,10 +207,4 @@ void TopologicalSort::restrictTo(std::span<const std::uint32_t> cells)
     free_ -= std::ranges::remove_if(waiting, [&](std::uint32_t cell) { return states_[cell] >= oneHolder; }).size();
 }
 
-void TopologicalSort::free(std::uint32_t cell)
-{
-    states_[cell] |= never;
-    cells_[free_++] = cell;
-}
-
 } // namespace tetra

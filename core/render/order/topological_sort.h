@@ -74,13 +74,13 @@ public:
     void leave(std::span<const std::uint32_t> cells);
     /// From now on takes no other cells than these. There is no order() then. May throw std::bad_alloc.
     void restrictTo(std::span<const std::uint32_t> cells);
-    /// Takes a cell next that is held back.
-    void free(std::uint32_t cell);
 
     /// The cells that are neither taken nor left, and not free. May throw std::bad_alloc.
     std::vector<std::uint32_t> held() const;
     bool isHeld(std::uint32_t cell) const { return isHeldBack(states_[cell]); }
     std::span<const std::uint32_t> taken() const { return std::span(cells_).first(taken_); }
+    /// What was left, front to back if this takes from the front.
+    std::span<const std::uint32_t> left() const { return std::span(cells_).subspan(end_); }
     /// Whether all cells are taken or left.
     bool isComplete() const noexcept { return taken_ == end_; }
     /// If it is complete: what was taken, then what was left.

@@ -16,39 +16,24 @@ namespace tetra {
 
 namespace {
 
-/// The distance of a cell's centre, squared; in orthographic views along the view. 0 if it is no number.
-double distanceOf(const TetrahedralMesh& mesh, std::uint32_t cell, const EyePoint& eye)
+/// When cycles hold back what is not taken: what lies behind all of them comes last, and in order; of the rest cycles
+/// are cut. `front` is not needed any more.
+VisibilityOrder orderWithCycles(const TetrahedralMesh& mesh, const OcclusionGraph& graph, const EyePoint& eye,
+                                TopologicalSort& front, TopologicalSort& back)
 {
-    Eigen::Vector3d centre(0, 0, 0);
-    for (const std::uint32_t vertex : mesh.tetrahedra[cell])
-        centre += mesh.positions[vertex].cast<double>() / 4;
-    const double distance = eye.perspective ? (centre - eye.place).squaredNorm() : -centre.dot(eye.place);
-    return std::isnan(distance) ? 0 : distance;
-}
-
-/// When cycles hold back what is not taken: what lies behind all of them comes last, and in order; of the rest the
-/// nearest cell is taken each time that none is free. How often that was.
-std::size_t breakCycles(const TetrahedralMesh& mesh, const EyePoint& eye, TopologicalSort& front, TopologicalSort& back)
-{
-    const std::size_t all = mesh.tetrahedra.size();
     const std::size_t before = back.taken().size();
-    const std::vector<std::uint32_t> held = front.held();
+    std::vector<std::uint32_t> held = front.held();
     back.restrictTo(held);
-    back.take(all);
+    back.take(graph.cellCount());
     front.leave(back.taken().subspan(before));
-    std::vector<std::pair<double, std::uint32_t>> nearest;
-    for (const std::uint32_t cell : held)
-        if (front.isHeld(cell))
-            nearest.emplace_back(distanceOf(mesh, cell, eye), cell);
-    std::ranges::sort(nearest);
-    std::size_t broken = 0;
-    for (const auto& [distance, cell] : nearest)
-        if (front.isHeld(cell)) {
-            ++broken;
-            front.free(cell);
-            front.take(all);
-        }
-    return broken;
+    std::erase_if(held, [&](std::uint32_t cell) { return !front.isHeld(cell); });
+    VisibilityOrder order;
+    order.cells.reserve(graph.cellCount());
+    const auto taken = front.taken(), left = front.left();
+    order.cells.insert(order.cells.end(), taken.begin(), taken.end());
+    orderCycles(mesh, graph, eye, held, order);
+    order.cells.insert(order.cells.end(), left.begin(), left.end());
+    return order;
 }
 
 } // namespace
@@ -71,9 +56,9 @@ VisibilityOrder orderByAdjacency(const TetrahedralMesh& mesh, const FaceAdjacenc
     // took.
     front->leave(back->taken());
     front->take(all);
-    VisibilityOrder order;
     if (!front->isComplete())
-        order.brokenCycles = breakCycles(mesh, eye, *front, *back);
+        return orderWithCycles(mesh, graph, eye, *front, *back);
+    VisibilityOrder order;
     order.cells = std::move(*front).order();
     return order;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mesh/face_adjacency.h"
+#include "core/render/order/cycle_cutting.h"
 #include "core/render/order/face_classification.h"
 #include "core/render/order/topological_sort.h"
 
@@ -15,18 +16,11 @@
 
 namespace tetra {
 
-/// Cells front to back. Any array of cell numbers will do for drawing, from wherever it comes (S14).
-struct VisibilityOrder {
-    Buffer<std::uint32_t> cells;
-    /// How often no cell was left that nothing hides, and the nearest by its centre was taken.
-    std::size_t brokenCycles = 0;
-};
-
 /// Orders all cells by adjacency: a cell comes after its neighbours across the faces that look to the eye (P. Williams,
 /// "Visibility ordering meshed polyhedra", ACM Transactions on Graphics 11, 1992) and after the fronts of `relations`.
-/// For a convex domain and cells that are not inverted that is exact for every ray, unless there are cycles; for others
-/// it is exact for the rays whose gaps `relations` holds. Cells before and behind all cycles are in order; only of
-/// those between them the nearest is taken where none is free.
+/// For a convex domain and cells that are not inverted that is exact for every ray; for others it is exact for the rays
+/// whose gaps `relations` holds. What hides itself in a circle is cut (orderCycles()); it costs nothing where there is
+/// no such circle.
 ///
 /// O(cells + relations), several times faster where the mesh is in spatial order. Facing is on all threads of the
 /// current arena. Then two take cells at the same time, one from the front, the other from the back, until each has

@@ -39,10 +39,12 @@ std::optional<TileModel> tileModelOf(const Volume& volume, const ProjectedVolume
     return TileModel{volume.model.get(), projected.scaled.smallest, projected.scaled.perValue, view.unit};
 }
 
-bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order)
+bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, const VisibilityOrder& order)
 {
     const std::size_t cells = mesh.mesh->tetrahedra.size();
-    return transfer.classes.size() == cells && std::ranges::all_of(order, [&](auto cell) { return cell < cells; });
+    const std::size_t named = cells + order.pieces.tetrahedra.size();
+    return transfer.classes.size() == cells &&
+           std::ranges::all_of(order.cells, [&](std::uint32_t cell) { return cell < named; });
 }
 
 } // namespace tetra

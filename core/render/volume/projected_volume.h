@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/render/order/visibility_order.h"
 #include "core/render/tiles.h"
 #include "core/render/volume/cell_setup.h"
 #include "core/render/volume/model_tile.h"
@@ -37,7 +38,7 @@ SetupSource setupSourceOf(const VolumeMesh& mesh, const VolumeTransfer& transfer
 /// What drawing by the volume's optical model needs; nothing if it has none. `volume` outlives it.
 std::optional<TileModel> tileModelOf(const Volume& volume, const ProjectedVolume& projected, const VolumeView& view);
 
-/// The transfer function has a class for each of the mesh's cells, and the order names only such cells.
-bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, std::span<const std::uint32_t> order);
+/// The transfer function has a class for each of the mesh's cells, and the order names only such cells and its pieces.
+bool belongTogether(const VolumeMesh& mesh, const VolumeTransfer& transfer, const VisibilityOrder& order);
 
 } // namespace tetra

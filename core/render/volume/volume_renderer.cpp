@@ -91,6 +91,33 @@ Result<VolumePicture> draw(const VolumeMesh& mesh, const VolumeTransfer& transfe
     return picture;
 }
 
+template <class Value, class Added> Buffer<Value> joined(const Buffer<Value>& values, const Added& added)
+{
+    Buffer<Value> all;
+    all.reserve(values.size() + added.size());
+    all.insert(all.end(), values.begin(), values.end());
+    all.insert(all.end(), added.begin(), added.end());
+    return all;
+}
+
+/// The mesh with the pieces after its own cells, without their neighbours.
+VolumeMesh meshWithPieces(const VolumeMesh& mesh, const CellPieces& pieces)
+{
+    const TetrahedralMesh& whole = *mesh.mesh;
+    TetrahedralMesh cut{joined(whole.positions, pieces.positions), joined(whole.values, pieces.values),
+                        joined(whole.tetrahedra, pieces.tetrahedra)};
+    return {std::make_shared<const TetrahedralMesh>(std::move(cut)), {}, mesh.bounds, mesh.convex};
+}
+
+/// Pieces lie in no more segments than their cells.
+VolumeTransfer transferWithPieces(const VolumeTransfer& transfer, const CellPieces& pieces)
+{
+    std::vector<CellClass> classes;
+    for (const std::uint32_t cell : pieces.cells)
+        classes.push_back(transfer.classes[cell]);
+    return {transfer.segments, joined(transfer.classes, classes)};
+}
+
 /// orderForCamera() for a view that is made already, on all threads of the current arena. Errors: cancelled. May throw
 /// std::bad_alloc.
 Result<VisibilityOrder> orderForView(const VolumeMesh& mesh, const VolumeView& view, const Progress& progress)
@@ -120,9 +147,8 @@ Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& cam
     });
 }
 
-Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer,
-                                 std::span<const std::uint32_t> order, const Camera& camera,
-                                 const VolumeOptions& options, const Progress& progress)
+Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer, const VisibilityOrder& order,
+                                 const Camera& camera, const VolumeOptions& options, const Progress& progress)
 {
     if (Status status = checkSize(options); !status)
         return status.error();
@@ -131,13 +157,16 @@ Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& t
                      Message::say("The mesh, its transfer function and its order do not belong together.")};
     return onThreads(options.threads, [&]() -> Result<VolumePicture> {
         const VolumeView view = makeVolumeView(camera, options.width, options.height, mesh.bounds);
-        return draw(mesh, transfer, order, view, options, progress);
+        if (order.pieces.cells.empty())
+            return draw(mesh, transfer, order.cells, view, options, progress);
+        return draw(meshWithPieces(mesh, order.pieces), transferWithPieces(transfer, order.pieces), order.cells, view,
+                    options, progress);
     });
 }
 
 bool CachedOrder::fits(const Request& request) const
 {
-    if (request.mesh->mesh->tetrahedra.size() != order_.cells.size() || mesh_.lock() != request.mesh)
+    if (mesh_.expired() || mesh_.lock() != request.mesh)
         return false;
     const bool sameSamples = pictureSize_ == Eigen::Vector2i(request.whole.width, request.whole.height) &&
                              part_ == request.part && camera_ == request.camera;
@@ -159,11 +188,24 @@ Status CachedOrder::prepare(const Request& request, const Progress& progress)
     if (!order)
         return order.error();
     order_ = std::move(order).value();
+    cut_.reset();
+    if (!order_.pieces.cells.empty())
+        cut_ = std::make_shared<const VolumeMesh>(meshWithPieces(*request.mesh, order_.pieces));
     mesh_ = request.mesh;
     camera_ = request.camera;
     pictureSize_ = {request.whole.width, request.whole.height};
     part_ = request.part;
     return {};
+}
+
+Volume CachedOrder::withPieces(const Volume& volume) const
+{
+    if (!cut_)
+        return volume;
+    Volume cut = volume;
+    cut.mesh = cut_;
+    cut.transfer = std::make_shared<const VolumeTransfer>(transferWithPieces(*volume.transfer, order_.pieces));
+    return cut;
 }
 
 } // namespace tetra

@@ -23,7 +23,7 @@ namespace tetra {
 ///     const auto mesh = makeVolumeMesh(tetrahedra);
 ///     const auto transfer = makeVolumeTransfer(*tetrahedra, function);
 ///     const auto order = orderForCamera(*mesh, camera, options);
-///     const auto picture = drawVolume(*mesh, *transfer, order->cells, camera, options);
+///     const auto picture = drawVolume(*mesh, *transfer, *order, camera, options);
 ///
 /// While the camera hardly moves the order can be used again: orderDrift() says how little it moved.
 
@@ -52,12 +52,11 @@ struct VolumePicture {
 Result<VisibilityOrder> orderForCamera(const VolumeMesh& mesh, const Camera& camera, const VolumeOptions& options,
                                        const Progress& progress = {});
 
-/// Draws the cells in `order`, whichever it is: numbers of cells, front to back. A cell that is not finite, has no
+/// Draws the cells in `order`, whichever it is: front to back. A cell that is not finite, has no
 /// volume or a value that is not finite is left out. O(cells + samples they cover), the same picture with any number of
 /// threads. Errors: wrong options, an order or a transfer function of another mesh, cancelled, not enough memory.
-Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer,
-                                 std::span<const std::uint32_t> order, const Camera& camera,
-                                 const VolumeOptions& options, const Progress& progress = {});
+Result<VolumePicture> drawVolume(const VolumeMesh& mesh, const VolumeTransfer& transfer, const VisibilityOrder& order,
+                                 const Camera& camera, const VolumeOptions& options, const Progress& progress = {});
 
 /// The visibility order of the last picture, kept for the next one of the same mesh (S14). Does not keep the mesh
 /// alive. Used from one thread at a time.
@@ -79,6 +78,10 @@ public:
 
     std::span<const std::uint32_t> cells() const noexcept { return order_.cells; }
     std::size_t brokenCycles() const noexcept { return order_.brokenCycles; }
+    std::size_t cutCells() const noexcept { return order_.pieces.cutCells; }
+    /// The volume, of the mesh that the order was made for, with the cells that cells() names: the pieces of cut ones
+    /// come after its own. O(cells) where cells were cut. Not to be ordered again. May throw std::bad_alloc.
+    Volume withPieces(const Volume& volume) const;
     /// Whether the last call found the order fitting.
     bool reused() const noexcept { return reused_; }
 
@@ -90,6 +93,7 @@ private:
     Eigen::Vector2i pictureSize_{0, 0};
     SampleRectangle part_;
     VisibilityOrder order_;
+    std::shared_ptr<const VolumeMesh> cut_; ///< the mesh with the pieces of cut cells; null if there are none
     bool reused_ = false;
 };
 

@@ -7,8 +7,12 @@
 
 #include <tan/query.h>
 
+#include <Eigen/Geometry>
+
 #include <QTemporaryDir>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -108,6 +112,92 @@ TetrahedralMesh randomLattice(std::uint32_t seed)
     std::uniform_real_distribution<double> value(0, 1);
     TetrahedralMesh mesh = latticeMesh(3, 1, Split::Five, [&](const Eigen::Vector3d&) { return value(random); });
     std::ranges::shuffle(mesh.tetrahedra, random);
+    return mesh;
+}
+
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 4>;
+
+void addCell(TetrahedralMesh& mesh, Corners corners)
+{
+    if ((corners[1] - corners[0]).dot((corners[2] - corners[0]).cross(corners[3] - corners[0])) < 0)
+        std::swap(corners[2], corners[3]);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const Eigen::Vector3d& corner : corners) {
+        mesh.positions.push_back(corner.cast<float>());
+        mesh.values.push_back(static_cast<float>(0.5 + 0.5 * std::sin(3 * corner.x() + 2 * corner.y() - corner.z())));
+    }
+    mesh.tetrahedra.push_back({first, first + 1, first + 2, first + 3});
+}
+
+/// Whether a plane parts them: along a face of one, or along an edge of each.
+bool areApart(const Corners& one, const Corners& other)
+{
+    const auto isBetween = [&](const Eigen::Vector3d& normal) {
+        const auto reach = [&](const Corners& of) {
+            const std::array<double, 4> heights{normal.dot(of[0]), normal.dot(of[1]), normal.dot(of[2]),
+                                                normal.dot(of[3])};
+            return std::ranges::minmax(heights);
+        };
+        const auto a = reach(one), b = reach(other);
+        const double margin = 1e-3 * normal.norm();
+        return margin > 1e-9 && (a.max + margin < b.min || b.max + margin < a.min);
+    };
+    std::vector<Eigen::Vector3d> edges[2];
+    for (int side = 0; side < 2; ++side)
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                edges[side].emplace_back((side == 0 ? one : other)[i] - (side == 0 ? one : other)[j]);
+    for (int side = 0; side < 2; ++side)
+        for (const auto& a : edges[side])
+            for (const auto& b : edges[side])
+                if (isBetween(a.cross(b)))
+                    return true;
+    return std::ranges::any_of(edges[0], [&](const auto& a) {
+        return std::ranges::any_of(edges[1], [&](const auto& b) { return isBetween(a.cross(b)); });
+    });
+}
+
+} // namespace
+
+TetrahedralMesh threeSticks()
+{
+    TetrahedralMesh mesh;
+    const auto corner = [](int number) {
+        const double angle = number * 2.0943951023931953;
+        return Eigen::Vector3d(std::cos(angle), 0, std::sin(angle));
+    };
+    for (int stick = 0; stick < 3; ++stick) {
+        const Eigen::Vector3d along = corner(stick + 1) - corner(stick);
+        const Eigen::Vector3d back = corner(stick) - 0.3 * along + Eigen::Vector3d(0, 0.3, 0);
+        const Eigen::Vector3d front = corner(stick + 1) + 0.3 * along - Eigen::Vector3d(0, 0.3, 0);
+        const Eigen::Vector3d across = 0.1 * along.cross(Eigen::Vector3d::UnitY()).normalized();
+        const Eigen::Vector3d deep(0, 0.1, 0);
+        addCell(mesh, {back - across, back + across, front - deep, front + deep});
+    }
+    return mesh;
+}
+
+TetrahedralMesh needles(int count, std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> coordinate(-1, 1), thickness(0.04, 0.16);
+    const auto somewhere = [&] { return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)); };
+    TetrahedralMesh mesh;
+    std::vector<Corners> all;
+    while (static_cast<int>(all.size()) < count) {
+        const Eigen::Vector3d from = somewhere(), to = somewhere();
+        if ((to - from).norm() < 1)
+            continue;
+        const Eigen::Vector3d a = thickness(random) * (to - from).cross(somewhere()).normalized();
+        const Eigen::Vector3d b = thickness(random) * (to - from).cross(somewhere()).normalized();
+        const Corners corners{from - a, from + a, to - b, to + b};
+        if (std::ranges::all_of(all, [&](const Corners& other) { return areApart(corners, other); })) {
+            all.push_back(corners);
+            addCell(mesh, corners);
+        }
+    }
     return mesh;
 }
 

@@ -33,6 +33,11 @@ TetrahedralMesh variableResolution();
 /// Random points and values, the lattice's own Delaunay mesh with its many cospherical points.
 TetrahedralMesh randomLattice(std::uint32_t seed);
 
+/// Three sticks, each with one end before the next: seen along y from the front none of them comes first.
+TetrahedralMesh threeSticks();
+/// Needles that lie about at random without touching: they hide each other in circles from most sides.
+TetrahedralMesh needles(int count, std::uint32_t seed);
+
 std::vector<NamedMesh> volumeMeshes();
 /// For values in [smallest, largest]: ramps, steps, spikes, and one that is opaque.
 std::vector<NamedFunction> volumeFunctions(double smallest, double largest, double unitDistance);

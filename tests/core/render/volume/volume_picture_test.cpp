@@ -22,6 +22,7 @@ using namespace tetra::testing;
 using Eigen::Vector3d;
 
 Q_DECLARE_METATYPE(tetra::Camera)
+Q_DECLARE_METATYPE(tetra::TetrahedralMesh)
 
 namespace {
 
@@ -67,7 +68,7 @@ VolumePicture drawn(const TetrahedralMesh& mesh, const TransferFunction& functio
     const auto volume = makeVolumeMesh(shared);
     const auto transfer = makeVolumeTransfer(mesh, function);
     const auto order = orderForCamera(volume.value(), camera, options);
-    auto picture = drawVolume(volume.value(), transfer.value(), order.value().cells, camera, options);
+    auto picture = drawVolume(volume.value(), transfer.value(), order.value(), camera, options);
     if (!picture)
         qFatal("%s", picture.error().text().c_str());
     return std::move(picture).value();
@@ -113,6 +114,8 @@ private slots:
     void eyeInTheMesh();
     void behindTheEyeIsNothing();
     void alongTheAxesOfALattice();
+    void cyclesOfTheOrder_data();
+    void cyclesOfTheOrder();
     void constantFields();
     void emptyFunctions();
     void cellsInAnyOrderOfStorage();
@@ -205,6 +208,33 @@ void VolumePictureTest::alongTheAxesOfALattice()
                     compare(drawn(mesh, function, camera), RayIntegrator(mesh, function, camera, width, height));
                 verifyNear(difference, false);
             }
+}
+
+void VolumePictureTest::cyclesOfTheOrder_data()
+{
+    QTest::addColumn<TetrahedralMesh>("mesh");
+    QTest::addRow("three sticks") << threeSticks();
+    for (const int count : {12, 40})
+        QTest::addRow("%d needles", count) << needles(count, 3);
+}
+
+/// C13: what hides itself in a circle is seen rightly along each ray.
+void VolumePictureTest::cyclesOfTheOrder()
+{
+    QFETCH(TetrahedralMesh, mesh);
+    std::size_t cut = 0;
+    for (const NamedFunction& named : functionsFor(mesh))
+        for (const bool perspective : {true, false}) {
+            Camera camera = cameraFor(mesh, perspective);
+            camera.azimuth = camera.elevation = 0;
+            const VolumePicture picture = drawn(mesh, named.function, camera);
+            verifyNear(compare(picture, RayIntegrator(mesh, named.function, camera, width, height)), named.opaque);
+            const auto order = orderForCamera(makeVolumeMesh(std::make_shared<TetrahedralMesh>(mesh)).value(), camera,
+                                              {width, height});
+            cut += order.value().pieces.cutCells;
+            QCOMPARE(order.value().brokenCycles, std::size_t(0));
+        }
+    QVERIFY(cut > 0);
 }
 
 void VolumePictureTest::constantFields()
@@ -349,7 +379,7 @@ void VolumePictureTest::tellsWhatIsWrong()
     auto mesh = std::make_shared<TetrahedralMesh>(oneCell());
     const auto volume = makeVolumeMesh(mesh).value();
     const auto transfer = makeVolumeTransfer(*mesh, {}).value();
-    const std::vector<std::uint32_t> order = {0}, wrong = {1};
+    const VisibilityOrder order{{0}, {}, 0, 0}, wrong{{1}, {}, 0, 0};
     QVERIFY(drawVolume(volume, transfer, order, {}, {8, 8}).ok());
     QVERIFY(!drawVolume(volume, transfer, wrong, {}, {8, 8}).ok());
     QVERIFY(!drawVolume(volume, {}, order, {}, {8, 8}).ok());
@@ -382,7 +412,7 @@ void VolumePictureTest::canBeCancelled()
         if (fraction > 0.5)
             stop.request_stop();
     });
-    const auto picture = drawVolume(volume, transfer, order.cells, camera, {600, 600, 1}, progress);
+    const auto picture = drawVolume(volume, transfer, order, camera, {600, 600, 1}, progress);
     QVERIFY(!picture.ok() && picture.error().kind == ErrorKind::Cancelled);
     QVERIFY(last > 0.5 && last < 1);
     QVERIFY(!orderForCamera(volume, camera, {600, 600, 1}, progress).ok());
