@@ -45,7 +45,7 @@ Result<std::array<Accuracy, 2>> rangeOf(const Arguments& arguments)
                      "'" + given + "' does not fit '--range': it takes two errors in %, such as 4,1."};
     std::array<Accuracy, 2> ends;
     for (std::size_t end = 0; end < 2; ++end) {
-        const auto warping = numberOption(arguments, "warping", (*errors)[end], 0, anyWarping);
+        const auto warping = limitOption(arguments, "warping", (*errors)[end]);
         if (!warping)
             return warping.error();
         ends[end] = {.error = (*errors)[end], .warping = *warping};

@@ -129,11 +129,11 @@ Result<FocusedFields> focusedFields(const Arguments& arguments, double error, do
             return region.error();
         regions.push_back(*region);
     }
-    const auto innerError = numberOption(arguments, "focus-error", 0, 0, 100);
+    const auto innerError = limitOption(arguments, "focus-error", 0);
     if (!innerError)
         return innerError.error();
     // Unless it is asked for, a limit that holds everywhere is not relaxed in the focus.
-    const auto innerWarping = numberOption(arguments, "focus-warping", std::min(*innerError, warping), 0, anyWarping);
+    const auto innerWarping = limitOption(arguments, "focus-warping", std::min(*innerError, warping));
     if (!innerWarping)
         return innerWarping.error();
     const auto falloff = numberOption(arguments, "falloff", 0, 0, std::numeric_limits<double>::max());

@@ -63,12 +63,42 @@ Result<std::vector<double>> parseNumbers(std::string_view option, std::string_vi
     }
 }
 
+namespace {
+
+Result<double> parseLimit(std::string_view option, std::string_view given)
+{
+    static_assert(anyError == anyWarping);
+    return given == "none" ? anyError : parseBounded<double>(option, given, 0, anyError, "'none' or a number");
+}
+
+/// A level of a list: an error that holds for the warping, too, unless that is given, or both as "1:5".
+Result<Accuracy> parseLevel(const Arguments& arguments, std::string_view given)
+{
+    const std::size_t colon = given.find(':');
+    const auto error = parseLimit("lod", given.substr(0, colon));
+    if (!error)
+        return error.error();
+    const auto warping = colon == std::string_view::npos ? limitOption(arguments, "warping", *error)
+                                                         : parseLimit("lod", given.substr(colon + 1));
+    if (!warping)
+        return warping.error();
+    return Accuracy{.error = *error, .warping = *warping};
+}
+
+} // namespace
+
+Result<double> limitOption(const Arguments& arguments, std::string_view name, double byDefault)
+{
+    const auto given = arguments.value(name);
+    return given ? parseLimit(name, *given) : byDefault;
+}
+
 Option errorOption()
 {
     return {.name = "error",
             .placeholder = "PERCENT",
             .explanation = "The largest error that the mesh may have, in % of the data's range of values; 0 takes the "
-                           "finest mesh.",
+                           "finest mesh, 'none' sets no limit.",
             .byDefault = formatNumber(defaultError)};
 }
 
@@ -78,7 +108,7 @@ Option warpingOption()
             .placeholder = "PERCENT",
             .explanation =
                 "For models of curvilinear and irregular data: the largest warping that the mesh may have, in "
-                "% of the diagonal of the data's bounding box; 100 sets no limit.",
+                "% of the diagonal of the data's bounding box, whatever the error; 'none' sets no limit.",
             .byDefault = "the same number as the error"};
 }
 
@@ -93,10 +123,10 @@ Status checkWarpingOption(const Arguments& arguments, const Model& model)
 
 Result<Accuracy> accuracyOption(const Arguments& arguments)
 {
-    const auto error = numberOption(arguments, "error", defaultError, 0, 100);
+    const auto error = limitOption(arguments, "error", defaultError);
     if (!error)
         return error.error();
-    const auto warping = numberOption(arguments, "warping", *error, 0, anyWarping);
+    const auto warping = limitOption(arguments, "warping", *error);
     if (!warping)
         return warping.error();
     return Accuracy{.error = *error, .warping = *warping};
@@ -106,23 +136,25 @@ Option levelsOption()
 {
     return {.name = "lod",
             .placeholder = "LIST",
-            .explanation = "The levels of detail: errors in % of the data's range of values, separated by commas.",
+            .explanation = "The levels of detail: errors in % of the data's range of values, separated by commas; or "
+                           "pairs of error and warping, such as 1:5 or none:1.",
             .byDefault = std::string(defaultLevels)};
 }
 
 Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments)
 {
-    const auto errors = parseNumbers("lod", arguments.value("lod").value_or(std::string(defaultLevels)), 0, 100);
-    if (!errors)
-        return errors.error();
+    const std::string list = arguments.value("lod").value_or(std::string(defaultLevels));
     std::vector<Accuracy> levels;
-    for (const double error : *errors) {
-        const auto warping = numberOption(arguments, "warping", error, 0, anyWarping);
-        if (!warping)
-            return warping.error();
-        levels.push_back({.error = error, .warping = *warping});
+    for (std::string_view rest = list;;) {
+        const std::size_t end = rest.find(',');
+        const auto level = parseLevel(arguments, rest.substr(0, end));
+        if (!level)
+            return level.error();
+        levels.push_back(*level);
+        if (end == std::string_view::npos)
+            return levels;
+        rest.remove_prefix(end + 1);
     }
-    return levels;
 }
 
 Option threadsOption()

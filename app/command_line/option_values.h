@@ -22,6 +22,9 @@ Result<std::int64_t> wholeNumberOption(const Arguments& arguments, std::string_v
 /// Numbers separated by commas: "4,3,.5".
 Result<std::vector<double>> parseNumbers(std::string_view option, std::string_view text, double least, double most);
 
+/// A limit on error or warping, in %: anyError (which is anyWarping) for "none".
+Result<double> limitOption(const Arguments& arguments, std::string_view name, double byDefault);
+
 /// --error and --warping, the accuracy of a query in % of the value range and of the diagonal.
 Option errorOption();
 Option warpingOption();
@@ -29,7 +32,7 @@ Option warpingOption();
 Status checkWarpingOption(const Arguments& arguments, const Model& model);
 Result<Accuracy> accuracyOption(const Arguments& arguments);
 
-/// --lod, the levels of detail to tell of; with --warping all of them have that one.
+/// --lod, the levels of detail to tell of: errors, or pairs; with --warping all errors have that one.
 Option levelsOption();
 Result<std::vector<Accuracy>> levelsOf(const Arguments& arguments);
 

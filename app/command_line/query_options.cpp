@@ -52,7 +52,7 @@ Result<FocusedFields> writtenField(const Arguments& arguments)
         return Error{ErrorKind::WrongUsage, "'--field': " + error.error().text()};
     if (!arguments.has("warping"))
         return FocusedFields{*error, *error};
-    const auto warping = numberOption(arguments, "warping", anyWarping, 0, anyWarping);
+    const auto warping = limitOption(arguments, "warping", anyWarping);
     if (!warping)
         return warping.error();
     return FocusedFields{*error, *warping};

@@ -251,10 +251,13 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
         return possible.error();
     if (const Status possible = checkFinest(decimation); !possible)
         return possible.error();
+    const BuildThresholds thresholds{decimation.error, decimation.warping, decimation.orderedBy};
+    if (const Status possible = checkThresholds(thresholds, dataset); !possible)
+        return possible.error();
     const auto input = DecimationInput::make(dataset, decimation.weighting, progress.part(0, 0.02));
     if (!input)
         return input.error();
-    const ThresholdKey key = thresholdKey({decimation.error, decimation.warping}, dataset);
+    const ThresholdKey key = thresholdKey(thresholds, dataset);
     DecimationOptions options;
     options.order = decimation.order;
     options.warpingWeight = key.warpingWeight;
@@ -263,7 +266,7 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     const DecimationMesh mesh = input->mesh();
     const bool isGrid = dataset.domain == DomainClass::Curvilinear;
     const bool isCutOff = decimation.finest > 0;
-    const double finestKey = isCutOff ? decimation.finest / 100 * key.valueExtent : -1;
+    const double finestKey = isCutOff ? std::max(decimation.finest / 100 * key.keyExtent, key.leastKey) : -1;
     HistoryBeginning history(target.history, finestKey, isGrid && isCutOff);
     const auto result = decimate(mesh, options, history, progress.part(0.02, 1));
     if (!result)

@@ -165,11 +165,18 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     if (!weights)
         return weights.error();
     CurvilinearRefinementOptions options;
-    const ThresholdKey key = thresholdKey({refinement.error, refinement.warping}, dataset);
+    const BuildThresholds thresholds{refinement.error, refinement.warping, refinement.orderedBy};
+    if (const Status possible = checkThresholds(thresholds, dataset); !possible)
+        return possible.error();
+    if (refinement.paperSelection && refinement.orderedBy != OrderedBy::Both)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The paper's selection compares error and warping, so a build cannot be ordered by "
+                                  "one of them alone. Take the normalised selection, or order by both.")};
+    const ThresholdKey key = thresholdKey(thresholds, dataset);
     options.valueExtent = key.valueExtent;
     options.positionExtent = key.positionExtent;
     options.warpingWeight = key.warpingWeight;
-    options.stopKey = key.stopKey.value_or(0);
+    options.stopKey = key.stopKey.value_or(key.leastKey);
     options.selection = refinement.paperSelection ? CurvilinearSelection::Paper : CurvilinearSelection::Normalised;
     options.blockEdge = refinement.block.value_or(0);
     const Result<CurvilinearRefinementResult> result =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
 #include "core/base/json.h"
+#include "core/history/pair_limits.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
 #include "core/mesh/topology.h"
@@ -116,34 +117,79 @@ Status extractInto(const Model& model, std::uint32_t sites, const Progress& prog
     return model.checkIntact();
 }
 
-/// The largest running key of meshes that are as accurate as asked (S4).
-double keyOf(const Model& model, const Accuracy& accuracy)
+/// The first mesh whose key is at most the limit, as its sites.
+std::uint32_t firstWithin(const Model& model, double limit)
 {
-    constexpr double unlimited = std::numeric_limits<double>::infinity();
-    const double extent = model.description().range.extent();
-    const double weight = model.description().warpingWeight;
-    const double byError = extent > 0 || weight == 0 ? accuracy.error / 100 * extent : unlimited;
-    const bool warpingCounts = weight > 0 && accuracy.warping < anyWarping;
-    return std::min(byError, warpingCounts ? accuracy.warping / 100 * weight * model.diagonal() : unlimited);
+    const std::span<const float> keys = model.runningKeys();
+    // The mesh of the first N sites has the key that was there before site N entered. Infinity is no mesh yet.
+    const auto reached = std::ranges::partition_point(keys, [&](const float& key) {
+        return !model.check(key) || std::isinf(key) || !(static_cast<double>(key) <= limit);
+    });
+    return static_cast<std::uint32_t>(reached - keys.begin());
+}
+
+/// The first batch that ends with so many sites or more.
+std::size_t batchWith(const Model& model, std::uint32_t sites)
+{
+    const std::span<const std::uint32_t> ends = model.batchEnds();
+    const auto found = std::ranges::partition_point(
+        ends, [&](const std::uint32_t& end) { return !model.check(end) || end + 1 < sites; });
+    return static_cast<std::size_t>(found - ends.begin());
+}
+
+/// The first mesh before that of `last` sites which keeps both limits by the bounds that the file has of each, or else
+/// that one. A key is the larger of what the two bounds say: no mesh of a larger one than both limits allow keeps them.
+std::uint32_t firstWithinBoth(const Model& model, const UnitLimits& limits, std::uint32_t last)
+{
+    constexpr double rounding = 1e-6, roundedUp = 1 + rounding;
+    if (model.batchErrors().empty() || isInRatio(model, limits, rounding))
+        return last;
+    const double weighted = model.description().warpingWeight * limits.warping;
+    const std::size_t first = batchWith(model, firstWithin(model, roundedUp * std::max(limits.error, weighted)));
+    const std::size_t end = batchWith(model, last);
+    if (first >= end || end > model.batchErrors().size())
+        return last;
+    const auto errors = model.batchErrors().subspan(first, end - first);
+    const auto warpings = model.batchWarpings().subspan(first, end - first);
+    if (!model.check(errors) || !model.check(warpings))
+        return last;
+    for (std::size_t batch = 0; batch < errors.size(); ++batch)
+        if (static_cast<double>(errors[batch]) <= limits.error &&
+            static_cast<double>(warpings[batch]) <= limits.warping)
+            return std::min(model.batchEnds()[first + batch], last - 1) + 1;
+    return last;
 }
 
 } // namespace
 
+UnitLimits unitLimits(const Model& model, const Accuracy& accuracy)
+{
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    const double extent = model.description().range.extent();
+    if (model.description().warpingWeight == 0)
+        return {accuracy.error / 100 * extent, unlimited};
+    return {extent > 0 && accuracy.error < anyError ? accuracy.error / 100 * extent : unlimited,
+            accuracy.warping < anyWarping ? accuracy.warping / 100 * model.diagonal() : unlimited};
+}
+
+bool isInRatio(const Model& model, const UnitLimits& limits, double tolerance)
+{
+    const double weighted = model.description().warpingWeight * limits.warping;
+    return model.description().warpingWeight == 0 || weighted == limits.error ||
+           (std::isfinite(limits.error) && std::abs(weighted - limits.error) <= tolerance * limits.error);
+}
+
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
-    const std::span<const float> errors = model.runningKeys();
-    // The mesh of the first N sites has the error that was there before site N entered. Infinity is no mesh yet.
-    const auto firstWithin = [&](double limit) {
-        const auto reached = std::ranges::partition_point(errors, [&](const float& error) {
-            return !model.check(error) || std::isinf(error) || !(static_cast<double>(error) <= limit);
-        });
-        return static_cast<std::uint32_t>(reached - errors.begin());
-    };
-    const std::uint32_t sites = firstWithin(keyOf(model, accuracy));
+    const std::span<const float> keys = model.runningKeys();
+    const UnitLimits limits = unitLimits(model, accuracy);
+    const double weight = model.description().warpingWeight;
+    const double key = weight > 0 ? std::min(limits.error, weight * limits.warping) : limits.error;
+    std::uint32_t sites = firstWithin(model, key);
     // Keys may rise, and be up at the end: then an earlier mesh is the most accurate one.
-    if (sites > 0 && sites == errors.size() && model.finalKey() > errors.back())
-        return meshSizeOf(model, firstWithin(static_cast<double>(errors.back())));
-    return meshSizeOf(model, sites);
+    if (sites > 0 && sites == keys.size() && model.finalKey() > keys.back())
+        sites = firstWithin(model, static_cast<double>(keys.back()));
+    return meshSizeOf(model, firstWithinBoth(model, limits, sites));
 }
 
 MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
@@ -152,13 +198,20 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
         return {};
     const double extent = model.description().range.extent();
     const double weight = model.description().warpingWeight;
-    const std::span<const float> errors = model.runningKeys();
-    const float& next = sites == errors.size() ? errors.back() : errors[sites];
-    const double key = sites == errors.size() ? model.finalKey() : next;
+    const std::span<const float> keys = model.runningKeys();
+    const float& next = sites == keys.size() ? keys.back() : keys[sites];
+    const double key = sites == keys.size() ? model.finalKey() : next;
     if (!model.check(next) || !model.check(model.meshSizes()[sites - 1]))
         return {};
-    return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * key / extent : 0,
-            weight > 0 ? 100 * key / (weight * model.diagonal()) : 0};
+    double error = key, warping = weight > 0 ? key / weight : 0;
+    const std::size_t batch = model.batchErrors().empty() ? 0 : batchWith(model, sites);
+    if (batch < model.batchErrors().size() && model.batchEnds()[batch] + 1 == sites &&
+        model.check(model.batchErrors()[batch]) && model.check(model.batchWarpings()[batch])) {
+        error = std::min(error, static_cast<double>(model.batchErrors()[batch]));
+        warping = std::min(warping, static_cast<double>(model.batchWarpings()[batch]));
+    }
+    return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * error / extent : 0,
+            weight > 0 ? 100 * warping / model.diagonal() : 0};
 }
 
 Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress,

@@ -28,6 +28,14 @@ template <class T> std::span<const T> elementsOf(const MappedFile& file, const F
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
 
+/// Whether keys hold from both sides of a boundary (FORMAT.md, `parameter.distance`), which batch warpings do not.
+bool claimsTwoSides(const ModelDescription& description)
+{
+    return std::ranges::any_of(description.parameters, [](const auto& parameter) {
+        return parameter.first == "distance" && parameter.second == "two-sided";
+    });
+}
+
 /// Whether the meshes are Delaunay ones. A kind that is not known may mean anything.
 Result<bool> readHistoryKind(const MappedFile& file, const FileLayout& layout)
 {
@@ -77,6 +85,13 @@ Model::Model(File file, ModelDescription description)
     map(ownErrors_, SectionId::OwnErrors);
     if (description_.warpingWeight > 0)
         map(ownWarpings_, SectionId::OwnWarpings);
+    if (file_->layout.has(SectionId::BatchEnds))
+        map(batchEnds_, SectionId::BatchEnds);
+    if (file_->layout.has(SectionId::BatchErrors) && file_->layout.has(SectionId::BatchWarpings) &&
+        !claimsTwoSides(description_)) {
+        map(batchErrors_, SectionId::BatchErrors);
+        map(batchWarpings_, SectionId::BatchWarpings);
+    }
     static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector3d) == 24);
     const bool hasPositions = description_.domain != DomainClass::RegularLattice;
     const bool floats =

@@ -34,7 +34,10 @@ double MeshBounds::error(std::uint64_t sample) const
     constexpr double allowance = 1e-12; // of the range
     if (areUniform())
         return error_;
-    return (keptPercent(asked(errorField_, sample), scale_) / 100 + allowance) * extent_;
+    const double percent = asked(errorField_, sample);
+    const bool warps = original_->domain == DomainClass::Curvilinear || original_->domain == DomainClass::Irregular;
+    return warps && percent >= anyError ? std::numeric_limits<double>::infinity()
+                                        : (keptPercent(percent, scale_) / 100 + allowance) * extent_;
 }
 
 double MeshBounds::warping(std::uint64_t sample) const

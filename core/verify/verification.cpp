@@ -24,47 +24,76 @@ LevelReport notChecked(const Accuracy& asked)
     return verdict;
 }
 
-/// The largest running key of a mesh that keeps both thresholds (S4).
-double keyAsked(const Model& model, const Original& original, const Accuracy& asked)
+/// Limits on error and warping, in units of the values and of length; infinite where there is none.
+struct Limits {
+    double error = 0;
+    double warping = 0;
+};
+
+Limits limitsOf(const Model& model, const Original& original, const Accuracy& asked)
 {
-    const double extent = original.extent;
-    constexpr double anything = std::numeric_limits<double>::infinity();
-    const double weight = model.description().warpingWeight;
-    double key = weight > 0 && extent == 0 ? anything : asked.error / 100 * extent;
-    if (weight > 0 && asked.warping < anyWarping)
-        key = std::min(key, asked.warping / 100 * weight * original.diagonal);
-    return key;
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double error = asked.error / 100 * original.extent;
+    if (!(model.description().warpingWeight > 0))
+        return {error, none};
+    return {original.extent > 0 && asked.error < anyError ? error : none,
+            asked.warping < anyWarping ? asked.warping / 100 * original.diagonal : none};
 }
 
-/// The sites of the first mesh whose error is at most `asked`, in units of the values, found by looking at one after
-/// the other (S1); if there is none, of the most accurate one, which need not be the last.
-std::uint32_t firstPassage(const Model& model, double asked)
-{
-    const auto best = static_cast<double>(*std::ranges::min_element(model.runningKeys()));
-    if (best < static_cast<double>(model.finalKey()) && !(asked > best))
-        asked = best;
-    std::uint32_t sites = initialSiteCount(model);
-    while (sites < model.siteCount() && !(static_cast<double>(model.runningKeys()[sites]) <= asked))
-        ++sites;
-    return sites;
-}
+/// What a model claims of the meshes at the ends of its batches: by their keys, and where the file tells the two apart
+/// by error and warping. That warping goes one way only, from the data to the mesh.
+class Claims {
+public:
+    explicit Claims(const Model& model)
+        : model_(model), weight_(model.description().warpingWeight), derived_(derivedSections(model)),
+          twoSided_(claimsTwoSides(model))
+    {
+    }
 
-/// What the model claims of the mesh of its first sites, which end a batch: by its key, and where the file tells them
-/// apart by error and warping. That warping goes one way only, from the data to the mesh.
-MeshBounds claimedBounds(const Model& model, std::uint32_t sites)
-{
-    const double weight = model.description().warpingWeight;
-    double error = static_cast<double>(sites < model.siteCount() ? model.runningKeys()[sites] : model.finalKey());
-    double warping = weight > 0 ? error / weight : 0;
-    const DerivedSections derived = derivedSections(model);
-    const auto end = std::ranges::lower_bound(derived.batchEnds, sites - 1);
-    const auto batch = static_cast<std::size_t>(end - derived.batchEnds.begin());
-    if (batch < derived.batchErrors.size())
-        error = std::min(error, static_cast<double>(derived.batchErrors[batch]));
-    if (batch < derived.batchWarpings.size() && !claimsTwoSides(model))
-        warping = std::min(warping, static_cast<double>(derived.batchWarpings[batch]));
-    return {error, warping};
-}
+    /// Of the mesh of the first sites, which end a batch.
+    Limits of(std::uint32_t sites) const
+    {
+        Limits bounds;
+        bounds.error =
+            static_cast<double>(sites < model_.siteCount() ? model_.runningKeys()[sites] : model_.finalKey());
+        bounds.warping = weight_ > 0 ? bounds.error / weight_ : 0;
+        const auto end = std::ranges::lower_bound(derived_.batchEnds, sites - 1);
+        const auto batch = static_cast<std::size_t>(end - derived_.batchEnds.begin());
+        if (batch >= std::min(derived_.batchErrors.size(), derived_.batchWarpings.size()) || twoSided_)
+            return bounds;
+        bounds.error = std::min(bounds.error, static_cast<double>(derived_.batchErrors[batch]));
+        bounds.warping = std::min(bounds.warping, static_cast<double>(derived_.batchWarpings[batch]));
+        return bounds;
+    }
+
+    /// The sites of the first mesh that keeps both limits, found by looking at one after the other (S1, C1); if there
+    /// is none, of the one of the smallest key, which need not be the last.
+    std::uint32_t firstPassage(const Limits& limits) const
+    {
+        const std::uint32_t initial = initialSiteCount(model_);
+        for (std::uint32_t sites = initial; sites <= model_.siteCount(); ++sites) {
+            const bool endsBatch =
+                sites == model_.siteCount() || model_.runningKeys()[sites] < model_.runningKeys()[sites - 1];
+            if (!endsBatch)
+                continue;
+            const Limits bounds = of(sites);
+            if (bounds.error <= limits.error && bounds.warping <= limits.warping)
+                return sites;
+        }
+        const float least = *std::ranges::min_element(model_.runningKeys());
+        std::uint32_t sites = model_.siteCount();
+        if (least < model_.finalKey())
+            for (sites = initial; model_.runningKeys()[sites] > least;)
+                ++sites;
+        return sites;
+    }
+
+private:
+    const Model& model_;
+    const double weight_;
+    const DerivedSections derived_;
+    const bool twoSided_;
+};
 
 /// A model, and what its levels are compared with.
 struct ModelToVerify {
@@ -86,11 +115,13 @@ Result<LevelReport> verifyPrefix(const ModelToVerify& all, std::uint32_t sites, 
     return verdict;
 }
 
-/// One level, proved from the file's arrays and the original samples alone.
+/// One level, proved from the file's arrays and the original samples alone: both limits, each by itself.
 Result<LevelReport> verifyLevel(const ModelToVerify& all, const Accuracy& asked, const Progress& progress)
 {
-    const std::uint32_t sites = firstPassage(all.model, keyAsked(all.model, all.original, asked));
-    Result<LevelReport> verdict = verifyPrefix(all, sites, claimedBounds(all.model, sites), progress);
+    const Claims claims(all.model);
+    const std::uint32_t sites = claims.firstPassage(limitsOf(all.model, all.original, asked));
+    const Limits claimed = claims.of(sites);
+    Result<LevelReport> verdict = verifyPrefix(all, sites, {claimed.error, claimed.warping}, progress);
     if (verdict)
         verdict->asked = asked;
     return verdict;

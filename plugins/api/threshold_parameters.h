@@ -3,6 +3,7 @@
 
 #include "plugins/api/parameter.h"
 
+#include <tan/build.h>
 #include <tan/data.h>
 
 #include <string>
@@ -42,6 +43,31 @@ inline Parameter warpingThresholdParameter(std::vector<DomainClass> domains)
     for (const DomainClass domain : domains)
         warping.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
     return warping;
+}
+
+/// By what the history of data that can warp is ordered (C1). For data of these domains only.
+inline Parameter orderedByParameter(std::vector<DomainClass> domains)
+{
+    Parameter by;
+    by.id = "by";
+    by.label = Message::marked("Ordered by");
+    by.explanation = Message::marked(
+        "For curvilinear and irregular data: 'both' orders the model by the larger of error and warping, in the ratio "
+        "of their thresholds; 'error' or 'warping' by that alone, for the fewest points where the other one does not "
+        "matter.");
+    by.choices = {std::string(Message::marked("both")), std::string(Message::marked("error")),
+                  std::string(Message::marked("warping"))};
+    by.defaultValue = by.choices.front();
+    by.onlyWith.id = domainId;
+    for (const DomainClass domain : domains)
+        by.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
+    return by;
+}
+
+inline OrderedBy orderedByOf(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    const std::string by = parameterValue<std::string>(parameters, values, "by");
+    return by == "error" ? OrderedBy::Error : by == "warping" ? OrderedBy::Warping : OrderedBy::Both;
 }
 
 } // namespace tetra

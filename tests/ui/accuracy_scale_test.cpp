@@ -95,7 +95,7 @@ void AccuracyScaleTest::theCurveIsThatOfTheModel()
     const auto host = hostOfThisBuild();
     const auto model = Model::open(buildSampleModel(*host, sampleDataset(16), folder.path().toStdString()));
     QVERIFY(model.ok());
-    const auto curve = sizeAgainstError(**model, 50);
+    const auto curve = sizeAgainstError(**model, {}, 50);
     QCOMPARE(curve.size(), std::size_t{51});
     QCOMPARE(curve.front().error, coarsestOnScale);
     QCOMPARE(curve.back().error, 0.0);

@@ -41,6 +41,7 @@ private slots:
     void numbersFollowTheAccuracyWithTheirShare();
     void aModelThatEndsEarlySaysSo();
     void oneNumberIsErrorAndWarping();
+    void theWarpingIsSetApart();
     void isovaluesAreAddedEditedAndRemoved();
     void theColourMenuOffersThePalette();
     void aColourIsSeenOnAWindowOfTheSame();
@@ -200,6 +201,44 @@ void PanelsTest::oneNumberIsErrorAndWarping()
     QVERIFY(session().meshSize().warping <= 2);
     const QString warping = QLocale().toString(0.02 * session().model()->diagonal(), 'g', 3);
     QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains(warping));
+}
+
+/// C1: error and warping are set apart where a model has both; one step each, and the sizes follow.
+void PanelsTest::theWarpingIsSetApart()
+{
+    open();
+    auto& limit = window_->find<QComboBox>("accuracy.warpingLimit");
+    auto& box = window_->find<QDoubleSpinBox>("accuracy.warping");
+    QVERIFY(!limit.isVisibleTo(&window_->window) && !box.isVisibleTo(&window_->window)); // a lattice
+    const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    const auto path = buildSampleModel(*window_->host, *grid, window_->folderPath(), 0);
+    window_->window.open(QString::fromStdString(path));
+    QTRY_VERIFY(session().model() && window_->settled());
+    QVERIFY(limit.isVisibleTo(&window_->window) && !box.isVisibleTo(&window_->window)); // the same as the error
+    window_->find<QDoubleSpinBox>("accuracy.box").setValue(2);
+    const std::uint32_t both = session().meshSize().sites;
+    QTest::keyClick(&limit, Qt::Key_Down);
+    QVERIFY((session().view().query.warping == WarpingChoice{WarpingLimit::Own, 2}));
+    QVERIFY(box.isVisibleTo(&window_->window));
+    QCOMPARE(box.value(), 2.0);
+    box.setValue(20);
+    QVERIFY((session().view().query.warping == WarpingChoice{WarpingLimit::Own, 20}));
+    QCOMPARE(session().meshSize().sites, meshSizeAt(*session().model(), {2, 20}).sites);
+    const QString warping = QLocale().toString(0.2 * session().model()->diagonal(), 'g', 3);
+    QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains(warping));
+    QTRY_VERIFY(session().showsQuery() && session().shown()->wholeSites < both);
+    QVERIFY(window_->find<QLabel>("accuracy.outcome").text().contains("warping 20 %"));
+    QTest::keyClick(&limit, Qt::Key_Down);
+    QCOMPARE(session().view().query.warping.limit, WarpingLimit::None);
+    QVERIFY(!box.isVisibleTo(&window_->window));
+    QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains("any warping"));
+    session().undoStack().undo();
+    session().undoStack().undo();
+    session().undoStack().undo();
+    QVERIFY(session().view().query.warping == WarpingChoice());
+    QCOMPARE(limit.currentIndex(), 0);
+    QCOMPARE(session().meshSize().sites, both);
 }
 
 void PanelsTest::isovaluesAreAddedEditedAndRemoved()

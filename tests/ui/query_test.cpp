@@ -30,6 +30,7 @@ private slots:
     void theErrorOfABudgetIsTheBestThatFits();
     void budgetsGoInRoundSteps();
     void theMeshIsToldInWords();
+    void theWarpingIsLimitedByItself();
     void aShownMeshBelongsToItsQuery();
 
 private:
@@ -95,6 +96,10 @@ void QueryTest::everyEditIsOneStepAndUndoRestoresIt()
     edited("Change Values");
     session_->setByBudget(false);
     edited("Change Accuracy");
+    session_->setWarping({WarpingLimit::Own, 3}); // C1
+    edited("Change Warping");
+    session_->setWarping({WarpingLimit::None, 3});
+    edited("Change Warping");
     for (auto state = states.rbegin(); state != states.rend(); ++state) {
         QCOMPARE(query(), *state);
         session_->undoStack().undo();
@@ -275,7 +280,38 @@ void QueryTest::theMeshIsToldInWords()
     QVERIFY(warped && (*warped)->description().warpingWeight > 0);
     ShownMesh uniform;
     uniform.query.error = 0.5;
+    uniform.query.warping = 0.5;
     QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, and the same warping."));
+    uniform.query.warping = 3;
+    QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, warping 3 %."));
+    uniform.query.warping = anyWarping;
+    QCOMPARE(meshText(uniform, **warped), QString("Shown: error 0.5 %, whatever the warping."));
+}
+
+/// C1: the warping has a limit of its own, or none; a focus asks for no more of it than outside, and a lattice for
+/// nothing.
+void QueryTest::theWarpingIsLimitedByItself()
+{
+    const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    const auto warped = Model::open(buildSampleModel(*host_, *grid, folder_.path().toStdString()));
+    QVERIFY(warped.ok());
+    QueryState state = startingQuery(**warped, 2);
+    QVERIFY(meshQuery(state, **warped).warping == ErrorField(2));
+    state.warping = {WarpingLimit::Own, 5};
+    QVERIFY(meshQuery(state, **warped).error == ErrorField(2));
+    QVERIFY(meshQuery(state, **warped).warping == ErrorField(5));
+    QCOMPARE(plannedSize(state, **warped).sites, meshSizeAt(**warped, {2, 5}).sites);
+    QVERIFY(meshQuery(state, *model_).warping == MeshQuery().warping);
+    state.focus.shape = FocusState::Shape::Sphere;
+    state.focus.error = 0.5;
+    const ErrorField field = meshQuery(state, **warped).warping;
+    QVERIFY(field.asSpaceRamp() != nullptr && field.asSpaceRamp()->inner == 0.5 && field.asSpaceRamp()->outer == 5);
+    state.warping = {WarpingLimit::Own, 0.25};
+    QVERIFY(meshQuery(state, **warped).warping == ErrorField(0.25));
+    state.warping.limit = WarpingLimit::None;
+    QVERIFY(meshQuery(state, **warped).warping == ErrorField(anyWarping));
+    QCOMPARE(corrected({.warping = {WarpingLimit::Own, 1000}}, state, **warped).warping.percent, anyWarping);
 }
 
 void QueryTest::aShownMeshBelongsToItsQuery()

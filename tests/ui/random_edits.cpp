@@ -151,7 +151,8 @@ WindowState RandomEdits::anyWindow()
 
 void RandomEdits::editQuery()
 {
-    switch (below(7)) {
+    switch (below(8)) {
+    case 7: return session_.setWarping({static_cast<WarpingLimit>(below(3)), number(-1, 120)});
     case 0: return session_.setBudget(below(200'000));
     case 1: return session_.setByBudget(below(2) == 0);
     case 2: return session_.setFocus(anyFocus());

@@ -31,6 +31,7 @@ SessionDocument randomDocument(std::mt19937& random)
     document.model = "/data/models/one.tan";
     document.identity = (std::uint64_t(random()) << 32) + random();
     document.view.query.error = 100 * unit(random);
+    document.view.query.warping = {static_cast<WarpingLimit>(random() % 3), 100 * unit(random)};
     document.view.query.byBudget = random() % 2 == 0;
     document.view.query.budget = random();
     document.view.query.focus = {static_cast<FocusState::Shape>(random() % 3),

@@ -9,6 +9,7 @@
 #include "ui/session/shown_mesh.h"
 #include "ui/widgets/checked_button.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -31,10 +32,10 @@ QLabel* numberLabel(const char* name)
 }
 
 /// Whether there is more to say than the error that was asked for.
-bool saysMore(const ShownMesh& mesh)
+bool saysMore(const ShownMesh& mesh, const Model& model)
 {
     return mesh.query.budget || mesh.query.window || !mesh.query.values.empty() || !mesh.query.error.isConstant() ||
-           mesh.scale > 1.001;
+           (model.description().warpingWeight > 0 && mesh.query.warping != mesh.query.error) || mesh.scale > 1.001;
 }
 
 QString shareText(double part, double whole)
@@ -47,16 +48,16 @@ QString shareText(double part, double whole)
 AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), curve_(new AccuracyCurve), slider_(new AccuracySlider),
       byError_(new QRadioButton(tr("Err&or"))), box_(new AccuracyBox), byBudget_(new QRadioButton(tr("Bu&dget"))),
-      budget_(new BudgetBox), inUnits_(new QLabel), sites_(numberLabel("accuracy.sites")),
+      budget_(new BudgetBox), inUnits_(new QLabel), warpingLabel_(new QLabel(tr("War&ping"))),
+      warpingLimit_(new QComboBox), warping_(new AccuracyBox), sites_(numberLabel("accuracy.sites")),
       siteShare_(numberLabel("accuracy.siteShare")), tetrahedra_(numberLabel("accuracy.tetrahedra")),
       tetrahedronShare_(numberLabel("accuracy.tetrahedronShare")), outcome_(new QLabel), limit_(new QLabel)
 {
     setObjectName("accuracy");
     inUnits_->setObjectName("accuracy.inUnits");
     inUnits_->setToolTip(
-        tr("What the percentage means in units of the data. Of curvilinear data it holds for the error "
-           "and for the warping: the distance of the mesh from the grid, in percent of the diagonal "
-           "of the box around it."));
+        tr("What the percentages mean in units of the data. The warping of curvilinear and irregular data is the "
+           "distance of the mesh from the data, in percent of the diagonal of the box around these."));
     limit_->setObjectName("accuracy.limit");
     limit_->setWordWrap(true);
     outcome_->setObjectName("accuracy.outcome");
@@ -96,7 +97,16 @@ void AccuracyPanel::connectInputs()
     connect(budget_, &BudgetBox::chosen, this, chooseBudget);
     connect(byError_, &QRadioButton::clicked, this, [this] { session_.setByBudget(false); });
     connect(byBudget_, &QRadioButton::clicked, this, [this] { session_.setByBudget(true); });
-    for (QWidget* input : std::initializer_list<QWidget*>{curve_, slider_, box_, budget_})
+    const auto limitWarping = [this](WarpingLimit limit, double percent) { session_.setWarping({limit, percent}); };
+    connect(warpingLimit_, &QComboBox::activated, this, [this, limitWarping](int chosen) {
+        // Its own begins with what holds: the number of the error.
+        const QueryState& query = session_.view().query;
+        const bool begins = query.warping.limit == WarpingLimit::AsError;
+        limitWarping(static_cast<WarpingLimit>(chosen), begins ? query.error : query.warping.percent);
+    });
+    connect(warping_, &AccuracyBox::chosen, this,
+            [limitWarping](double percent) { limitWarping(WarpingLimit::Own, percent); });
+    for (QWidget* input : std::initializer_list<QWidget*>{curve_, slider_, box_, warping_, budget_})
         new GestureWatcher(input, session_);
     connect(&session_, &Session::modelChanged, this, &AccuracyPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &AccuracyPanel::showModel);
@@ -117,10 +127,28 @@ QLayout* AccuracyPanel::makeModes()
     grid->addWidget(byError_, 0, 0);
     grid->addWidget(box_, 0, 1);
     grid->addWidget(inUnits_, 0, 2);
-    grid->addWidget(byBudget_, 1, 0);
-    grid->addWidget(budget_, 1, 1);
-    grid->addWidget(new QLabel(tr("tetrahedra")), 1, 2);
+    addWarping(*grid, 1);
+    grid->addWidget(byBudget_, 2, 0);
+    grid->addWidget(budget_, 2, 1);
+    grid->addWidget(new QLabel(tr("tetrahedra")), 2, 2);
     return grid;
+}
+
+void AccuracyPanel::addWarping(QGridLayout& grid, int row)
+{
+    warpingLimit_->setObjectName("accuracy.warpingLimit");
+    warpingLimit_->addItems({tr("Same as the error"), tr("Its own"), tr("None")}); // as WarpingLimit
+    warpingLimit_->setAccessibleName(tr("Limit of the warping"));
+    warpingLimit_->setToolTip(
+        tr("Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal "
+           "then; one of its own; or none, for the smallest mesh whose values are within the error"));
+    warping_->setObjectName("accuracy.warping");
+    warping_->setAccessibleName(tr("Warping in percent of the diagonal"));
+    warping_->setToolTip(tr("Warping in percent of the diagonal of the box around the data"));
+    warpingLabel_->setBuddy(warpingLimit_);
+    grid.addWidget(warpingLabel_, row, 0);
+    grid.addWidget(warpingLimit_, row, 1);
+    grid.addWidget(warping_, row, 2);
 }
 
 QLayout* AccuracyPanel::makePresets()
@@ -172,7 +200,7 @@ void AccuracyPanel::showModel()
 {
     const auto& model = session_.model();
     setEnabled(model != nullptr);
-    curve_->setCurve(model ? sizeAgainstError(*model) : std::vector<CurvePoint>{});
+    showCurve();
     const double end = model ? 100 * model->finalKey() / session_.range().extent() : 0;
     limit_->setText(
         end > 0 ? tr("This model was built down to an error of %1; it contains nothing finer.").arg(percentText(end))
@@ -181,9 +209,31 @@ void AccuracyPanel::showModel()
     showQuery();
 }
 
+void AccuracyPanel::showCurve()
+{
+    curveWarping_ = session_.view().query.warping;
+    const auto& model = session_.model();
+    curve_->setCurve(model ? sizeAgainstError(*model, curveWarping_) : std::vector<CurvePoint>{});
+}
+
+void AccuracyPanel::showWarping()
+{
+    const auto& model = session_.model();
+    const QueryState& query = session_.view().query;
+    const bool warps = model && model->description().warpingWeight > 0;
+    warpingLabel_->setVisible(warps);
+    warpingLimit_->setVisible(warps);
+    warping_->setVisible(warps && query.warping.limit == WarpingLimit::Own);
+    warpingLimit_->setCurrentIndex(static_cast<int>(query.warping.limit));
+    warping_->setAccuracy(query.warping.percent);
+    if (query.warping != curveWarping_)
+        showCurve();
+}
+
 void AccuracyPanel::showQuery()
 {
     const QueryState& query = session_.view().query;
+    showWarping();
     budget_->setBudget(query.budget);
     (query.byBudget ? byBudget_ : byError_)->setChecked(true);
     curve_->setBudget(query.byBudget ? std::optional(query.budget) : std::nullopt);
@@ -215,9 +265,13 @@ void AccuracyPanel::showError(double error)
     if (!model)
         return inUnits_->clear();
     const QString byError = QLocale().toString(error / 100 * session_.range().extent(), 'g', 3);
-    if (model->description().warpingWeight > 0)
+    const WarpingChoice& warping = session_.view().query.warping;
+    if (model->description().warpingWeight > 0 && warping.limit == WarpingLimit::None)
+        inUnits_->setText(tr("± %1 in value\nany warping").arg(byError));
+    else if (model->description().warpingWeight > 0)
         inUnits_->setText(
-            tr("± %1 in value\nwarping %2").arg(byError, QLocale().toString(error / 100 * model->diagonal(), 'g', 3)));
+            tr("± %1 in value\nwarping %2")
+                .arg(byError, QLocale().toString(warping.with(error).warping / 100 * model->diagonal(), 'g', 3)));
     else
         inUnits_->setText(tr("of the range\n± %1").arg(byError));
 }
@@ -252,7 +306,7 @@ void AccuracyPanel::showSize()
     const bool usesPlanned = isPlanned || !shown;
     curve_->setMarked({error.value_or(query.error), usesPlanned ? planned.sites : shown->wholeSites,
                        usesPlanned ? planned.tetrahedra : shown->wholeTetrahedra});
-    if (shown && saysMore(*shown))
+    if (shown && saysMore(*shown, *model))
         outcome_->setText(meshText(*shown, *model));
     outcome_->setVisible(!outcome_->text().isEmpty());
 }

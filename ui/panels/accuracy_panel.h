@@ -5,7 +5,9 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
+class QGridLayout;
 class QRadioButton;
 class QToolButton;
 
@@ -29,9 +31,12 @@ protected:
 private:
     QLayout* makePresets();
     QLayout* makeModes();
+    void addWarping(QGridLayout& grid, int row);
     QLayout* makeNumbers();
     void connectInputs();
     void showModel();
+    void showCurve();
+    void showWarping();
     void showQuery();
     void showError(double error);
     void showSize();
@@ -45,6 +50,10 @@ private:
     QRadioButton* byBudget_;
     BudgetBox* budget_;
     QLabel* inUnits_;
+    QLabel* warpingLabel_; ///< seen with its row if the model can warp
+    QComboBox* warpingLimit_;
+    AccuracyBox* warping_;
+    WarpingChoice curveWarping_; ///< of the curve that is shown
     QLabel* sites_;
     QLabel* siteShare_;
     QLabel* tetrahedra_;

@@ -254,8 +254,8 @@ void FocusPanel::showExpectation()
         return;
     }
     outside_->setText(tr("Outside %1, as chosen under Accuracy.").arg(percentText(query.error)));
-    const std::uint64_t inside = meshSizeAt(*model, bothWithin(inner)).tetrahedra;
-    const std::uint64_t outside = meshSizeAt(*model, bothWithin(query.error)).tetrahedra;
+    const std::uint64_t inside = meshSizeAt(*model, query.warping.with(inner)).tetrahedra;
+    const std::uint64_t outside = meshSizeAt(*model, query.warping.with(query.error)).tetrahedra;
     expectation_->setText(tr("Between %1 and %2 tetrahedra.")
                               .arg(countText(std::min(inside, outside)), countText(std::max(inside, outside))));
 }

@@ -26,12 +26,13 @@ constexpr std::uint64_t bytesOfTetrahedron = 4 * sizeof(std::uint32_t);
 
 } // namespace
 
-std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<double> secondsPerTetrahedron)
+std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<double> secondsPerTetrahedron,
+                                             const WarpingChoice& warping)
 {
     const auto most = static_cast<double>(meshSizeAt(model, bothWithin(0)).tetrahedra);
     std::vector<LevelStatistics> levels;
     for (const double error : accuracyPresets) {
-        const MeshSize size = meshSizeAt(model, bothWithin(error));
+        const MeshSize size = meshSizeAt(model, warping.with(error));
         const auto tetrahedra = static_cast<double>(size.tetrahedra);
         LevelStatistics level{.error = error,
                               .inUnits = error / 100 * model.description().range.extent(),

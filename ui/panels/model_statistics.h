@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/accuracy_scale.h"
 #include "ui/workbench/scene_builder.h"
 
 #include <tan/model.h>
@@ -24,7 +25,8 @@ struct LevelStatistics {
 };
 
 /// One for each of `accuracyPresets`. `secondsPerTetrahedron` as measured here. O(levels * log sites).
-std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<double> secondsPerTetrahedron);
+std::vector<LevelStatistics> levelStatistics(const Model& model, std::optional<double> secondsPerTetrahedron,
+                                             const WarpingChoice& warping = {});
 
 /// How quickly the mesh of a scene was extracted; nothing if it was there already.
 std::optional<double> secondsPerTetrahedron(const BuiltScene& scene);

@@ -11,6 +11,7 @@
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
@@ -126,8 +127,9 @@ void StatisticsPanel::showLevels()
 {
     const QSignalBlocker blocker(table_);
     const auto& model = session_.model();
-    levels_ = model ? levelStatistics(*model, pace_) : std::vector<LevelStatistics>();
-    curve_->setCurve(model ? sizeAgainstError(*model) : std::vector<CurvePoint>());
+    warping_ = session_.view().query.warping;
+    levels_ = model ? levelStatistics(*model, pace_, warping_) : std::vector<LevelStatistics>();
+    curve_->setCurve(model ? sizeAgainstError(*model, warping_) : std::vector<CurvePoint>());
     table_->clear();
     for (const LevelStatistics& level : levels_) {
         auto* item = new QTreeWidgetItem(table_, levelTexts(level));
@@ -144,6 +146,8 @@ void StatisticsPanel::showLevels()
 void StatisticsPanel::showQuery()
 {
     const QueryState& query = session_.view().query;
+    if (query.warping != warping_)
+        return showLevels();
     const QSignalBlocker blocker(table_);
     table_->setCurrentItem(nullptr);
     for (int index = 0; index < table_->topLevelItemCount(); ++index)

@@ -47,6 +47,7 @@ private:
     QPushButton* copy_;
     QPushButton* save_;
     std::vector<LevelStatistics> levels_;
+    WarpingChoice warping_; ///< of these
     std::vector<StatisticsFact> facts_;
     std::optional<BuiltScene> scene_;
     std::optional<double> pace_; ///< seconds for a tetrahedron, as last measured

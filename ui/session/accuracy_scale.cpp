@@ -35,9 +35,19 @@ std::vector<double> ladder()
 
 } // namespace
 
+Accuracy WarpingChoice::with(double error) const
+{
+    switch (limit) {
+    case WarpingLimit::Own: return {.error = error, .warping = percent};
+    case WarpingLimit::None: return {.error = error, .warping = anyWarping};
+    case WarpingLimit::AsError: break;
+    }
+    return {.error = error, .warping = error};
+}
+
 Accuracy bothWithin(double percent)
 {
-    return {.error = percent, .warping = percent};
+    return WarpingChoice().with(percent);
 }
 
 double accuracyPosition(double percent)
@@ -85,11 +95,11 @@ std::optional<double> accuracyByKey(double percent, int key)
     }
 }
 
-std::vector<CurvePoint> sizeAgainstError(const Model& model, int points)
+std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping, int points)
 {
     std::vector<CurvePoint> curve;
     const auto add = [&](double error) {
-        const MeshSize size = meshSizeAt(model, bothWithin(error));
+        const MeshSize size = meshSizeAt(model, warping.with(error));
         curve.push_back({error, size.sites, size.tetrahedra});
     };
     curve.reserve(static_cast<std::size_t>(points) + 1);

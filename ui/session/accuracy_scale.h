@@ -21,8 +21,18 @@ inline constexpr double finestOnScale = 0.01;
 /// The position where the logarithmic part ends.
 inline constexpr double logarithmicPart = 0.94;
 
-/// What one number on the scale asks for: this error in % of the value range, and for curvilinear data also this
-/// warping in % of the diagonal.
+/// How the warping of curvilinear and irregular data is limited beside the error (C1).
+enum class WarpingLimit { AsError, Own, None };
+struct WarpingChoice {
+    WarpingLimit limit = WarpingLimit::AsError;
+    double percent = 1; ///< of the diagonal, if Own
+    bool operator==(const WarpingChoice&) const = default;
+
+    /// What one number on the scale asks for: this error in % of the value range, and the warping by it or as chosen.
+    Accuracy with(double error) const;
+};
+
+/// What one number on the scale asks for if nothing else is chosen.
 Accuracy bothWithin(double percent);
 
 /// Where an error (in %) lies on the scale, in [0, 1].
@@ -42,9 +52,10 @@ struct CurvePoint {
     std::uint64_t tetrahedra = 0;
 };
 
-/// The size of the mesh against the error, from coarse to fine over the whole scale; the last point is at zero.
-/// O(points * log sites).
-std::vector<CurvePoint> sizeAgainstError(const Model& model, int points = 240);
+/// The size of the mesh against the error, from coarse to fine over the whole scale; the last point is at zero. With a
+/// warping of its own that of the prefix, which the mesh does not exceed. O(points * log sites), and then O(points *
+/// batches).
+std::vector<CurvePoint> sizeAgainstError(const Model& model, const WarpingChoice& warping = {}, int points = 240);
 
 /// The most accurate preset from 1 % upwards whose mesh is still quick to extract and to draw.
 double startingError(const Model& model);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/query_state.h"
 
-#include "ui/session/accuracy_scale.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -147,6 +145,7 @@ QueryState startingQuery(const Model& model, double error)
 QueryState corrected(QueryState query, const QueryState& before, const Model& model)
 {
     query.error = std::clamp(numberOr(query.error, before.error), 0.0, 100.0);
+    query.warping.percent = std::clamp(numberOr(query.warping.percent, before.warping.percent), 0.0, anyWarping);
     query.budget = std::max(query.budget, meshSizeAt(model, bothWithin(100)).tetrahedra);
     query.focus = corrected(query.focus, before.focus, model);
     query.window.window.box = corrected(query.window.window.box, before.window.window.box, model);
@@ -163,6 +162,7 @@ MeshQuery meshQuery(const QueryState& query, const Model& model)
 {
     double inner = focusErrorOf(query);
     double outer = query.error;
+    WarpingChoice warping = query.warping;
     MeshQuery result;
     if (query.byBudget) {
         result.budget = query.budget;
@@ -170,11 +170,20 @@ MeshQuery meshQuery(const QueryState& query, const Model& model)
         const double factor = errorWithin(model, query.budget) / roomForScale / larger;
         inner = std::max(inner * factor, finestWithBudget);
         outer = std::max(outer * factor, finestWithBudget);
+        warping.percent = std::max(warping.percent * factor, finestWithBudget);
     }
+    const auto fieldOf = [&query](double within, double elsewhere) {
+        return query.focus.isOn() && within < elsewhere
+                   ? ErrorField(SpaceRamp{regionOf(query.focus), within, elsewhere, query.focus.falloff})
+                   : ErrorField(elsewhere);
+    };
     result.error = query.focus.isOn() ? ErrorField(SpaceRamp{regionOf(query.focus), inner, outer, query.focus.falloff})
                                       : ErrorField(outer);
     if (model.description().warpingWeight > 0)
-        result.warping = result.error;
+        result.warping = warping.limit == WarpingLimit::AsError ? result.error
+                         : warping.limit == WarpingLimit::None
+                             ? ErrorField(anyWarping)
+                             : fieldOf(std::min(inner, warping.percent), warping.percent);
     if (query.window.enabled)
         result.window = query.window.window;
     if (query.values.enabled)
@@ -200,7 +209,8 @@ double errorWithin(const Model& model, std::uint64_t budget)
 
 MeshSize plannedSize(const QueryState& query, const Model& model)
 {
-    return meshSizeAt(model, bothWithin(query.byBudget ? errorWithin(model, query.budget) : query.error));
+    return meshSizeAt(model,
+                      query.byBudget ? bothWithin(errorWithin(model, query.budget)) : query.warping.with(query.error));
 }
 
 std::uint64_t steppedBudget(std::uint64_t budget, int steps)

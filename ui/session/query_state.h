@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/accuracy_scale.h"
+
 #include <tan/data.h>
 #include <tan/model.h>
 #include <tan/query.h>
@@ -53,8 +55,7 @@ struct ValueFilter {
 /// The regions that a query can have.
 enum class RegionKind { None, Focus, Window };
 
-/// Which mesh of a model is seen: a value. Percentages are of the value range, and of curvilinear data likewise of the
-/// diagonal (bothWithin()).
+/// Which mesh of a model is seen: a value. Percentages are of the value range, those of warpings of the diagonal.
 struct QueryState {
     double error = 1; ///< %; with a focus that outside of it
     bool byBudget = false;
@@ -62,6 +63,7 @@ struct QueryState {
     FocusState focus;
     WindowState window;
     ValueFilter values;
+    WarpingChoice warping{};
     bool operator==(const QueryState&) const = default;
 
     /// Whether the mesh is a prefix of the model's sites and all of it, so that its size is known beforehand.

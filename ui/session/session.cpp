@@ -125,6 +125,8 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
             return tr("Change Window");
         if (before.query.values != after.query.values)
             return tr("Change Values");
+        if (before.query.warping != after.query.warping)
+            return tr("Change Warping");
         return after.query.byBudget ? tr("Change Budget") : tr("Change Accuracy");
     }
     if (parts & ViewPart::Mode)
@@ -299,6 +301,11 @@ void Session::setBudget(std::uint64_t tetrahedra)
 void Session::setByBudget(bool byBudget)
 {
     edit([=](ViewValue& view) { view.query.byBudget = byBudget; });
+}
+
+void Session::setWarping(const WarpingChoice& warping)
+{
+    edit([&](ViewValue& view) { view.query.warping = warping; });
 }
 
 void Session::setFocus(const FocusState& focus)

@@ -69,6 +69,7 @@ public:
     /// By budget from now on; at least the coarsest mesh.
     void setBudget(std::uint64_t tetrahedra);
     void setByBudget(bool byBudget);
+    void setWarping(const WarpingChoice& warping);
     void setFocus(const FocusState& focus);
     void setWindow(const WindowState& window);
     void setValueFilter(const ValueFilter& values);

@@ -63,9 +63,13 @@ QString piecesText(const ShownMesh& mesh)
 QString meshText(const ShownMesh& mesh, const Model& model)
 {
     const QString errors = errorText(mesh);
-    QStringList sentences{model.description().warpingWeight > 0
-                              ? MeshText::tr("Shown: %1, and the same warping.").arg(errors)
-                              : MeshText::tr("Shown: %1.").arg(errors)};
+    const double warping = mesh.query.warping.bounds().maximum;
+    const bool warps = model.description().warpingWeight > 0;
+    QStringList sentences{
+        !warps                                   ? MeshText::tr("Shown: %1.").arg(errors)
+        : mesh.query.warping == mesh.query.error ? MeshText::tr("Shown: %1, and the same warping.").arg(errors)
+        : warping < anyWarping ? MeshText::tr("Shown: %1, warping %2.").arg(errors, keptText(warping, mesh.scale))
+                               : MeshText::tr("Shown: %1, whatever the warping.").arg(errors)};
     sentences << limitText(mesh) << partText(mesh);
     sentences.removeAll(QString());
     return sentences.join(' ');

@@ -14,6 +14,7 @@ namespace tetra {
 namespace {
 
 constexpr std::array shapeNames = {"none", "box", "sphere"};
+constexpr std::array warpingNames = {"asError", "own", "none"};
 constexpr std::array borderNames = {"intersecting", "contained", "clipped"};
 constexpr std::array filmNames = {"turntable", "keyFrames"};
 constexpr std::array axisNames = {"vertical", "horizontal"};
@@ -56,6 +57,8 @@ QJsonObject toJson(const QueryState& query)
     const Window& window = query.window.window;
     return {
         {"error", query.error},
+        {"warping",
+         QJsonObject{{"limit", nameOf(warpingNames, query.warping.limit)}, {"percent", query.warping.percent}}},
         {"byBudget", query.byBudget},
         {"budget", static_cast<qint64>(query.budget)},
         {"focus", QJsonObject{{"shape", nameOf(shapeNames, focus.shape)},
@@ -75,6 +78,9 @@ QJsonObject toJson(const QueryState& query)
 void readQuery(const JsonFields& fields, QueryState& query)
 {
     fields.read("error", query.error);
+    const JsonFields warping = fields.fields("warping");
+    readName(warping, "limit", warpingNames, query.warping.limit);
+    warping.read("percent", query.warping.percent);
     fields.read("byBudget", query.byBudget);
     readBudget(fields, query.budget);
     const JsonFields focus = fields.fields("focus");

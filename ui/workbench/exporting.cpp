@@ -110,7 +110,7 @@ void Exporting::saveStatistics(const std::filesystem::path& target)
         return;
     std::vector<Accuracy> levels;
     for (const double error : accuracyPresets)
-        levels.push_back(bothWithin(error));
+        levels.push_back(session_.view().query.warping.with(error));
     savingText_.enqueue(
         [this, target, levels, model = session_.model()](const Progress& progress) -> std::function<void()> {
             const auto text = levelsAsText(target, *model, levels);

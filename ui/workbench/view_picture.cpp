@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint64_t largestMesh = 100'000; // tetrahedra
 constexpr int volumeParts = 256;
-constexpr double anyError = 1e9; ///< %
+constexpr double everyError = 1e9; ///< %
 
 /// The finest that is small, or the coarsest if that is not.
 std::uint32_t sitesOfCoarseMesh(const Model& model)
 {
     const auto size = meshSizeWithin(model, {}, largestMesh);
-    return size ? size->sites : meshSizeAt(model, {.error = anyError}).sites;
+    return size ? size->sites : meshSizeAt(model, {.error = everyError}).sites;
 }
 
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};

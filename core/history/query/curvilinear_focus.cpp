@@ -2,6 +2,7 @@
 #include "core/history/query/curvilinear_focus.h"
 
 #include "core/base/guarded.h"
+#include "core/history/pair_limits.h"
 #include "core/history/query/coarse_mesh.h"
 #include "core/history/site_positions.h"
 #include "core/refine/greedy.h"
@@ -57,6 +58,17 @@ BlockDivision divisionOf(const Model& model)
     std::uint32_t edge = 0;
     std::from_chars(text.data(), text.data() + text.size(), edge);
     return {model.description().lattice.size, edge};
+}
+
+/// The pair in the model's ratio whose larger limit is that of the two: a mesh that keeps it has few sites too many.
+Accuracy looserOf(const Model& model, const Accuracy& pair)
+{
+    const UnitLimits limits = unitLimits(model, pair);
+    const double weight = model.description().warpingWeight;
+    const double key = std::max(limits.error, weight * limits.warping);
+    if (!std::isfinite(key))
+        return {anyError, anyWarping};
+    return {100 * key / model.description().range.extent(), 100 * key / (weight * model.diagonal())};
 }
 
 } // namespace
@@ -271,13 +283,14 @@ Result<ExtractedMesh> CurvilinearFocus::Work::extract(const MeshQuery& query, co
     if (const Status found = findLimits(query, progress); !found)
         return found.error();
     const Accuracy outside = {query.error.bounds().maximum, query.warping.bounds().maximum};
-    const MeshSize coarse = meshSizeAt(model_, outside);
+    const bool isUniform = query.error.isConstant() && query.warping.isConstant();
+    const MeshSize coarse = meshSizeAt(model_, isUniform ? looserOf(model_, outside) : outside);
     if (coarseSites_ == coarse.sites && coarseSites_ > 0)
         mesh_.restore();
     else if (const Status loaded = load(coarse.sites, progress.part(0, 0.2)); !loaded)
         return loaded.error();
     addedSites_.clear();
-    if (const Status inserted = insertSites(progress.part(0.2, 0.9)); !inserted)
+    if (const Status inserted = isUniform ? Status() : insertSites(progress.part(0.2, 0.9)); !inserted)
         return inserted.error();
     if (const Status looked = look(coarse.error <= outside.error && coarse.warping <= outside.warping, progress);
         !looked)

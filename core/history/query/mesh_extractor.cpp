@@ -2,6 +2,7 @@
 #include "core/history/query/mesh_extractor.h"
 
 #include "core/base/guarded.h"
+#include "core/history/pair_limits.h"
 #include "core/history/query/boundary_repair.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
@@ -145,6 +146,14 @@ ErrorField scaledField(const ErrorField& field, double scale)
     return ErrorField(scale) * largerOf(field, leastScaledPercent);
 }
 
+/// The sites that any mesh within these limits has, or as good as any: those of the uniform one, unless its limits are
+/// such that it keeps one of them better than asked; then those of the first mesh.
+std::uint32_t coarsestPart(const Model& model, const Accuracy& coarsest)
+{
+    const bool byOwn = !model.batchErrors().empty() && !isInRatio(model, unitLimits(model, coarsest));
+    return meshSizeAt(model, byOwn ? Accuracy{anyError, anyWarping} : coarsest).sites;
+}
+
 } // namespace
 
 class MeshExtractor::Work {
@@ -157,6 +166,7 @@ public:
 private:
     Status extractWhole(const MeshQuery& query, const Progress& progress);
     Status extractUniform(const MeshQuery& query, const Progress& progress);
+    Status extractPair(const MeshQuery& query, const Accuracy& asked, const Progress& progress);
     Status extractClosedSet(const MeshQuery& query, const Progress& progress);
     Status extractSoundSet(const MeshQuery& query, const RefinementCriterion& criterion, std::uint32_t finest,
                            const Progress& progress);
@@ -183,7 +193,8 @@ private:
     std::optional<CurvilinearFocus> curvilinearFocus_; ///< of a curvilinear grid
     bool insertionFitsHistory_ = true;                 ///< as far as is known: its meshes are Delaunay
     std::shared_ptr<LendableMesh> whole_;              ///< the last mesh before values and window; null after an error
-    std::uint32_t uniformSites_ = 0;                   ///< of that, if it is uniform; else 0
+    std::uint32_t uniformSites_ = 0;                   ///< of that, if it is a prefix; else 0
+    std::optional<MeshQuery> pair_;                    ///< of that, if it is uniform and no prefix
 };
 
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
@@ -241,6 +252,8 @@ Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress&
 Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progress& progress)
 {
     const Accuracy asked = {query.error.bounds().minimum, query.warping.bounds().minimum};
+    if (!model_->batchErrors().empty() && !isInRatio(*model_, unitLimits(*model_, asked)))
+        return extractPair(query, asked, progress);
     MeshSize size = meshSizeAt(*model_, asked);
     if (query.budget) {
         const auto within = meshSizeWithin(*model_, asked, *query.budget);
@@ -266,6 +279,24 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
     return {};
 }
 
+/// Two limits of which a prefix keeps one better than asked (C1).
+Status MeshExtractor::Work::extractPair(const MeshQuery& query, const Accuracy& asked, const Progress& progress)
+{
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    MeshQuery pair;
+    pair.error = asked.error < anyError ? asked.error : unlimited;
+    pair.warping = asked.warping < anyWarping ? asked.warping : unlimited;
+    pair.budget = query.budget;
+    pair.method = query.method;
+    if (!isLent() && pair_ == pair)
+        return {};
+    const Status found = query.method == VariableMethod::Insertion ? extractByInsertion(pair, progress)
+                                                                   : extractClosedSet(pair, progress);
+    if (found)
+        pair_ = std::move(pair);
+    return found;
+}
+
 Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progress& progress)
 {
     RefinementCriterion criterion(*model_, query, places_);
@@ -287,7 +318,7 @@ Status MeshExtractor::Work::extractSoundSet(const MeshQuery& query, const Refine
                                             std::uint32_t finest, const Progress& progress)
 {
     if (!query.budget) {
-        auto set = smallestClosedSet(*model_, links_, criterion, meshSizeAt(*model_, criterion.coarsest()).sites,
+        auto set = smallestClosedSet(*model_, links_, criterion, coarsestPart(*model_, criterion.coarsest()),
                                      progress.part(0, 0.7));
         return set ? extractRepaired(criterion, false, finest, model_->tetrahedronCount(), progress.part(0.7, 1), *set)
                    : Status(set.error());
@@ -461,6 +492,7 @@ ExtractedMesh& MeshExtractor::Work::startWhole()
     if (isLent())
         whole_ = std::make_shared<LendableMesh>();
     uniformSites_ = 0;
+    pair_.reset();
     return whole_->content;
 }
 

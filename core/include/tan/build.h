@@ -49,6 +49,11 @@ struct BuildReport {
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
 };
 
+/// What orders the history of data that can warp, and so what its meshes are small for (C1): the larger of error and
+/// warping in the ratio of their thresholds, or one of the two, whatever becomes of the other. Each mesh still says
+/// both.
+enum class OrderedBy { Both, Error, Warping };
+
 /// Delaunay refinement (R8): the points that are farthest off enter one after the other. Of regular lattices,
 /// curvilinear grids and scattered points; the mesh of every prefix is the Delaunay mesh of its sites.
 struct Refinement {
@@ -62,7 +67,8 @@ struct Refinement {
     std::optional<std::uint32_t> block{};
     /// Of curvilinear grids: compare error and warping in the units of the data, as the paper did.
     bool paperSelection = false;
-    Weighting weighting{}; ///< how much the error at each point counts (R6)
+    OrderedBy orderedBy = OrderedBy::Both; ///< of curvilinear grids; a threshold of the other one is refused
+    Weighting weighting{};                 ///< how much the error at each point counts (R6)
 };
 
 /// Which vertex an edge collapse takes away next.
@@ -81,6 +87,7 @@ struct Decimation {
     double warping = 0; ///< likewise, % of the diagonal; if only one of the two is given, it holds for both
     double finest = 0;  ///< leaves meshes of a smaller error out of the model; 0 keeps all
     DecimationOrder order = DecimationOrder::ExactError;
+    OrderedBy orderedBy = OrderedBy::Both; ///< as Refinement::orderedBy, of irregular data, too
     Weighting weighting{};
 };
 

@@ -129,8 +129,15 @@ public:
     std::span<const std::uint16_t> ownErrors() const noexcept { return ownErrors_; }
     /// Likewise on its own warping, a fraction of the bounding box's diagonal; empty without a warping weight.
     std::span<const std::uint16_t> ownWarpings() const noexcept { return ownWarpings_; }
-    /// The same for one tetrahedron below tetrahedronCount(), in units of the values and of length (0 without a warping
-    /// weight).
+    /// The last site of each batch. Empty in files that do not tell (FORMAT.md, section 48), as are the next two.
+    std::span<const std::uint32_t> batchEnds() const noexcept { return batchEnds_; }
+    /// Bounds on error and warping, apart, of the mesh at the end of each batch (C1), in units of the values and of
+    /// length. Empty without a warping weight, where the key is the error; and in models whose warping is claimed from
+    /// both sides of the boundary, of which these would tell one.
+    std::span<const float> batchErrors() const noexcept { return batchErrors_; }
+    std::span<const float> batchWarpings() const noexcept { return batchWarpings_; }
+    /// ownErrors() and ownWarpings() of one tetrahedron below tetrahedronCount(), in units of the values and of length
+    /// (0 without a warping weight).
     double ownError(std::uint64_t tetrahedron) const noexcept;
     double ownWarping(std::uint64_t tetrahedron) const noexcept;
 
@@ -206,6 +213,9 @@ private:
     std::span<const std::uint32_t> destroyers_;
     std::span<const std::uint16_t> ownErrors_;
     std::span<const std::uint16_t> ownWarpings_;
+    std::span<const std::uint32_t> batchEnds_;
+    std::span<const float> batchErrors_;
+    std::span<const float> batchWarpings_;
     std::span<const Eigen::Vector3f> floatPositions_;
     std::span<const Eigen::Vector3d> doublePositions_;
     std::span<const std::byte> samples_;

@@ -45,10 +45,12 @@
 
 namespace tetra {
 
-/// The largest warping there can be: as a bound it demands nothing.
+/// The largest error and the largest warping there can be: as a limit they demand nothing.
+inline constexpr double anyError = 100;
 inline constexpr double anyWarping = 100;
 
-/// The accuracy pair of a query (R14, R7), in the units that people see. Convex models have no warping.
+/// The accuracy pair of a query (R14, R7, C1), in the units that people see: two limits, each by itself. Convex models
+/// have no warping.
 struct Accuracy {
     double error = 0;            ///< % of the value range
     double warping = anyWarping; ///< % of the bounding box's diagonal
@@ -58,14 +60,19 @@ struct Accuracy {
 struct MeshSize {
     std::uint32_t sites = 0;
     std::uint64_t tetrahedra = 0;
-    /// What the running key of this mesh bounds: % of the value range, and % of the diagonal (0 without warping).
+    /// Bounds, each by itself, in % of the value range and of the diagonal (0 without warping). In files that do not
+    /// tell the two apart, what the running key of this mesh says of both.
     double error = 0;
     double warping = 0;
 };
 
-/// The first mesh at least as accurate as asked (first passage, S1), as a prefix of the sites: O(log sites). If the
-/// model is not that accurate, its most accurate mesh, as a rule the whole. Of a damaged file the result is
-/// unspecified, and Model::checkIntact() says so afterwards.
+/// The first mesh at least as accurate as asked (first passage, S1), as a prefix of the sites: O(log sites), and where
+/// the ratio of the two limits is not that of the build O(batches) besides. If the model is not that accurate, its most
+/// accurate mesh, as a rule the whole. Of a damaged file the result is unspecified, and Model::checkIntact() says so
+/// afterwards.
+///
+/// A history is ordered by the larger of error and weighted warping, so both fall together, and a prefix that keeps one
+/// small limit keeps a small one of the other as well. A MeshExtractor finds smaller meshes for such pairs.
 TAN_API MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy);
 
 /// The same for the mesh of the first `sites` sites, which end a batch.

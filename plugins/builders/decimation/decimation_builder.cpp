@@ -93,11 +93,13 @@ std::vector<Parameter> DecimationBuilder::parameters() const
 {
     return {errorThresholdParameter(Message::marked("Decimation stops at this error; 0 goes on to the coarsest mesh.")),
             warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
+            orderedByParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
             thresholdParameter("finest", Message::marked("Finest error"),
                                Message::marked("Leaves meshes of smaller errors out of the model, so that it is "
                                                "smaller; 0 keeps everything."),
                                Message::marked("% of the value range")),
-            orderParameter(), weightsParameter()};
+            orderParameter(),
+            weightsParameter()};
 }
 
 ParameterValues DecimationBuilder::detail(double percent, DomainClass /*domain*/) const
@@ -131,6 +133,7 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     decimation.warping = parameterValue<double>(known, values, "warping");
     decimation.finest = parameterValue<double>(known, values, "finest");
     decimation.order = orderOf(parameterValue<std::string>(known, values, "order"));
+    decimation.orderedBy = orderedByOf(known, values);
     decimation.weighting = *weighting;
     return buildInto(dataset, decimation, target, progress);
 }

@@ -146,7 +146,10 @@ std::vector<Parameter> RefinementBuilder::parameters() const
 {
     return {errorThresholdParameter(Message::marked(
                 "Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.")),
-            warpingThresholdParameter({DomainClass::Curvilinear}), blockParameter(), selectionParameter(),
+            warpingThresholdParameter({DomainClass::Curvilinear}),
+            orderedByParameter({DomainClass::Curvilinear}),
+            blockParameter(),
+            selectionParameter(),
             weightsParameter()};
 }
 
@@ -197,6 +200,7 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     refinement.warping = parameterValue<double>(known, values, "warping");
     refinement.block = *block;
     refinement.paperSelection = parameterValue<std::string>(known, values, "selection") == paper;
+    refinement.orderedBy = orderedByOf(known, values);
     refinement.weighting = *weighting;
     return buildInto(dataset, refinement, target, progress);
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <set>
 
 using namespace tetra;
@@ -127,22 +128,44 @@ private slots:
         }
     }
 
-    /// The first state that keeps both thresholds; 100 % of warping is no threshold.
-    void aQueryTakesBothThresholds()
+    /// C1, R14: the first mesh that keeps both limits, each by itself, found here by going through all batches; 100 %
+    /// is no limit.
+    void aQueryTakesBothLimits()
     {
         const auto model = write(bentBumps(SampleType::Float32, size));
-        const double extent = model->description().range.extent();
-        const std::uint32_t all = model->siteCount();
-        QCOMPARE(meshSizeAt(*model, {0, 0}).sites, all);
-        QCOMPARE(meshSizeAt(*model, {0, anyWarping}).sites, all);
-        QCOMPARE(meshSizeAt(*model, {100, 0}).sites, all);
-        QCOMPARE(meshSizeAt(*model, {100, anyWarping}).sites, 8U);
-        QCOMPARE(meshSizeAt(*model, {1, 5}).sites, meshSizeAt(*model, {5, 1}).sites); // the weight is that of 1 : 1
-        QVERIFY(meshSizeAt(*model, {1, 1}).sites > meshSizeAt(*model, {5, 5}).sites);
-        const MeshSize reached = meshSizeAt(*model, {2, 3});
-        QVERIFY(reached.error <= 2 && reached.warping <= 2 + 1e-9);
-        QVERIFY(std::abs(reached.error - 100. * double(model->runningKeys()[reached.sites]) / extent) < 1e-9);
-        QVERIFY(std::abs(reached.warping - reached.error) < 1e-9);
+        QCOMPARE(meshSizeAt(*model, {0, 0}).sites, model->siteCount());
+        QCOMPARE(meshSizeAt(*model, {anyError, anyWarping}).sites, 8U);
+        std::mt19937 random(3);
+        int apart = 0;
+        for (int pair = 0; pair < 2000; ++pair) {
+            const auto limit = [&random] { return std::uniform_real_distribution(0., 12.)(random); };
+            const Accuracy asked = {pair % 5 == 0 ? anyError : limit(), pair % 5 == 1 ? anyWarping : limit()};
+            const MeshSize found = meshSizeAt(*model, asked);
+            QCOMPARE(found.sites, firstKeeping(*model, asked));
+            QVERIFY(asked.error >= anyError || found.error <= asked.error);
+            QVERIFY(asked.warping >= anyWarping || found.warping <= asked.warping);
+            apart += found.sites < firstByKey(*model, asked) ? 1 : 0;
+        }
+        QVERIFY(apart > 0); // the key alone does not tell
+    }
+
+    /// C1: files that do not tell error and warping apart say of both what the key says.
+    void withoutBatchBoundsTheKeyHolds()
+    {
+        write(bentBumps(SampleType::Float32, size));
+        FileParts file(readBytes(path()));
+        for (const SectionId id : {SectionId::BatchErrors, SectionId::BatchWarpings})
+            file.section(id).id = static_cast<std::uint32_t>(id) + 200; // ones that readers skip
+        file.repairChecksums();
+        writeBytes(path(), file.content);
+        const auto model = Model::open(path());
+        QVERIFY2(model.ok(), model.ok() ? "" : model.error().text().c_str());
+        QVERIFY((*model)->batchErrors().empty() && (*model)->batchWarpings().empty());
+        for (const Accuracy& asked : {Accuracy{1, 5}, {5, 1}, {1, anyWarping}, {anyError, 1}, {2, 3}}) {
+            const MeshSize found = meshSizeAt(**model, asked);
+            QCOMPARE(found.sites, firstByKey(**model, asked));
+            QVERIFY(std::abs(found.warping - found.error) < 1e-9); // the weight is that of 1 : 1
+        }
     }
 
     /// Builders are written by others.
@@ -249,6 +272,27 @@ private slots:
     }
 
 private:
+    /// Going through the meshes at the ends of batches.
+    static std::uint32_t firstKeeping(const Model& model, const Accuracy& asked)
+    {
+        const double error = asked.error >= anyError ? 1e300 : asked.error / 100 * model.description().range.extent();
+        const double warping = asked.warping >= anyWarping ? 1e300 : asked.warping / 100 * model.diagonal();
+        for (std::size_t batch = 0; batch < model.batchEnds().size(); ++batch)
+            if (static_cast<double>(model.batchErrors()[batch]) <= error &&
+                static_cast<double>(model.batchWarpings()[batch]) <= warping)
+                return model.batchEnds()[batch] + 1;
+        return model.siteCount();
+    }
+    static std::uint32_t firstByKey(const Model& model, const Accuracy& asked)
+    {
+        const double error = asked.error >= anyError ? 1e300 : asked.error / 100 * model.description().range.extent();
+        const double warping = asked.warping >= anyWarping ? 1e300 : asked.warping / 100 * model.diagonal();
+        const double key = std::min(error, warping * model.description().warpingWeight);
+        const auto& keys = model.runningKeys();
+        return static_cast<std::uint32_t>(
+            std::ranges::find_if(keys, [key](float one) { return static_cast<double>(one) <= key; }) - keys.begin());
+    }
+
     std::filesystem::path path() const { return folder_->filePath("model.tan").toStdString(); }
     std::shared_ptr<const Model> write(const Dataset& dataset) const
     {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the docks Accuracy and Statistics are driven, and what each changes (R26).
+#include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/driving/driver.h"
+#include "tests/waiting.h"
 #include "ui/session/accuracy_scale.h"
 
 #include <QClipboard>
@@ -24,6 +26,32 @@ void beginByBudget(DrivenWindow& window)
 {
     window.session().setByBudget(true);
     window.raise("dock.accuracy");
+}
+
+/// With a model that warps.
+Driver::Step withWarping(const WarpingChoice& warping)
+{
+    return [warping](DrivenWindow& window) {
+        const auto grid = makeSample({.name = "bent-duct", .size = 8, .type = std::nullopt, .seed = 1});
+        if (!grid)
+            qFatal("the grid could not be made");
+        window.window.open(QString::fromStdString(buildSampleModel(*window.host, *grid, window.folderPath())));
+        const auto isOpen = [&window] {
+            return window.session().model() && window.session().model()->description().warpingWeight > 0 &&
+                   window.settled();
+        };
+        if (!waitFor(isOpen, 30'000))
+            qFatal("the model of the grid did not open");
+        window.session().setError(noPreset);
+        window.session().setWarping(warping);
+        window.session().undoStack().clear();
+        window.raise("dock.accuracy");
+    };
+}
+
+Driver::Change toWarping(const WarpingChoice& warping)
+{
+    return [warping](ViewValue& view, const DrivenWindow&) { view.query.warping = warping; };
 }
 
 void beginInStatistics(DrivenWindow& window)
@@ -74,6 +102,8 @@ Drivers accuracyControls()
                 view.query.budget = 500'000; // the next round number
             },
             inDock("dock.accuracy")),
+        edit("accuracy.warpingLimit", toWarping({WarpingLimit::Own, noPreset}), withWarping({})), // as the error first
+        edit("accuracy.warping", toWarping({WarpingLimit::Own, 4}), withWarping({WarpingLimit::Own, 3})),
         edit("accuracy.byBudget", toBudget(true), inDock("dock.accuracy")),
         edit("accuracy.byError", toBudget(false), &beginByBudget),
     };

@@ -122,13 +122,14 @@ BruteForce::Answer BruteForce::meshOf(std::vector<bool> sites) const
     return answer;
 }
 
-BruteForce::Answer BruteForce::smallestClosedSet(const MeshQuery& query) const
+BruteForce::Answer BruteForce::smallestClosedSet(const MeshQuery& query, bool fromFirstMesh) const
 {
     const std::vector<double> scales = scalesOf(query);
     std::vector<bool> sites(model_.siteCount(), false);
     const std::uint32_t prefix =
         meshSizeAt(model_, {query.error.bounds().maximum, query.warping.bounds().maximum}).sites;
-    std::fill_n(sites.begin(), prefix, true);
+    for (std::uint32_t site = 0; site < model_.siteCount(); ++site)
+        sites[site] = fromFirstMesh ? groups_[site] == 0 : site < prefix;
     Answer answer = meshOf(groupClosure(std::move(sites), scales, 1));
     for (const std::uint64_t t : answer.tetrahedra)
         answer.scale = std::max(answer.scale, scales[t]);

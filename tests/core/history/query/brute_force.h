@@ -21,7 +21,7 @@ public:
         std::vector<std::uint64_t> tetrahedra; ///< numbers in the history
         double scale = 1;
     };
-    Answer smallestClosedSet(const MeshQuery& query) const;
+    Answer smallestClosedSet(const MeshQuery& query, bool fromFirstMesh = false) const;
     /// The last of the sets, from coarse to fine, before the first that has too many tetrahedra.
     std::optional<Answer> closedSetWithin(const MeshQuery& query) const;
 

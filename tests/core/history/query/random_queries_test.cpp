@@ -83,6 +83,43 @@ private slots:
         }
     }
 
+    /// C1: two limits of another ratio than the build's are kept each by itself, by the smallest closed set of which
+    /// that is known. A prefix is larger, as it keeps both by the smaller one.
+    void pairsGiveTheSmallestClosedSet()
+    {
+        std::mt19937 random(8);
+        int pairs = 0, smaller = 0;
+        for (const Case& one : cases_) {
+            if (!(one.model->description().warpingWeight > 0))
+                continue;
+            const BruteForce brute(*one.model);
+            MeshExtractor extractor(one.model);
+            for (int round = 0; round < 9; ++round) {
+                MeshQuery query;
+                const double error = round % 3 == 0 ? anyError : between(random, 0, 20);
+                const double warping = round % 3 == 1 ? anyWarping : between(random, 0, 20);
+                query.error = error;
+                query.warping = warping;
+                const auto mesh = extractor.extract(query);
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
+                QVERIFY(isAnswer(*one.model, one.dataset, brute, query, **mesh, brute.smallestClosedSet(query, true)));
+                const std::uint32_t prefix = meshSizeAt(*one.model, {error, warping}).sites;
+                QVERIFY((*mesh)->wholeSites <= prefix);
+                ++pairs;
+                smaller += (*mesh)->wholeSites < prefix ? 1 : 0;
+                QCOMPARE((*extractor.extract(query))->wholeSites, (*mesh)->wholeSites); // what was kept
+                query.budget = 1 + random() % (one.model->meshSizes().back() + 10);
+                const auto within = extractor.extract(query);
+                const auto expected = brute.closedSetWithin(query);
+                QCOMPARE(within.ok(), expected.has_value());
+                if (within)
+                    QVERIFY((*within)->mesh.tetrahedra.size() <= *query.budget &&
+                            isAnswer(*one.model, one.dataset, brute, query, **within, *expected));
+            }
+        }
+        QVERIFY2(pairs >= 100 && smaller > pairs / 2, qPrintable(QString("%1 of %2").arg(smaller).arg(pairs)));
+    }
+
     /// From each accuracy to any other: the mesh is that of the prefix.
     void uniformMeshesMove()
     {
