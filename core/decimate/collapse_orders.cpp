@@ -11,10 +11,12 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <span>
 #include <tuple>
@@ -252,15 +254,53 @@ Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress&
 
 namespace {
 
-/// The gradient of the field at a vertex: the mean of the gradients of the tetrahedra around it, weighted by their
-/// solid angles there (3.1.2).
-Eigen::Vector3d vertexGradient(const CollapsibleMesh& mesh, std::span<const Eigen::Vector3d> positions,
-                               std::span<const double> values, std::uint32_t vertex)
+/// The neighbours of a boundary vertex along the boundary, each once.
+std::vector<std::uint32_t> neighboursOnBoundary(const DecimatedMesh& mesh, std::uint32_t vertex)
 {
+    std::vector<std::uint32_t> around;
+    const CollapsibleMesh& tetrahedra = mesh.tetrahedra();
+    const auto addFace = [&](std::span<const std::uint32_t> corners) {
+        std::ranges::copy_if(corners, std::back_inserter(around), [vertex](auto corner) { return corner != vertex; });
+    };
+    for (const std::uint32_t slot : tetrahedra.star(vertex)) {
+        const std::size_t own = indexOf(tetrahedra.vertices(slot), vertex);
+        for (std::size_t opposite = 0; opposite < 4; ++opposite)
+            if (opposite != own && mesh.isOnBoundary(slot, opposite))
+                addFace(tetrahedra.cornersOfFaceOf(slot, opposite));
+    }
+    sortUnique(around);
+    return around;
+}
+
+/// How far a boundary vertex lies from the plane that fits its neighbours on the boundary best.
+double distanceFromPlane(const DecimatedMesh& mesh, std::uint32_t vertex)
+{
+    const std::vector<std::uint32_t> around = neighboursOnBoundary(mesh, vertex);
+    if (around.empty())
+        return 0;
+    const DecimationMesh& input = mesh.input();
+    const std::span<const Eigen::Vector3d> positions = input.physical.empty() ? input.positions : input.physical;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t other : around)
+        middle += positions[other];
+    middle /= static_cast<double>(around.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const std::uint32_t other : around)
+        spread += (positions[other] - middle) * (positions[other] - middle).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    return std::abs(axes.eigenvectors().col(0).dot(positions[vertex] - middle));
+}
+
+} // namespace
+
+Eigen::Vector3d vertexGradient(const DecimatedMesh& mesh, std::uint32_t vertex)
+{
+    const std::span<const Eigen::Vector3d> positions = mesh.input().positions;
+    const std::span<const double> values = mesh.input().values;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double angles = 0;
-    for (const std::uint32_t slot : mesh.star(vertex)) {
-        const auto& vertices = mesh.vertices(slot);
+    for (const std::uint32_t slot : mesh.tetrahedra().star(vertex)) {
+        const auto& vertices = mesh.tetrahedra().vertices(slot);
         const auto& others = cornersOfFace[indexOf(vertices, vertex)];
         Eigen::Matrix3d edges;
         Eigen::Vector3d steps;
@@ -279,128 +319,133 @@ Eigen::Vector3d vertexGradient(const CollapsibleMesh& mesh, std::span<const Eige
     return angles > 0 ? Eigen::Vector3d(sum / angles) : sum;
 }
 
-/// How far a boundary vertex lies from the plane that fits the boundary vertices around it best (3.1.2).
-double distanceFromBoundaryPlane(const CollapsibleMesh& mesh, std::span<const Eigen::Vector3d> positions,
-                                 std::uint32_t vertex)
+CollapseEstimate estimateCollapse(const DecimatedMesh& mesh, std::span<const Eigen::Vector3d> gradients,
+                                  std::uint32_t vertex)
 {
-    std::vector<std::uint32_t> around;
-    for (const std::uint32_t slot : mesh.star(vertex))
-        for (const std::uint32_t neighbour : mesh.neighbours(slot)) {
-            if (!CollapsibleMesh::isTriangle(neighbour))
+    CollapseEstimate best;
+    for (const std::uint32_t slot : mesh.tetrahedra().star(vertex))
+        for (const std::uint32_t other : mesh.tetrahedra().vertices(slot)) {
+            if (other == vertex || !mesh.mayMove(vertex, other))
                 continue;
-            const auto corners = mesh.cornersOf(neighbour);
-            if (std::ranges::find(corners, vertex) != corners.end())
-                std::ranges::copy_if(corners, std::back_inserter(around), [vertex](auto c) { return c != vertex; });
+            const double difference = (gradients[vertex] - gradients[other]).norm();
+            if (std::tie(difference, other) < std::tie(best.gradientDifference, best.target)) {
+                best.gradientDifference = difference;
+                best.target = other;
+            }
         }
-    sortUnique(around);
-    if (around.empty())
-        return 0;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const std::uint32_t other : around)
-        middle += positions[other];
-    middle /= static_cast<double>(around.size());
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const std::uint32_t other : around)
-        spread += (positions[other] - middle) * (positions[other] - middle).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-    return std::abs(axes.eigenvectors().col(0).dot(positions[vertex] - middle));
+    if (best.target != DecimatedMesh::none && mesh.warps() && mesh.onBoundary(vertex))
+        best.planeDistance = distanceFromPlane(mesh, vertex);
+    return best;
 }
 
-/// What a collapse is estimated to do, and onto which neighbour.
-struct Estimate {
-    double measure;
-    std::uint32_t vertex;
-    std::uint32_t target;
-    std::uint32_t version;
-    bool operator<(const Estimate& other) const
-    {
-        return std::tie(other.measure, other.vertex) < std::tie(measure, vertex);
-    }
-};
+namespace {
 
 class PaperOrder {
 public:
     PaperOrder(DecimatedMesh& mesh, double warpingWeight, double stopKey)
-        : mesh_(mesh), warpingWeight_(warpingWeight), stopKey_(stopKey), gradients_(mesh.vertexCount()),
-          versions_(mesh.vertexCount(), 0)
+        : mesh_(mesh), warpingWeight_(warpingWeight), stopKey_(stopKey), versions_(mesh.vertexCount(), 0)
     {
     }
 
     Status run(const Progress& progress);
 
 private:
-    void findGradient(std::uint32_t vertex)
-    {
-        gradients_[vertex] = vertexGradient(mesh_.tetrahedra(), mesh_.input().positions, mesh_.input().values, vertex);
-    }
+    /// A vertex in one of the two queues, the smallest estimates first.
+    struct Entry {
+        std::array<double, 2> measures; ///< that of the queue, then the other
+        std::uint32_t vertex;
+        std::uint32_t target;
+        std::uint32_t version;
+        bool operator<(const Entry& other) const
+        {
+            return std::tie(other.measures, other.vertex) < std::tie(measures, vertex);
+        }
+    };
+    using Queue = std::priority_queue<Entry>;
+
     void estimate(std::uint32_t vertex);
-    void attempt(const Estimate& estimate);
+    std::optional<Entry> takeFirst();
+    void attempt(const Entry& entry);
+    void noteAccuracy();
 
     DecimatedMesh& mesh_;
     double warpingWeight_;
     double stopKey_;
-    std::vector<Eigen::Vector3d> gradients_;
-    std::vector<std::uint32_t> versions_; ///< of each vertex's newest estimate
-    std::priority_queue<Estimate> queue_;
+    std::vector<Eigen::Vector3d> gradients_; ///< of the input, as the paper has them
+    std::vector<std::uint32_t> versions_;    ///< of each vertex's newest estimate
+    Queue byError_;
+    Queue byWarping_; ///< of meshes that warp
+    // What the mesh has come to, the worst so far.
+    float error_ = 0;
+    float warping_ = 0;
 };
 
-/// The neighbour of the most similar gradient is the target; the difference times the distance is what the field may
-/// change by.
 void PaperOrder::estimate(std::uint32_t vertex)
 {
-    const DecimationMesh& input = mesh_.input();
-    Estimate best{std::numeric_limits<double>::infinity(), vertex, DecimatedMesh::none, ++versions_[vertex]};
-    for (const std::uint32_t slot : mesh_.tetrahedra().star(vertex))
-        for (const std::uint32_t other : mesh_.tetrahedra().vertices(slot)) {
-            if (other == vertex || !mesh_.mayMove(vertex, other))
-                continue;
-            const double measure = (gradients_[vertex] - gradients_[other]).norm() *
-                                   (input.positions[vertex] - input.positions[other]).norm();
-            if (std::tie(measure, other) < std::tie(best.measure, best.target)) {
-                best.measure = measure;
-                best.target = other;
-            }
-        }
-    if (best.target == DecimatedMesh::none)
+    const CollapseEstimate found = estimateCollapse(mesh_, gradients_, vertex);
+    ++versions_[vertex];
+    if (found.target == DecimatedMesh::none)
         return;
-    if (!input.box && mesh_.onBoundary(vertex))
-        best.measure = std::max(
-            best.measure, warpingWeight_ * distanceFromBoundaryPlane(mesh_.tetrahedra(), input.positions, vertex));
-    queue_.push(best);
+    const double error = found.gradientDifference, warping = found.planeDistance;
+    byError_.push({{error, warping}, vertex, found.target, versions_[vertex]});
+    if (mesh_.warps())
+        byWarping_.push({{warping, error}, vertex, found.target, versions_[vertex]});
 }
 
-void PaperOrder::attempt(const Estimate& estimated)
+/// The vertex that is expected to do the least harm to what is worse off, by W / E against delta / eps.
+std::optional<PaperOrder::Entry> PaperOrder::takeFirst()
 {
-    // What cannot go is out of the queue, which is the paper's tag, until its star changes.
-    const DecimatedMesh::Candidate candidate = mesh_.judge(estimated.vertex, estimated.target);
+    const bool warpingCounts =
+        mesh_.warps() && warpingWeight_ * static_cast<double>(warping_) > static_cast<double>(error_);
+    Queue& queue = warpingCounts ? byWarping_ : byError_;
+    while (!queue.empty()) {
+        const Entry first = queue.top();
+        queue.pop();
+        if (versions_[first.vertex] == first.version)
+            return first;
+    }
+    return std::nullopt;
+}
+
+void PaperOrder::attempt(const Entry& entry)
+{
+    // What cannot go is out of the queues, which is the paper's tag, until its star changes.
+    ++versions_[entry.vertex];
+    const DecimatedMesh::Candidate candidate = mesh_.judge(entry.vertex, entry.target);
     if (!candidate.exists() || static_cast<double>(candidate.key) > stopKey_ ||
-        !mesh_.collapse(estimated.vertex, candidate.target))
+        !mesh_.collapse(entry.vertex, candidate.target))
         return;
-    ++versions_[estimated.vertex];
-    for (const std::uint32_t vertex : mesh_.touched())
-        findGradient(vertex);
+    noteAccuracy();
     for (const std::uint32_t vertex : mesh_.touched())
         estimate(vertex);
+}
+
+/// Accuracy gets worse only by what a collapse changes, which is around the vertices that it touches.
+void PaperOrder::noteAccuracy()
+{
+    for (const std::uint32_t vertex : mesh_.touched())
+        for (const std::uint32_t slot : mesh_.tetrahedra().star(vertex)) {
+            error_ = std::max(error_, mesh_.tetrahedra().state(slot).error);
+            warping_ = std::max(warping_, mesh_.warpingOf(slot));
+        }
 }
 
 Status PaperOrder::run(const Progress& progress)
 {
+    gradients_.reserve(mesh_.vertexCount());
     for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
-        findGradient(vertex);
+        gradients_.push_back(vertexGradient(mesh_, vertex));
     for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
         estimate(vertex);
     std::uint32_t work = 0;
-    while (!queue_.empty()) {
+    while (const auto next = takeFirst()) {
         if (++work % workBetweenReports == 0) {
             if (progress.cancelled())
                 return cancelledError(Message::marked("The decimation"));
             progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
                             Message::marked("Collapsing"));
         }
-        const Estimate next = queue_.top();
-        queue_.pop();
-        if (versions_[next.vertex] == next.version)
-            attempt(next);
+        attempt(*next);
     }
     return {};
 }

@@ -4,8 +4,12 @@
 #include "core/decimate/collapsible_mesh.h"
 #include "core/decimate/decimated_mesh.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -15,9 +19,26 @@ namespace tetra {
 /// entries are looked at again when they come to its head after something around them has changed. Error: cancelled.
 Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress);
 
-/// The paper's order (R11): each vertex goes onto the neighbour of the most similar gradient, the most similar ones
-/// first; boundary vertices of irregular meshes by their distance from the plane that fits their boundary neighbours
-/// best. The exact key is tested before a collapse is done (S11); a vertex that cannot go is looked at again when its
+/// The gradient of the field at a vertex of the input's mesh: the mean of the gradients of the tetrahedra around it,
+/// weighted by their solid angles there (3.1.2). In the space that errors are measured in.
+Eigen::Vector3d vertexGradient(const DecimatedMesh& mesh, std::uint32_t vertex);
+
+/// What the paper expects of the loss of a vertex (3.1.2).
+struct CollapseEstimate {
+    std::uint32_t target = DecimatedMesh::none; ///< the neighbour of the most similar gradient; none: it stays
+    double gradientDifference = std::numeric_limits<double>::infinity(); ///< how much its gradient differs
+    /// Of a boundary vertex, how far it lies from the plane that fits its neighbours on the boundary best, in physical
+    /// space; 0 inside, and where nothing can warp.
+    double planeDistance = 0;
+};
+
+/// `gradients`: of all vertices. Targets are those that DecimatedMesh::mayMove() allows; among equals the first.
+CollapseEstimate estimateCollapse(const DecimatedMesh& mesh, std::span<const Eigen::Vector3d> gradients,
+                                  std::uint32_t vertex);
+
+/// The paper's order (R11, 3.1.2): the vertex goes first that is expected to do the least harm, by the difference of
+/// gradients while the mesh is worse off in error, by the distance from the plane while it is worse off in warping.
+/// The exact key is tested before a collapse is done (S11); a vertex that cannot go is looked at again when its
 /// star has changed. Error: cancelled.
 Status decimateByEstimates(DecimatedMesh& mesh, double warpingWeight, double stopKey, const Progress& progress);
 

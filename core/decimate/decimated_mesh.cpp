@@ -133,6 +133,16 @@ bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const
     return sides_[vertex] != locked && sides_[target] != 0;
 }
 
+/// In a box the corners of a face on the boundary are on one side; no face inside has three such corners, or it would
+/// lie in that side.
+bool DecimatedMesh::isOnBoundary(std::uint32_t slot, std::size_t corner) const noexcept
+{
+    if (!input_.box)
+        return CollapsibleMesh::isTriangle(mesh_.neighbours(slot)[corner]);
+    const auto face = mesh_.cornersOfFaceOf(slot, corner);
+    return (sides_[face[0]] & sides_[face[1]] & sides_[face[2]]) != 0;
+}
+
 float DecimatedMesh::keyOf(float error, float warping) const
 {
     return std::max(error, roundedUp(options_.warpingWeight * static_cast<double>(warping)));

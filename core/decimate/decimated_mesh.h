@@ -105,6 +105,12 @@ public:
     const DecimationMesh& input() const noexcept { return input_; }
     /// Whether the vertex lies on the boundary of the mesh.
     bool onBoundary(std::uint32_t vertex) const noexcept { return sides_[vertex] != 0; }
+    /// Whether the face of a tetrahedron opposite to a corner does.
+    bool isOnBoundary(std::uint32_t slot, std::size_t corner) const noexcept;
+    /// Whether coarser meshes may have a warping: not those of regular lattices.
+    bool warps() const noexcept { return !warpings_.empty(); }
+    /// A tetrahedron's own; 0 where nothing warps.
+    float warpingOf(std::uint32_t slot) const { return warpings_.empty() ? 0 : warpings_[slot]; }
 
     /// Whether the boundary has nothing against a collapse onto a neighbour at first sight: in a box vertices stay on
     /// their sides, elsewhere boundary vertices on the boundary.
@@ -148,7 +154,6 @@ private:
     void logStar();
     void clearStates();
     void giveOutPoints();
-    float warpingOf(std::uint32_t slot) const { return warpings_.empty() ? 0 : warpings_[slot]; }
     float keyOf(float error, float warping) const;
 
     const DecimationMesh input_;
