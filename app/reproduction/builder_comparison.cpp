@@ -24,6 +24,24 @@ ComparedDataset entry(std::string name, std::filesystem::path file, ParameterVal
     return dataset;
 }
 
+/// One of the ways to build that are compared, with its part of the time.
+struct Way {
+    std::string name;
+    std::string builder;
+    ParameterValues values;
+    double share;
+};
+
+std::vector<Way> comparedWays(DomainClass domain)
+{
+    ParameterValues asWhole; // as decimation is
+    if (isOnLattice(domain))
+        asWhole["block"] = std::string("none");
+    return {{"refinement", "refinement", asWhole, 0.1},
+            {"decimation", "decimation", {}, 0.3},
+            {"decimation-paper", "decimation", {{"order", std::string("paper")}}, 0.5}};
+}
+
 std::vector<ComparedDataset> comparedDatasets()
 {
     return {entry("BuckyBall 32", "buckyball/bucky_32x32x32_uint8.nhdr"),
@@ -68,22 +86,26 @@ std::string modelName(const ComparedDataset& dataset, const std::string& builder
     return name;
 }
 
-Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const std::string& builder,
-                            const std::filesystem::path& path, const Progress& progress)
+/// In %, of the best mesh with no more sites.
+double accuracyWith(const Model& model, std::uint64_t sites)
+{
+    const double extent = model.description().range.extent();
+    const float key = sites < model.siteCount() ? model.runningKeys()[sites] : model.finalKey();
+    return extent > 0 ? 100 * static_cast<double>(key) / extent : 0;
+}
+
+Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const Way& way, const std::filesystem::path& path,
+                            const Progress& progress)
 {
     ComparedBuild result;
-    result.builder = builder;
-    if (const auto chosen = chooseBuilder(host, dataset, builder); !chosen) {
+    result.builder = way.name;
+    if (const auto chosen = chooseBuilder(host, dataset, way.builder); !chosen) {
         result.refusal = chosen.error().text();
         return result;
     }
-    // As a whole, as decimation is.
-    ParameterValues values;
-    if (builder == "refinement" && isOnLattice(dataset.domain))
-        values["block"] = std::string("none");
     const bool forgot = forgetPeakResidentBytes();
     const std::uint64_t before = residentBytes();
-    const auto built = buildModel(host, dataset, builder, values, path, progress);
+    const auto built = buildModel(host, dataset, way.builder, way.values, path, progress);
     if (!built)
         return built.error();
     const auto model = Model::open(path);
@@ -114,15 +136,18 @@ Status compare(PluginHost& host, ComparedDataset& entry, const std::filesystem::
     entry.domain = (*dataset)->domain;
     entry.points = (*dataset)->pointCount();
     double done = 0.1;
-    for (const std::string builder : {"refinement", "decimation"}) {
-        const double share = builder == "refinement" ? 0.15 : 0.75;
+    for (const Way& way : comparedWays(entry.domain)) {
         auto built =
-            build(host, **dataset, builder, models / modelName(entry, builder), progress.part(done, done + share));
+            build(host, **dataset, way, models / modelName(entry, way.name), progress.part(done, done + way.share));
         if (!built)
             return built.error();
         entry.builds.push_back(*std::move(built));
-        done += share;
+        done += way.share;
     }
+    const auto first = std::ranges::find_if(entry.builds, [](const ComparedBuild& built) { return !!built.model; });
+    for (ComparedBuild& built : entry.builds)
+        for (std::size_t level = 0; built.model && level < comparedAccuracies.size(); ++level)
+            built.accuracies.push_back(accuracyWith(*built.model, first->sizes[level].sites));
     return {};
 }
 

@@ -26,7 +26,7 @@ struct ComparedBuild {
         std::uint64_t sites = 0;
         std::uint64_t tetrahedra = 0;
     };
-    std::string builder;                ///< id
+    std::string builder;                ///< id; that of decimation in the paper's order "decimation-paper"
     std::string refusal;                ///< why it does not take the dataset; else empty
     std::shared_ptr<const Model> model; ///< null if refused; the rest is 0 then
     double seconds = 0;
@@ -34,6 +34,9 @@ struct ComparedBuild {
     std::uint64_t inverted = 0;
     std::uint64_t degenerate = 0;
     std::vector<Size> sizes; ///< at comparedAccuracies
+    /// The larger of error and warping, %, of its best mesh of no more sites than the first build that is there has at
+    /// comparedAccuracies.
+    std::vector<double> accuracies;
 };
 
 /// A dataset and what the builders make of it.
@@ -44,12 +47,13 @@ struct ComparedDataset {
     std::string skipped; ///< why there is nothing about it; else empty
     DomainClass domain = DomainClass::RegularLattice;
     std::uint64_t points = 0;
-    std::vector<ComparedBuild> builds; ///< by refinement and by decimation
+    std::vector<ComparedBuild> builds; ///< by refinement, by decimation, and by that in the paper's order
 };
 
-/// Builds models of convex, curvilinear and irregular datasets in `data` by refinement and by decimation, each to the
-/// end, into `folder`/models, and measures them at the paper's accuracies (R31). What is not there, or no reader here
-/// can read, is skipped and says so. Errors: a dataset that is damaged, a build that fails, cancelled.
+/// Builds models of convex, curvilinear and irregular datasets in `data` by refinement, by decimation in the exact
+/// order and in the paper's (3.1.2), each to the end, into `folder`/models, and measures them at the paper's accuracies
+/// (R31). What is not there, or no reader here can read, is skipped and says so. Errors: a dataset that is damaged, a
+/// build that fails, cancelled.
 Result<std::vector<ComparedDataset>> compareBuilders(PluginHost& host, const std::filesystem::path& data,
                                                      const std::filesystem::path& folder, const Progress& progress);
 

@@ -13,26 +13,32 @@ namespace tetra {
 
 namespace {
 
-std::string sizeCell(const ComparedBuild& build, std::size_t level, std::uint64_t ComparedBuild::Size::*figure)
+/// What a build is called in the report.
+struct BuildName {
+    const char* heading; ///< of its columns
+    const char* text;
+};
+
+BuildName nameOf(const ComparedBuild& build)
 {
-    return build.model ? std::to_string(build.sizes[level].*figure) : "-";
+    if (build.builder == "refinement")
+        return {"refined", "refinement"};
+    return build.builder == "decimation" ? BuildName{"decimated", "decimation"}
+                                         : BuildName{"in the paper's order", "decimation in the paper's order"};
 }
 
-/// How many sites decimation has more than refinement, in percent.
-std::string differenceCell(const ComparedDataset& dataset, std::size_t level)
+/// How many sites a build has more than the first one that is there, in percent.
+std::string differenceCell(const ComparedBuild& build, const ComparedBuild& first, std::size_t level)
 {
-    const ComparedBuild &refined = dataset.builds[0], &decimated = dataset.builds[1];
-    if (!refined.model || !decimated.model)
-        return "-";
-    const double percent = differencePercent(decimated.sizes[level].sites, refined.sizes[level].sites);
+    const double percent = differencePercent(build.sizes[level].sites, first.sizes[level].sites);
     return (percent > 0 ? "+" : "") + rounded(percent, 3);
 }
 
 std::string buildRemark(const ComparedBuild& build)
 {
     if (!build.model)
-        return "No " + build.builder + ": " + build.refusal;
-    std::string text = "By " + build.builder + ": " + rounded(build.seconds, 3) + " s";
+        return "No " + std::string(nameOf(build).text) + ": " + build.refusal;
+    std::string text = "By " + std::string(nameOf(build).text) + ": " + rounded(build.seconds, 3) + " s";
     text += build.bytes > 0 ? ", " + byteText(build.bytes) + " of memory besides the dataset" : "";
     text += ", " + std::to_string(build.model->tetrahedronCount()) + " tetrahedra in the history, " +
             std::to_string(build.inverted) + " inverted, " + std::to_string(build.degenerate) + " without volume.";
@@ -48,14 +54,34 @@ ReportTable tableOf(const ComparedDataset& dataset)
     }
     table.title +=
         ", " + std::string(domainClassName(dataset.domain)) + ", " + std::to_string(dataset.points) + " points";
-    table.rows.push_back({canWarp(dataset.domain) ? "warping, error %" : "error %", "sites, refined", "decimated",
-                          "difference %", "tetrahedra, refined", "decimated"});
+    std::vector<const ComparedBuild*> builds;
+    for (const ComparedBuild& build : dataset.builds)
+        if (build.model)
+            builds.push_back(&build);
+    table.rows.resize(1 + comparedAccuracies.size());
+    table.rows[0] = {canWarp(dataset.domain) ? "warping, error %" : "error %"};
     for (std::size_t level = 0; level < comparedAccuracies.size(); ++level)
-        table.rows.push_back(
-            {rounded(comparedAccuracies[level]), sizeCell(dataset.builds[0], level, &ComparedBuild::Size::sites),
-             sizeCell(dataset.builds[1], level, &ComparedBuild::Size::sites), differenceCell(dataset, level),
-             sizeCell(dataset.builds[0], level, &ComparedBuild::Size::tetrahedra),
-             sizeCell(dataset.builds[1], level, &ComparedBuild::Size::tetrahedra)});
+        table.rows[1 + level] = {rounded(comparedAccuracies[level])};
+    const auto addColumn = [&](const std::string& heading, const auto& cell) {
+        table.rows[0].push_back(heading);
+        for (std::size_t level = 0; level < comparedAccuracies.size(); ++level)
+            table.rows[1 + level].push_back(cell(level));
+    };
+    const auto heading = [&](const char* what, const ComparedBuild* build) {
+        return (build == builds.front() ? std::string(what) + ", " : std::string()) + nameOf(*build).heading;
+    };
+    for (const ComparedBuild* build : builds)
+        addColumn(heading("sites", build),
+                  [&](std::size_t level) { return std::to_string(build->sizes[level].sites); });
+    for (std::size_t number = 1; number < builds.size(); ++number)
+        addColumn(number == 1 ? "difference %" : nameOf(*builds[number]).heading,
+                  [&](std::size_t level) { return differenceCell(*builds[number], *builds.front(), level); });
+    for (const ComparedBuild* build : builds)
+        addColumn(heading("tetrahedra", build),
+                  [&](std::size_t level) { return std::to_string(build->sizes[level].tetrahedra); });
+    for (std::size_t number = 1; number < builds.size(); ++number)
+        addColumn((number == 1 ? "% with as many sites, " : "") + std::string(nameOf(*builds[number]).heading),
+                  [&](std::size_t level) { return rounded(builds[number]->accuracies[level], 3); });
     for (const ComparedBuild& build : dataset.builds)
         table.remarks.push_back(buildRemark(build));
     return table;
@@ -83,14 +109,33 @@ QJsonObject levelFigures(const ComparedDataset& dataset, std::size_t level)
         if (build.model)
             figures[QString::fromStdString(build.builder)] =
                 QJsonObject{{"sites", static_cast<qint64>(build.sizes[level].sites)},
-                            {"tetrahedra", static_cast<qint64>(build.sizes[level].tetrahedra)}};
+                            {"tetrahedra", static_cast<qint64>(build.sizes[level].tetrahedra)},
+                            {"as_many_sites", build.accuracies[level]}};
     return figures;
+}
+
+LineSeries seriesOf(const ComparedDataset& dataset, const ComparedBuild& build, std::size_t colour)
+{
+    LineSeries series{.name = {}, .ink = seriesInk(colour), .points = {}, .style = LineSeries::Style::Rings};
+    if (build.builder == "decimation-paper") {
+        series.style = LineSeries::Style::MarkedLine;
+        for (std::size_t level = 0; level < comparedAccuracies.size(); ++level)
+            if (comparedAccuracies[level] > 0)
+                series.points << QPointF(comparedAccuracies[level], static_cast<double>(build.sizes[level].sites));
+        return series;
+    }
+    series.points = sitesCurve(*build.model);
+    if (build.builder == "decimation") {
+        series.name = QString::fromStdString(dataset.name);
+        series.style = LineSeries::Style::Line;
+    }
+    return series;
 }
 
 LineChart chartOf(DomainClass domain, const std::vector<ComparedDataset>& datasets)
 {
     LineChart chart{.texts = {.title = "Sites of the mesh against its error",
-                              .note = "Lines: decimation. Rings: refinement.",
+                              .note = "Lines: decimation, with marks in the paper's order. Rings: refinement.",
                               .unit = "sites",
                               .description = "The numbers of sites are in the tables of this comparison."},
                     .across = domain == DomainClass::RegularLattice
@@ -102,14 +147,9 @@ LineChart chartOf(DomainClass domain, const std::vector<ComparedDataset>& datase
     for (const ComparedDataset& dataset : datasets) {
         if (!dataset.skipped.empty() || dataset.domain != domain)
             continue;
-        for (const ComparedBuild& build : dataset.builds) {
-            const bool isLine = build.builder == "decimation";
+        for (const ComparedBuild& build : dataset.builds)
             if (build.model)
-                chart.series.push_back({.name = isLine ? QString::fromStdString(dataset.name) : QString(),
-                                        .ink = seriesInk(colour),
-                                        .points = sitesCurve(*build.model),
-                                        .style = isLine ? LineSeries::Style::Line : LineSeries::Style::Rings});
-        }
+                chart.series.push_back(seriesOf(dataset, build, colour));
         ++colour;
     }
     return chart;

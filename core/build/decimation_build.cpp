@@ -19,8 +19,8 @@ DecimationSize decimationSize(const Dataset& dataset)
 {
     if (dataset.domain == DomainClass::Irregular)
         return {dataset.pointCount(), dataset.tetrahedra ? dataset.tetrahedra->size() : 0};
-    if (dataset.domain == DomainClass::Scattered)
-        return {dataset.pointCount(), 0};
+    if (dataset.domain == DomainClass::Scattered) // as its Delaunay mesh will have
+        return {dataset.pointCount(), dataset.pointCount() >= 4 ? dataset.pointCount() * 27 / 4 : 0};
     DecimationSize size{dataset.lattice.pointCount(), gridCut(dataset.domain) == LatticeCut::Five ? 5u : 6u};
     for (const std::uint32_t points : dataset.lattice.size)
         size.tetrahedra *= points > 0 ? points - 1 : 0;
@@ -233,15 +233,22 @@ Status checkFinest(const Decimation& decimation)
 
 Status checkDecimation(const Dataset& dataset)
 {
-    if (dataset.domain == DomainClass::Scattered)
-        return Error{
-            ErrorKind::BadInput,
-            Message::say("Scattered points have no tetrahedra that decimation could begin with. Refine them instead.")};
     const DecimationSize size = decimationSize(dataset);
     if (size.tetrahedra == 0)
         return Error{ErrorKind::BadInput,
-                     Message::say("A tetrahedral mesh needs a cell: two points or more along each axis.")};
+                     dataset.domain == DomainClass::Scattered
+                         ? Message::say("A tetrahedral mesh needs four points or more.")
+                         : Message::say("A tetrahedral mesh needs a cell: two points or more along each axis.")};
     return checkDecimationNeed(size, usableBytes());
+}
+
+Result<Dataset> takenFor(const Decimation&, const Dataset& dataset, const Progress& progress)
+{
+    if (dataset.domain != DomainClass::Scattered || !checkDecimation(dataset))
+        return dataset;
+    return guarded(
+        Message::marked("Not enough memory to decimate '%1'. Take a region of it or fewer samples."),
+        [&] { return tetrahedrized(dataset, progress); }, dataset.source.name);
 }
 
 Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimation, BuildTarget& target,
@@ -249,6 +256,9 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
 {
     if (const Status possible = checkDecimation(dataset); !possible)
         return possible.error();
+    if (dataset.domain == DomainClass::Scattered)
+        return Error{ErrorKind::WrongUsage, Message::say("Decimation takes the mesh of scattered points, and these are "
+                                                         "the points alone.")};
     if (const Status possible = checkFinest(decimation); !possible)
         return possible.error();
     const BuildThresholds thresholds{decimation.error, decimation.warping, decimation.orderedBy};

@@ -207,8 +207,11 @@ template <class Method> Result<BuildReport> buildFile(const Dataset& dataset, co
         return usable.error();
     if (progress.cancelled())
         return cancelledError(Message::marked("The build"));
-    return fillFile(dataset, output, descriptionOf(method, dataset),
-                    [&](BuildTarget& target) { return buildInto(dataset, method, target, progress); });
+    const auto taken = takenFor(method, dataset, progress.part(0, 0.05));
+    if (!taken)
+        return taken.error();
+    return fillFile(*taken, output, descriptionOf(method, *taken),
+                    [&](BuildTarget& target) { return buildInto(*taken, method, target, progress.part(0.05, 1)); });
 }
 
 constexpr MarkedText noMemory =

@@ -269,8 +269,51 @@ Status checkRefinement(const Dataset& dataset)
         return Error{ErrorKind::BadInput, Message::say("A tetrahedral mesh needs four points or more.")};
     case DomainClass::Irregular: break;
     }
+    if (dataset.convex)
+        return {};
     return Error{ErrorKind::BadInput,
-                 Message::say("Refinement does not take %1 data.", domainClassText(dataset.domain))};
+                 Message::say("The domain of this mesh is not convex, and refinement would fill what its boundary "
+                              "leaves out. Decimation keeps it.")};
+}
+
+namespace {
+
+/// Of a rectilinear grid, which has as many sites as points if nothing ends the build before.
+Status checkMemoryOfPoints(const Refinement& refinement, const Dataset& dataset, std::uint64_t usableBytes)
+{
+    constexpr std::uint64_t bytesAPoint = 150, bytesASite = 700;
+    const std::uint64_t need = dataset.pointCount() * (bytesAPoint + (refinement.error > 0 ? 0 : bytesASite));
+    if (usableBytes == 0 || need <= usableBytes)
+        return {};
+    return Error{
+        ErrorKind::OutOfResource,
+        Message::say("Refining a rectilinear grid of %1 points in physical space takes about %2 of memory, and "
+                     "this machine has %3. Refine it in computational space, as a curvilinear grid, or take a "
+                     "region of it or fewer samples.",
+                     dataset.pointCount(), neededBytesText(need), neededBytesText(usableBytes))};
+}
+
+} // namespace
+
+Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, const Progress&)
+{
+    const bool isGrid = dataset.domain == DomainClass::Curvilinear;
+    if (refinement.computational && !(isGrid && dataset.convex))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Only rectilinear grids can be refined in one space or the other, and '%1' is none.",
+                                  dataset.source.name)};
+    if (!dataset.convex || refinement.computational || (!isGrid && dataset.domain != DomainClass::Irregular))
+        return dataset;
+    if (isGrid && (refinement.warping > 0 || refinement.block.value_or(0) > 0 || refinement.paperSelection ||
+                   refinement.orderedBy != OrderedBy::Both))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' is a rectilinear grid, which is refined in physical space: there it has no "
+                                  "warping and no blocks. Leave these out, or refine it in computational space.",
+                                  dataset.source.name)};
+    if (isGrid)
+        if (const Status enough = checkMemoryOfPoints(refinement, dataset, usableBytes()); !enough)
+            return enough.error();
+    return asPoints(dataset);
 }
 
 bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_t points, std::uint64_t usableBytes)
@@ -302,8 +345,10 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& refineme
     case DomainClass::Curvilinear: return buildCurvilinear(dataset, refinement, target, progress);
     case DomainClass::Scattered:
         return guarded(noMemoryForPoints, [&] { return buildScattered(dataset, refinement, target, progress); });
-    case DomainClass::RegularLattice:
-    case DomainClass::Irregular: break; // refused above
+    case DomainClass::RegularLattice: break;
+    case DomainClass::Irregular:
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Refinement takes the points of a convex mesh, and this is the mesh itself.")};
     }
     return buildLattice(dataset, refinement, target, progress);
 }

@@ -75,6 +75,7 @@ Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& size, std
     dataset.values = std::move(values);
     if (const Status usable = checkGrid(dataset); !usable)
         return cannotUse(name, usable.error().message);
+    dataset.convex = hasConvexDomain(dataset);
     return named(std::move(dataset), std::move(name));
 }
 

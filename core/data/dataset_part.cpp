@@ -345,6 +345,7 @@ Result<Dataset> takePart(const Dataset& dataset, const DatasetPart& part, const 
             return result;
         if (const Status intact = dataset.checkIntact(); !intact)
             return intact.error();
+        result->convex = hasConvexDomain(*result);
         result->source.name += nameOfPart(part);
         result->source.hash = contentHash(result->values, result->positions, result->tetrahedra);
         progress.report(1, Message::marked("Reading"));

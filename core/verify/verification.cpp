@@ -153,7 +153,7 @@ Status verifyWholeHistory(const ModelToVerify& all, std::vector<std::string>& fa
     return all.model.description().delaunay ? Status{} : verifyClosure(all.model, failures, silent);
 }
 
-Result<VerificationReport> verifyAll(const Model& model, const Dataset& dataset, const std::vector<Accuracy>& levels,
+Result<VerificationReport> verifyAll(const Model& model, const Dataset& given, const std::vector<Accuracy>& levels,
                                      const Progress& progress)
 {
     constexpr double bytesEnd = 0.05; // how far it is after each part
@@ -161,9 +161,15 @@ Result<VerificationReport> verifyAll(const Model& model, const Dataset& dataset,
     VerificationReport verdict;
     if (const Status done = verifyBytes(model, verdict.failures, progress.part(0, bytesEnd)); !done)
         return done.error();
+    const Result<Dataset> taken = takenByModel(model, given, progress.withCallback({}));
+    if (!taken)
+        return taken.error();
+    const Dataset& dataset = *taken;
     std::vector<LatticePoint> places;
-    if (verifySource(model, dataset, verdict.failures))
+    if (verifySource(model, given, dataset, verdict.failures))
         places = verifySites(model, dataset, verdict.failures);
+    if (!places.empty() && given.domain != dataset.domain)
+        verifyConvex(model, given, verdict.failures);
     const Result<Weights> weights = weightsOf(model, dataset, verdict.failures, progress);
     if (!weights)
         return weights.error();

@@ -113,17 +113,21 @@ std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& o
     return points.size() == mesh.sites.size() ? points : std::vector<std::uint32_t>();
 }
 
-Result<LevelReport> verifyWhole(const Model& model, const Dataset& dataset, const MeshQuery& query,
+Result<LevelReport> verifyWhole(const Model& model, const Dataset& given, const MeshQuery& query,
                                 const ExtractedMesh& mesh, const Progress& progress)
 {
     if (const Status right = model.checkPrefix(model.siteCount(), Model::Stars, progress); !right)
         return right.error();
+    const Result<Dataset> taken = takenByModel(model, given, progress.withCallback({}));
+    if (!taken)
+        return taken.error();
+    const Dataset& dataset = *taken;
     LevelReport verdict;
     verdict.asked = keptEverywhere(query, mesh.scale);
     verdict.sites = static_cast<std::uint32_t>(mesh.mesh.positions.size());
     verdict.tetrahedra = mesh.mesh.tetrahedra.size();
-    if (!verifySource(model, dataset, verdict.failures) || verifySites(model, dataset, verdict.failures).empty() ||
-        !isWellFormed(mesh, verdict.failures))
+    if (!verifySource(model, given, dataset, verdict.failures) ||
+        verifySites(model, dataset, verdict.failures).empty() || !isWellFormed(mesh, verdict.failures))
         return verdict;
     const Result<Weights> weights = weightsOf(model, dataset, verdict.failures, progress.withCallback({}));
     if (!weights)

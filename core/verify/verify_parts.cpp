@@ -6,8 +6,11 @@
 #include "core/history/file_layout.h"
 #include "core/verify/exact_cell.h"
 #include "core/verify/findings.h"
+#include "core/verify/irregular_original.h"
 
 #include <tan/base.h>
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -275,7 +278,92 @@ std::uint32_t initialSiteCount(const Model& model)
     return static_cast<std::uint32_t>(end - errors.begin());
 }
 
-bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures)
+Result<Dataset> takenByModel(const Model& model, const Dataset& dataset, const Progress& progress)
+{
+    const DomainClass domain = model.description().domain;
+    if (domain == DomainClass::Irregular && dataset.domain == DomainClass::Scattered) {
+        auto mesh = tetrahedrized(dataset, progress);
+        // Points that make no mesh are those of another model.
+        return mesh || mesh.error().kind == ErrorKind::Cancelled ? mesh : Result<Dataset>(dataset);
+    }
+    const bool isOfGridOrMesh = dataset.domain == DomainClass::Irregular || dataset.domain == DomainClass::Curvilinear;
+    return domain == DomainClass::Scattered && isOfGridOrMesh ? asPoints(dataset) : dataset;
+}
+
+namespace {
+
+/// Whether each coordinate is that of the line of points along one axis, the same one everywhere.
+bool followsItsAxes(const Dataset& grid)
+{
+    const auto at = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+        return (*grid.positions)[grid.lattice.index(i, j, k)];
+    };
+    std::array<std::array<bool, 3>, 3> follows{{{true, true, true}, {true, true, true}, {true, true, true}}};
+    const auto& size = grid.lattice.size;
+    for (std::uint32_t k = 0; k < size[2]; ++k)
+        for (std::uint32_t j = 0; j < size[1]; ++j)
+            for (std::uint32_t i = 0; i < size[0]; ++i) {
+                const Eigen::Vector3d place = at(i, j, k);
+                const std::array<Eigen::Vector3d, 3> onAxes{at(i, 0, 0), at(0, j, 0), at(0, 0, k)};
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    for (std::size_t c = 0; c < 3; ++c)
+                        follows[axis][c] = follows[axis][c] && place[int(c)] == onAxes[axis][int(c)];
+            }
+    std::array<std::size_t, 3> axes{0, 1, 2};
+    do {
+        if (follows[axes[0]][0] && follows[axes[1]][1] && follows[axes[2]][2])
+            return true;
+    } while (std::ranges::next_permutation(axes).found);
+    return false;
+}
+
+/// By how much an initial site lies outside of a face's plane, at most.
+double heightOfSites(const Model& model, std::span<const Eigen::Vector3d> positions, const Triangle& face)
+{
+    const Eigen::Vector3d &a = positions[face[0]], &b = positions[face[1]], &c = positions[face[2]];
+    const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
+    double height = 0;
+    for (std::uint32_t site = 0; site < initialSiteCount(model); ++site) {
+        const Eigen::Vector3d& place = positions[model.points()[site]];
+        if (volumeSign(a, b, c, place) > 0)
+            height = std::max(height, normal.dot(place - a));
+    }
+    return height;
+}
+
+} // namespace
+
+void verifyConvex(const Model& model, const Dataset& dataset, std::vector<std::string>& failures)
+{
+    if (dataset.domain == DomainClass::Curvilinear && !followsItsAxes(dataset))
+        failures.emplace_back(
+            "The model takes the grid as its points, but it is not rectilinear: their hull need not be "
+            "its domain.");
+    if (dataset.domain != DomainClass::Irregular)
+        return;
+    const IrregularOriginal original(dataset, failures);
+    if (original.surfaces.surfaces.size() != 1)
+        failures.push_back("The model takes the mesh as its points, but its boundary is " +
+                           std::to_string(original.surfaces.surfaces.size()) +
+                           " surfaces: their hull is not its domain.");
+    const double allowed = 1e-6 * original.diagonal;
+    Findings outside;
+    tbb::parallel_for(std::size_t(0), original.boundary.size(), [&](std::size_t number) {
+        const Triangle& face = original.boundary[number];
+        const double height = heightOfSites(model, original.points.positions, face);
+        if (height > allowed)
+            outside.add(number, [&] {
+                return "The model takes the mesh as its points, but its boundary's face " +
+                       textOf(original.points.positions[face[0]]) + " " + textOf(original.points.positions[face[1]]) +
+                       " " + textOf(original.points.positions[face[2]]) + " is " +
+                       textOf(100 * height / original.diagonal) + " % of the diagonal inside of their hull.";
+            });
+    });
+    outside.moveTo(failures);
+}
+
+bool verifySource(const Model& model, const Dataset& dataset, const Dataset& original,
+                  std::vector<std::string>& failures)
 {
     const ModelDescription& description = model.description();
     const Lattice& lattice = original.lattice;
@@ -285,10 +373,10 @@ bool verifySource(const Model& model, const Dataset& original, std::vector<std::
         failures.push_back("The model was built from another dataset: " +
                            kindText(description.domain, description.lattice, description.sampleType) + " ('" +
                            description.sourceName + "'), and '" + original.source.name + "' has " +
-                           kindText(original.domain, lattice, original.values.type()) + ".");
+                           kindText(dataset.domain, dataset.lattice, dataset.values.type()) + ".");
         return false;
     }
-    const std::uint64_t hash = contentHash(original.values, original.positions, original.tetrahedra);
+    const std::uint64_t hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     if (description.sourceHash != hash)
         failures.push_back("The model was built from other samples or positions ('" + description.sourceName +
                            "', XXH3 " + hexadecimal(description.sourceHash) + ") than those of '" +

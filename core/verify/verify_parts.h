@@ -21,9 +21,17 @@ Status verifyBytes(const Model& model, std::vector<std::string>& failures, const
 /// The sites of the first mesh: the leading ones of infinite running key.
 std::uint32_t initialSiteCount(const Model& model);
 
-/// That the model is one of this dataset: lattice, type, range, hash. False if not even the lattice or the type fit, so
-/// that nothing can be compared.
-bool verifySource(const Model& model, const Dataset& original, std::vector<std::string>& failures);
+/// The dataset as the model has it: itself; the points of a grid or an irregular mesh in a model of points; the
+/// Delaunay mesh of points in a model of an irregular mesh (FORMAT.md). An Error only if cancelled.
+Result<Dataset> takenByModel(const Model& model, const Dataset& dataset, const Progress& progress);
+
+/// That the model is one of this dataset: lattice, type, range, hash. `taken` is what takenByModel() gave. False if not
+/// even the lattice or the type fit, so that nothing can be compared.
+bool verifySource(const Model& model, const Dataset& dataset, const Dataset& taken, std::vector<std::string>& failures);
+
+/// That the domain of a dataset that the model takes as points is their convex hull: a rectilinear grid, or a mesh
+/// whose boundary has all initial sites on its inner side. For sites that are points of the dataset.
+void verifyConvex(const Model& model, const Dataset& dataset, std::vector<std::string>& failures);
 
 /// Where the sites lie, after checking that they are distinct points of the lattice, the corners among the
 /// initial ones, with the samples of the original; and that the running keys do not increase. Empty if a site is no

@@ -27,6 +27,7 @@ struct BuildSize {
     DomainClass domain = DomainClass::RegularLattice;
     std::uint64_t points = 0;
     std::uint64_t tetrahedra = 0; ///< of irregular data
+    bool convex = false;          ///< Dataset::convex
     SampleType type = SampleType::Float32;
     SiteDensity density{}; ///< of the sites that are needed; unknown before the data are read: the worst case
 };
@@ -66,7 +67,15 @@ public:
     {
         return std::nullopt;
     }
-    /// Hands the history to `target`, coarse first, and ends with its finish(). Stops within a second when cancelled.
+    /// The dataset as build() takes it and as the model has it, such as the points of a convex mesh: `dataset` itself
+    /// unless the builder makes another one of it.
+    virtual Result<Dataset> taken(const Dataset& dataset, const ParameterValues& /*values*/,
+                                  const Progress& /*progress*/) const
+    {
+        return dataset;
+    }
+    /// Of a dataset that taken() gave. Hands the history to `target`, coarse first, and ends with its finish(). Stops
+    /// within a second when cancelled.
     virtual Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                                       const Progress& progress) const = 0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tan/base.h>
+#include <tan/data.h>
 #include <tan/mesh.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
@@ -58,8 +59,16 @@ struct ParameterCondition {
     std::vector<ParameterValue> values{};
 };
 
-/// What is no parameter, but what their conditions may ask for: the std::string domainClassName() of the dataset.
+/// What is no parameter, but what their conditions may ask for: the std::string domainNameOf() the dataset.
 inline constexpr const char* domainId = "domain";
+
+/// domainClassName(), or "rectilinear" of rectilinear grids.
+inline constexpr MarkedText rectilinear = Message::marked("rectilinear");
+inline std::string domainNameOf(const Dataset& dataset)
+{
+    return std::string(dataset.domain == DomainClass::Curvilinear && dataset.convex ? std::string_view(rectilinear)
+                                                                                    : domainClassName(dataset.domain));
+}
 
 /// A parameter as data: the shell makes forms, command-line options and session entries from it. The type is that of
 /// `defaultValue`. Texts are for the user, in English, each marked by Message::marked() where it stands: the window
@@ -81,19 +90,22 @@ struct Parameter {
     std::function<Message(const std::string& text)> mistake{};
     /// Elsewhere it is not looked at, and forms hide it.
     ParameterCondition onlyWith{};
+    ParameterCondition orWith{}; ///< beside `onlyWith`, another one that is enough; without an id none
 };
 
 /// Whether a parameter matters beside the `values` of all `parameters`; also if it depends on what is not known.
 inline bool matters(const Parameter& parameter, const std::vector<Parameter>& parameters, const ParameterValues& values)
 {
-    const ParameterCondition& condition = parameter.onlyWith;
-    const auto isMet = [&](const ParameterValue& value) {
-        return std::ranges::find(condition.values, value) != condition.values.end();
+    const auto holds = [&](const ParameterCondition& condition) {
+        const auto isMet = [&](const ParameterValue& value) {
+            return std::ranges::find(condition.values, value) != condition.values.end();
+        };
+        if (const auto found = values.find(condition.id); found != values.end())
+            return isMet(found->second);
+        const auto known = std::ranges::find(parameters, condition.id, &Parameter::id);
+        return condition.id.empty() || known == parameters.end() || isMet(known->defaultValue);
     };
-    if (const auto found = values.find(condition.id); found != values.end())
-        return isMet(found->second);
-    const auto known = std::ranges::find(parameters, condition.id, &Parameter::id);
-    return condition.id.empty() || known == parameters.end() || isMet(known->defaultValue);
+    return holds(parameter.onlyWith) || (!parameter.orWith.id.empty() && holds(parameter.orWith));
 }
 
 /// The value of `id` in `values`, else the default of the description in `parameters`. T is the parameter's type; a

@@ -30,37 +30,35 @@ inline Parameter errorThresholdParameter(MarkedText explanation)
     return thresholdParameter("error", Message::marked("Error"), explanation, Message::marked("% of the value range"));
 }
 
-/// For data of these domains only.
-inline Parameter warpingThresholdParameter(std::vector<DomainClass> domains)
+/// For data of these domains only, by domainNameOf().
+inline Parameter warpingThresholdParameter(const std::vector<std::string>& domains)
 {
     Parameter warping = thresholdParameter(
         "warping", Message::marked("Warping"),
         Message::marked(
-            "For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much "
+            "Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much "
             "the shape counts against the values. If one of the two is 0, it is the same number as the other."),
         Message::marked("% of the diagonal"));
     warping.onlyWith.id = domainId;
-    for (const DomainClass domain : domains)
-        warping.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
+    warping.onlyWith.values.assign(domains.begin(), domains.end());
     return warping;
 }
 
 /// By what the history of data that can warp is ordered (C1). For data of these domains only.
-inline Parameter orderedByParameter(std::vector<DomainClass> domains)
+inline Parameter orderedByParameter(const std::vector<std::string>& domains)
 {
     Parameter by;
     by.id = "by";
     by.label = Message::marked("Ordered by");
     by.explanation = Message::marked(
-        "For curvilinear and irregular data: 'both' orders the model by the larger of error and warping, in the ratio "
+        "Of data whose domain can warp: 'both' orders the model by the larger of error and warping, in the ratio "
         "of their thresholds; 'error' or 'warping' by that alone, for the fewest points where the other one does not "
         "matter.");
     by.choices = {std::string(Message::marked("both")), std::string(Message::marked("error")),
                   std::string(Message::marked("warping"))};
     by.defaultValue = by.choices.front();
     by.onlyWith.id = domainId;
-    for (const DomainClass domain : domains)
-        by.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
+    by.onlyWith.values.assign(domains.begin(), domains.end());
     return by;
 }
 

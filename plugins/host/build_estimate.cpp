@@ -8,6 +8,7 @@ BuildSize buildSizeOf(const Dataset& dataset, const Progress& progress)
     return {.domain = dataset.domain,
             .points = dataset.pointCount(),
             .tetrahedra = dataset.tetrahedra ? dataset.tetrahedra->size() : 0,
+            .convex = dataset.convex,
             .type = dataset.values.type(),
             .density = SiteDensity::of(dataset, progress)};
 }

@@ -227,6 +227,8 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
     if (!dataset && dataset.error().kind != ErrorKind::Cancelled)
         return Error{dataset.error().kind,
                      Message::say("Cannot read '%1': %2", path.string(), dataset.error().message)};
+    if (dataset && dataset->domain == DomainClass::Curvilinear) // cells were looked at when they became a mesh
+        dataset->convex = hasConvexDomain(*dataset);
     progress.report(1, Message::marked("Reading"));
     return dataset;
 }

@@ -28,11 +28,11 @@ Result<Provided<Builder>> named(PluginHost& host, const Dataset& dataset, const 
 
 /// The values that the builder works with, as the model's provenance keeps them.
 std::vector<std::pair<std::string, std::string>> provenance(const std::vector<Parameter>& parameters,
-                                                            const ParameterValues& values, DomainClass domain)
+                                                            const ParameterValues& values, const Dataset& dataset)
 {
     std::vector<std::pair<std::string, std::string>> texts;
     for (const Parameter& parameter : parameters) {
-        if (!matters(parameter, parameters, withDomain(values, domain)))
+        if (!matters(parameter, parameters, withDomain(values, dataset)))
             continue;
         const auto given = values.find(parameter.id);
         texts.emplace_back(parameter.id, parameterText(given != values.end() ? given->second : parameter.defaultValue));
@@ -67,15 +67,19 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
 {
     ModelDescription description;
     description.builder = id;
-    description.parameters = provenance(builder.parameters(), values, dataset.domain);
+    description.parameters = provenance(builder.parameters(), values, dataset);
     std::ranges::move(importTexts(control.imported), std::back_inserter(description.parameters));
-    const auto file = ModelFileTarget::open(output, dataset, description, control.resume);
+    constexpr double takenEnd = 0.02; // how far it is then
+    const auto taken = builder.taken(dataset, values, progress.part(0, takenEnd));
+    if (!taken)
+        return taken.error();
+    const auto file = ModelFileTarget::open(output, *taken, description, control.resume);
     if (!file)
         return file.error();
     ModelWriter& writer = (*file)->writer();
-    const auto watch = control.live != nullptr ? control.live->watch(writer, dataset, description) : nullptr;
+    const auto watch = control.live != nullptr ? control.live->watch(writer, *taken, description) : nullptr;
     BuildTarget target = (*file)->target(watch ? *watch : writer);
-    auto report = builder.build(dataset, values, target, progress);
+    auto report = builder.build(*taken, values, target, progress.part(takenEnd, 1));
     if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0)
         return keepWhatIsFinished(writer);
     if (!report) {

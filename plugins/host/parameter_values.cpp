@@ -8,11 +8,14 @@
 namespace tetra {
 namespace {
 
-Message kindOf(const std::string& name, DomainClass domain)
+Message kindOf(const Dataset& dataset)
 {
-    switch (domain) {
+    const std::string& name = dataset.source.name;
+    switch (dataset.domain) {
     case DomainClass::RegularLattice: return Message::say("'%1' is a regular lattice", name);
-    case DomainClass::Curvilinear: return Message::say("'%1' is a curvilinear grid", name);
+    case DomainClass::Curvilinear:
+        return dataset.convex ? Message::say("'%1' is a rectilinear grid", name)
+                              : Message::say("'%1' is a curvilinear grid", name);
     case DomainClass::Irregular: return Message::say("'%1' is an irregular mesh", name);
     case DomainClass::Scattered: break;
     }
@@ -83,22 +86,22 @@ Status checkParameterValues(const Message& owner, const std::vector<Parameter>& 
     return {};
 }
 
-ParameterValues withDomain(ParameterValues values, DomainClass domain)
+ParameterValues withDomain(ParameterValues values, const Dataset& dataset)
 {
-    values[domainId] = std::string(domainClassName(domain));
+    values[domainId] = domainNameOf(dataset);
     return values;
 }
 
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
                   const OptionOfParameter& optionOf)
 {
-    const Parameter* useless = uselessOne(parameters, values, withDomain(values, dataset.domain));
+    const Parameter* useless = uselessOne(parameters, values, withDomain(values, dataset));
     if (useless == nullptr)
         return {};
     if (useless->onlyWith.id == domainId)
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is for %2 data only, and %3. Leave it out.", nameOf(*useless, optionOf),
-                                  wantedBy(*useless), kindOf(dataset.source.name, dataset.domain))};
+                                  wantedBy(*useless), kindOf(dataset))};
     return uselessBeside(parameters, *useless, optionOf);
 }
 

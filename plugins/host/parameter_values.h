@@ -21,7 +21,7 @@ Status checkParameterValues(const Message& owner, const std::vector<Parameter>& 
 using OptionOfParameter = std::function<std::string(const Parameter&)>;
 
 /// The values, with what conditions of parameters may ask of a dataset (domainId).
-ParameterValues withDomain(ParameterValues values, DomainClass domain);
+ParameterValues withDomain(ParameterValues values, const Dataset& dataset);
 
 /// An error (WrongUsage) if `values` holds something that makes no difference to this dataset beside the others: what
 /// is asked for in vain is not asked for by somebody who knows that. Where parameters are options, `optionOf` gives

@@ -69,6 +69,11 @@ public:
     {
         return guard_.callOr(std::optional<BuildEstimate>(), [&] { return plugin_.estimate(size, values, threads); });
     }
+    Result<Dataset> taken(const Dataset& dataset, const ParameterValues& values,
+                          const Progress& progress) const override
+    {
+        return guard_.call([&] { return plugin_.taken(dataset, values, progress); });
+    }
     Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                               const Progress& progress) const override
     {

@@ -293,7 +293,8 @@ private slots:
             QCOMPARE(colourAt(rings[0] + aside), QColor(0x00, 0x72, 0xb2));
     }
 
-    /// R31: both builders on the same data, a reason where one of them or the data cannot be had.
+    /// R31, C8: all builders on the same data, also by the paper's own decimation and on irregular data; a reason where
+    /// one of them or the data cannot be had.
     void comparesBuilders()
     {
         QVERIFY(QDir().mkpath(path("data/bluntfin")));
@@ -302,6 +303,9 @@ private slots:
         QVERIFY(QFile::rename(path("duct.xyz"), path("data/bluntfin/bluntfinxyz.bin")));
         QVERIFY(QFile::rename(path("duct.q"), path("data/bluntfin/bluntfinq.bin")));
         QVERIFY(writeFile(path("data/irregular/spx.vtu"), "no reader's file"));
+        QCOMPARE(
+            runTan({"sample", "part", "--size", "8", "-o", "data/irregular/bracket_57k.vtu"}, folder_.path()).exitCode,
+            0);
         const Run run =
             runTan({"reproduce", "--compare-builders", "--data", "data", "-o", "out", "--json"}, folder_.path());
         QVERIFY2(run.exitCode == 0, run.messages);
@@ -314,7 +318,7 @@ private slots:
             QCOMPARE(dataset["skipped"].toString(), QString());
             const QJsonArray levels = dataset["levels"].toArray();
             QCOMPARE(levels.size(), 8);
-            for (const char* builder : {"refinement", "decimation"}) {
+            for (const char* builder : {"refinement", "decimation", "decimation-paper"}) {
                 const QString model = QString("out/models/%1-%2.tan").arg(QString(name).replace(' ', '-'), builder);
                 const Run info = runTan({"info", model, "--lod", "1", "--json"}, folder_.path()); // and a warping of 1
                 const int sites = info.json()["levels"].toArray().at(0).toObject().value("sites").toInt();
@@ -324,12 +328,25 @@ private slots:
             for (const QJsonValue build : dataset["builds"].toArray())
                 QVERIFY(build.toObject().value("seconds").toDouble() > 0);
         }
+        const QJsonObject& irregular = datasets["bracket"];
+        QCOMPARE(irregular["skipped"].toString(), QString());
+        QVERIFY(irregular["builds"][0]["refused"].toString().contains("convex"));
+        for (const QJsonValue level : irregular["levels"].toArray()) {
+            QVERIFY(!level.toObject().contains("refinement"));
+            // The exact order is the first that is there; in the paper's, the same number of sites does worse or as
+            // well.
+            QVERIFY(level["decimation"]["as_many_sites"].toDouble() <= level["error"].toDouble() + 1e-9);
+            QVERIFY(level["decimation-paper"]["sites"].toInt() >= 4);
+            QVERIFY(level["decimation-paper"]["as_many_sites"].toDouble() >=
+                    level["decimation"]["as_many_sites"].toDouble());
+        }
         QVERIFY(datasets["SOD 32"]["skipped"].toString().contains("no 'sod/sod_sub_32x32x32_uint8.nhdr'"));
         QVERIFY(datasets["SPX"]["skipped"].toString().contains("spx.vtu"));
         QVERIFY(run.json()["comparison"] == QJsonDocument::fromJson(readFile(path("out/builders.json")))["comparison"]);
         for (const char* name : {"out/builders.txt", "out/builders.md"}) {
             const QByteArray text = readFile(path(name));
-            for (const char* builder : {"refinement", "decimation"})
+            QVERIFY(text.contains("in the paper's order"));
+            for (const char* builder : {"refinement", "decimation", "decimation-paper"})
                 for (const char* dataset : {"BuckyBall 32", "BluntFin"})
                     for (const QJsonValue level : datasets[dataset]["levels"].toArray())
                         QVERIFY2(text.contains(QByteArray::number(level[builder]["sites"].toInt())), name);

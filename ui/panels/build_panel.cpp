@@ -309,7 +309,7 @@ void BuildPanel::showBuilder(int detail)
     const auto& dataset = workbench_.opening().dataset();
     options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
     if (dataset)
-        options_->setSurroundings({{domainId, std::string(domainClassName(dataset->domain))}});
+        options_->setSurroundings({{domainId, domainNameOf(*dataset)}});
     build_->setEnabled(builder.ok());
     details_->setVisible(builder && dataset && !builder->plugin->detail(0, dataset->domain).empty());
     if (!details_->isHidden())

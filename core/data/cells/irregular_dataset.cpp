@@ -210,6 +210,7 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
     dataset.positions = std::move(positions);
     dataset.values = *field;
     dataset.tetrahedra = std::make_shared<const Tetrahedra>(std::move(tetrahedra));
+    dataset.convex = hasConvexDomain(dataset);
     dataset.source = source;
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     dataset.remarks = repairRemarks(repairs);

@@ -55,7 +55,9 @@ struct BuildReport {
 enum class OrderedBy { Both, Error, Warping };
 
 /// Delaunay refinement (R8): the points that are farthest off enter one after the other. Of regular lattices,
-/// curvilinear grids and scattered points; the mesh of every prefix is the Delaunay mesh of its sites.
+/// curvilinear grids and scattered points; the mesh of every prefix is the Delaunay mesh of its sites. Rectilinear
+/// grids and irregular meshes of convex domain (Dataset::convex) are refined as the points that they have, in physical
+/// space: they have no warping.
 struct Refinement {
     double error = 0; ///< where to stop, % of the value range; 0 goes on until the error is zero
     /// Of curvilinear grids likewise, % of the diagonal of the data's bounding box. If only one of error and warping is
@@ -68,7 +70,10 @@ struct Refinement {
     /// Of curvilinear grids: compare error and warping in the units of the data, as the paper did.
     bool paperSelection = false;
     OrderedBy orderedBy = OrderedBy::Both; ///< of curvilinear grids; a threshold of the other one is refused
-    Weighting weighting{};                 ///< how much the error at each point counts (R6)
+    /// Rectilinear grids as other curvilinear ones, in computational space: in less memory and time, but with a
+    /// warping.
+    bool computational = false;
+    Weighting weighting{}; ///< how much the error at each point counts (R6)
 };
 
 /// Which vertex an edge collapse takes away next.
@@ -80,8 +85,9 @@ enum class DecimationOrder {
     IndependentRounds
 };
 
-/// Edge collapse (R11), of irregular data, lattices and grids: fewer points for the same accuracy than refinement, more
-/// time and memory. Only closed sets of sites have a mesh.
+/// Edge collapse (R11), of irregular data, lattices and grids, and of scattered points, as the irregular mesh that they
+/// are tetrahedrized(): fewer points for the same accuracy than refinement, more time and memory. Only closed sets of
+/// sites have a mesh.
 struct Decimation {
     double error = 0;   ///< where to stop, % of the value range; 0 goes on to the coarsest mesh
     double warping = 0; ///< likewise, % of the diagonal; if only one of the two is given, it holds for both
@@ -224,6 +230,13 @@ struct BuildTarget {
     bool resume = false;
 };
 
+/// The dataset as the method takes it, and as the model has it: itself; asPoints() of a rectilinear grid (unless it is
+/// refined in computational space) or a convex mesh that is refined; tetrahedrized() scattered points that are
+/// decimated. What checkRefinement() or checkDecimation() refuses is returned as it is. Errors: settings that mean
+/// nothing there (WrongUsage), not enough memory, cancelled, those of tetrahedrized().
+TAN_API Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, const Progress& progress = {});
+TAN_API Result<Dataset> takenFor(const Decimation& decimation, const Dataset& dataset, const Progress& progress = {});
+
 /// Why the dataset cannot be refined, for the user; success if it can.
 TAN_API Status checkRefinement(const Dataset& dataset);
 
@@ -236,15 +249,15 @@ TAN_API bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_
 TAN_API Result<std::uint32_t> chooseBlocks(const std::optional<std::uint32_t>& block, const Lattice& lattice,
                                            std::uint64_t usableBytes);
 
-/// Greedy Delaunay refinement of lattices, curvilinear grids and scattered points into a target (R8, R9, R10, R12). In
-/// blocks a lattice is refined out of core, which needs BuildTarget::ofFixedSize.
+/// Greedy Delaunay refinement of lattices, curvilinear grids and scattered points into a target (R8, R9, R10, R12), of
+/// what takenFor() gives. In blocks a lattice is refined out of core, which needs BuildTarget::ofFixedSize.
 TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
                                       const Progress& progress);
 
 /// Why the dataset cannot be decimated, for the user; success if it can.
 TAN_API Status checkDecimation(const Dataset& dataset);
 
-/// Edge collapse of irregular data, lattices and grids into a target (R11, R12).
+/// Edge collapse of irregular data, lattices and grids into a target (R11, R12), of what takenFor() gives.
 TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimation, BuildTarget& target,
                                       const Progress& progress);
 

@@ -293,6 +293,8 @@ struct TAN_API Dataset {
     std::shared_ptr<const std::vector<GridCell>> cells = nullptr;
     /// Of irregular data: the cells that were taken out, each once, ascending; null if there are none.
     std::shared_ptr<const std::vector<FaultyCell>> faultyCells = nullptr;
+    /// Of grids and irregular data: hasConvexDomain(), for those who read or make them.
+    bool convex = false;
 
     std::uint64_t pointCount() const noexcept { return values.count(); }
     Eigen::Vector3d position(std::uint64_t point) const
@@ -328,6 +330,23 @@ TAN_API Result<Dataset> curvilinearDataset(const std::array<std::uint32_t, 3>& s
 /// finite; no points. O(n log n).
 TAN_API Result<Dataset> scatteredDataset(std::vector<Eigen::Vector3d> positions, std::vector<double> values,
                                          std::string name);
+
+/// Whether data are of the paper's class *convex* although a grid or cells are given (R1): a curvilinear grid that is
+/// *rectilinear*, each coordinate depending on one index alone, growing or falling with it; and an irregular mesh that
+/// fills the convex hull of its points: of one component, without holes, no edge of its boundary bent inwards. Exact;
+/// only for coordinates that were rounded, as of a box at an angle, a boundary is still convex if none of its vertices
+/// is more than a millionth of the bounds' diagonal outside the plane of one of its faces. Other data: true. O(points)
+/// and O(tetrahedra), more if coordinates were rounded. May throw std::bad_alloc.
+TAN_API bool hasConvexDomain(const Dataset& dataset);
+
+/// The points of a dataset of convex domain as scattered ones: their domain is their convex hull. The source stays.
+TAN_API Dataset asPoints(const Dataset& dataset);
+
+/// Scattered points as an irregular mesh: the Delaunay tetrahedra of all of them, which fill their convex hull, with
+/// ties decided symbolically, so that they depend on the points alone. The source stays. Errors (BadInput): fewer than
+/// four points, all of them in one plane; cancelled. O(n log n) as a rule; some 500 bytes a point while it works. May
+/// throw std::bad_alloc.
+TAN_API Result<Dataset> tetrahedrized(const Dataset& points, const Progress& progress = {});
 
 /// The shape of a cell as files have it; corners are numbered as in VTK. Quadratic cells carry their nodes of order two
 /// after the corners.

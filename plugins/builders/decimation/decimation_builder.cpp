@@ -27,6 +27,12 @@ Parameter orderParameter()
     return order;
 }
 
+std::vector<std::string> domainsThatWarp()
+{
+    return {std::string(domainClassName(DomainClass::Curvilinear)), std::string(rectilinear),
+            std::string(domainClassName(DomainClass::Irregular)), std::string(domainClassName(DomainClass::Scattered))};
+}
+
 DecimationOrder orderOf(const std::string& name)
 {
     if (name == paper)
@@ -46,19 +52,23 @@ Message reasonFor(const Dataset& dataset)
             "A regular lattice: decimation takes fewer points for the same accuracy, but more time and memory.");
     case DomainClass::Scattered: break;
     }
-    return {};
+    return Message::say("Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of "
+                        "them for the same "
+                        "accuracy, but more time and memory.");
 }
 
-/// Of a grid as many as if it had a cell for each point, cut as decimation cuts it.
+/// Of a grid as many as if it had a cell for each point, cut as decimation cuts it; of points as their Delaunay mesh.
 double tetrahedraOf(const BuildSize& size)
 {
     if (size.domain == DomainClass::Irregular)
         return static_cast<double>(size.tetrahedra);
+    if (size.domain == DomainClass::Scattered)
+        return 6.7 * static_cast<double>(size.points);
     return static_cast<double>(size.points) * (size.domain == DomainClass::Curvilinear ? 6 : 5);
 }
 
 /// What decimating data of this size to the coarsest mesh takes, with a model that leaves out meshes finer than
-/// `finest`, a share of the range; not of scattered points.
+/// `finest`, a share of the range.
 BuildEstimate estimateDecimation(const BuildSize& size, double finest)
 {
     // Of all that ever lived, with their sites; and how many these are for each one of the dataset.
@@ -92,8 +102,8 @@ Acceptance DecimationBuilder::accepts(const Dataset& dataset) const
 std::vector<Parameter> DecimationBuilder::parameters() const
 {
     return {errorThresholdParameter(Message::marked("Decimation stops at this error; 0 goes on to the coarsest mesh.")),
-            warpingThresholdParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
-            orderedByParameter({DomainClass::Curvilinear, DomainClass::Irregular}),
+            warpingThresholdParameter(domainsThatWarp()),
+            orderedByParameter(domainsThatWarp()),
             thresholdParameter("finest", Message::marked("Finest error"),
                                Message::marked("Leaves meshes of smaller errors out of the model, so that it is "
                                                "smaller; 0 keeps everything."),
@@ -116,9 +126,12 @@ BuildAbilities DecimationBuilder::abilities(const Dataset&, const ParameterValue
 std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues& values,
                                                          unsigned) const
 {
-    if (size.domain == DomainClass::Scattered)
-        return std::nullopt;
     return estimateDecimation(size, parameterValue<double>(parameters(), values, "finest") / 100);
+}
+
+Result<Dataset> DecimationBuilder::taken(const Dataset& dataset, const ParameterValues&, const Progress& progress) const
+{
+    return takenFor(Decimation(), dataset, progress);
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,

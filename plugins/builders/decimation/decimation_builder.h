@@ -16,6 +16,8 @@ public:
     BuildAbilities abilities(const Dataset& dataset, const ParameterValues& values) const override;
     std::optional<BuildEstimate> estimate(const BuildSize& size, const ParameterValues& values,
                                           unsigned threads) const override;
+    Result<Dataset> taken(const Dataset& dataset, const ParameterValues& values,
+                          const Progress& progress) const override;
     Result<BuildReport> build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
                               const Progress& progress) const override;
 };

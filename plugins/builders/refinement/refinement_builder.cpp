@@ -16,6 +16,31 @@ namespace {
 
 constexpr std::string_view normalised = Message::marked("normalised");
 constexpr std::string_view paper = Message::marked("paper");
+constexpr std::string_view physical = Message::marked("physical");
+constexpr std::string_view computational = Message::marked("computational");
+
+/// A parameter of data that are refined in computational space.
+Parameter inComputationalSpace(Parameter parameter)
+{
+    parameter.onlyWith.id = domainId;
+    parameter.onlyWith.values.emplace_back(std::string(domainClassName(DomainClass::Curvilinear)));
+    parameter.orWith = {"space", {std::string(computational)}};
+    return parameter;
+}
+
+Parameter spaceParameter()
+{
+    Parameter space;
+    space.id = "space";
+    space.label = Message::marked("Space");
+    space.explanation = Message::marked(
+        "For rectilinear grids: 'physical' refines their points where they lie, so that there is no warping; "
+        "'computational' refines them as any curvilinear grid, which takes less memory, and has blocks.");
+    space.defaultValue = std::string(physical);
+    space.choices = {std::string(physical), std::string(computational)};
+    space.onlyWith = {domainId, {std::string(rectilinear)}};
+    return space;
+}
 
 Parameter selectionParameter()
 {
@@ -28,8 +53,7 @@ Parameter selectionParameter()
                         "compare with it. Both keep cells from turning over.");
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
-    selection.onlyWith = {domainId, {std::string(domainClassName(DomainClass::Curvilinear))}};
-    return selection;
+    return inComputationalSpace(selection);
 }
 
 Parameter blockParameter()
@@ -44,9 +68,8 @@ Parameter blockParameter()
     block.unit = Message::marked("cells");
     block.defaultValue = std::string("automatic");
     block.words = {Message::marked("automatic"), Message::marked("none")};
-    block.onlyWith.id = domainId;
-    for (const DomainClass domain : {DomainClass::RegularLattice, DomainClass::Curvilinear})
-        block.onlyWith.values.emplace_back(std::string(domainClassName(domain)));
+    block = inComputationalSpace(std::move(block));
+    block.onlyWith.values.emplace_back(std::string(domainClassName(DomainClass::RegularLattice)));
     return block;
 }
 
@@ -67,17 +90,19 @@ Result<std::optional<std::uint32_t>> blockOf(const std::string& text)
     return cells;
 }
 
-Message reasonFor(DomainClass domain)
+Message reasonFor(const Dataset& dataset)
 {
-    switch (domain) {
+    switch (dataset.domain) {
     case DomainClass::RegularLattice:
         return Message::say("A regular lattice: refinement keeps the exact domain and needs the least time.");
     case DomainClass::Curvilinear:
+        if (dataset.convex)
+            return Message::say("A rectilinear grid: refinement in physical space keeps the exact domain.");
         return Message::say("A curvilinear grid: refinement in computational space bounds both error and warping.");
     case DomainClass::Scattered: return Message::say("Scattered points: refinement fills their convex hull.");
     case DomainClass::Irregular: break;
     }
-    return {};
+    return Message::say("A mesh of convex domain: refinement keeps the exact domain, with tetrahedra of its own.");
 }
 
 /// What a build of one kind takes, measured (docs/performance.md, "Estimates").
@@ -139,15 +164,17 @@ Acceptance RefinementBuilder::accepts(const Dataset& dataset) const
 {
     if (const Status possible = checkRefinement(dataset); !possible)
         return {0, possible.error().message};
-    return {1, reasonFor(dataset.domain)};
+    // Between its points a mesh is what its own cells say; those decimation begins with.
+    return {dataset.domain == DomainClass::Irregular ? 0.5 : 1, reasonFor(dataset)};
 }
 
 std::vector<Parameter> RefinementBuilder::parameters() const
 {
     return {errorThresholdParameter(Message::marked(
                 "Refinement stops at this error; 0 keeps everything, so that any accuracy can be shown later.")),
-            warpingThresholdParameter({DomainClass::Curvilinear}),
-            orderedByParameter({DomainClass::Curvilinear}),
+            inComputationalSpace(warpingThresholdParameter({})),
+            inComputationalSpace(orderedByParameter({})),
+            spaceParameter(),
             blockParameter(),
             selectionParameter(),
             weightsParameter()};
@@ -177,18 +204,21 @@ std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, 
                                                          unsigned threads) const
 {
     const auto block = blockOf(parameterValue<std::string>(parameters(), values, "block"));
-    if (size.domain == DomainClass::Irregular || !block)
+    if ((size.domain == DomainClass::Irregular && !size.convex) || !block)
         return std::nullopt;
+    BuildSize taken = size;
+    if (size.convex && parameterValue<std::string>(parameters(), values, "space") != computational)
+        taken.domain = DomainClass::Scattered;
     double error = parameterValue<double>(parameters(), values, "error");
-    if (size.domain == DomainClass::Curvilinear && !(error > 0))
+    if (taken.domain == DomainClass::Curvilinear && !(error > 0))
         error = parameterValue<double>(parameters(), values, "warping");
-    return estimateRefinement(size, error / 100, takesBlocks(*block, size.points, usableBytes()), threads);
+    return estimateRefinement(taken, error / 100, takesBlocks(*block, size.points, usableBytes()), threads);
 }
 
-Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
-                                             const Progress& progress) const
+namespace {
+
+Result<Refinement> refinementOf(const std::vector<Parameter>& known, const ParameterValues& values)
 {
-    const std::vector<Parameter> known = parameters();
     const auto weighting = parseWeighting(parameterValue<std::string>(known, values, "weights"));
     if (!weighting)
         return weighting.error();
@@ -201,8 +231,25 @@ Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const Param
     refinement.block = *block;
     refinement.paperSelection = parameterValue<std::string>(known, values, "selection") == paper;
     refinement.orderedBy = orderedByOf(known, values);
+    refinement.computational = parameterValue<std::string>(known, values, "space") == computational;
     refinement.weighting = *weighting;
-    return buildInto(dataset, refinement, target, progress);
+    return refinement;
+}
+
+} // namespace
+
+Result<Dataset> RefinementBuilder::taken(const Dataset& dataset, const ParameterValues& values,
+                                         const Progress& progress) const
+{
+    const auto refinement = refinementOf(parameters(), values);
+    return refinement ? takenFor(*refinement, dataset, progress) : refinement.error();
+}
+
+Result<BuildReport> RefinementBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,
+                                             const Progress& progress) const
+{
+    const auto refinement = refinementOf(parameters(), values);
+    return refinement ? buildInto(dataset, *refinement, target, progress) : refinement.error();
 }
 
 } // namespace tetra

@@ -53,9 +53,10 @@ Eigen::Vector3d plainGradient(const TestMesh& mesh, const TestTetrahedra& tetrah
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double angles = 0;
     for (auto t : tetrahedra) {
-        if (std::ranges::find(t, vertex) == t.end())
+        const auto own = std::ranges::find(t, vertex);
+        if (own == t.end())
             continue;
-        std::iter_swap(t.begin(), std::ranges::find(t, vertex));
+        std::iter_swap(t.begin(), own);
         const auto at = [&](std::size_t corner) { return mesh.positions[t[corner]]; };
         const Eigen::Vector3d a = at(1) - at(0), b = at(2) - at(0), c = at(3) - at(0);
         const auto step = [&](std::size_t corner) { return mesh.values[t[corner]] - mesh.values[vertex]; };
