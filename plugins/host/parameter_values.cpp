@@ -95,9 +95,16 @@ ParameterValues withDomain(ParameterValues values, const Dataset& dataset)
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
                   const OptionOfParameter& optionOf)
 {
-    const Parameter* useless = uselessOne(parameters, values, withDomain(values, dataset));
+    const ParameterValues known = withDomain(values, dataset);
+    const Parameter* useless = uselessOne(parameters, values, known);
     if (useless == nullptr)
         return {};
+    const auto other = std::ranges::find(parameters, useless->orWith.id, &Parameter::id);
+    if (other != parameters.end() && matters(*other, parameters, known))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' is for %2 data only, and %3. Leave it out, or choose '%4 %5'.",
+                                  nameOf(*useless, optionOf), wantedBy(*useless), kindOf(dataset),
+                                  nameOf(*other, optionOf), parameterText(useless->orWith.values.front()))};
     if (useless->onlyWith.id == domainId)
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is for %2 data only, and %3. Leave it out.", nameOf(*useless, optionOf),

@@ -25,6 +25,7 @@ private slots:
         QCOMPARE(tan({"sample", "blunt-body", "--size", "10", "-o", "grid.xyz"}).exitCode, 0);
         QCOMPARE(tan({"sample", "scattered", "--size", "6", "-o", "points.csv"}).exitCode, 0);
         QCOMPARE(tan({"sample", "part", "--size", "6", "-o", "mesh.vtu"}).exitCode, 0);
+        QCOMPARE(tan({"sample", "stretched", "--size", "10", "-o", "box.xyz"}).exitCode, 0);
     }
 
     void whatIsOfNoUseIsRefused_data()
@@ -33,7 +34,7 @@ private slots:
         QTest::addColumn<QStringList>("options");
         QTest::addColumn<QString>("part");
         const QStringList decimate = {"--builder", "decimation"};
-        const auto row = [](const char* name, const char* input, const QStringList& options, const char* part) {
+        const auto row = [](const QByteArray& name, const char* input, const QStringList& options, const char* part) {
             QTest::newRow(name) << QString(input) << options << QString(part);
         };
         const char* const warping = "'--warping' is for curvilinear data only";
@@ -48,7 +49,7 @@ private slots:
         row("lattice decimated, block", "lattice.nrrd", decimate + QStringList{"--block", "6"},
             "'--builder refinement'");
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
-            "'--warping' is for curvilinear or irregular data only");
+            "'--warping' is for curvilinear or rectilinear or irregular or scattered data only");
         row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
         row("grid, resume", "grid.xyz", {"--resume"}, "Leave '--resume' out");
         row("grid in blocks, resume", "grid.xyz", {"--resume", "--block", "4"}, "Leave '--resume' out");
@@ -61,6 +62,18 @@ private slots:
         row("a header tells the size", "lattice.nrrd", {"--size", "12x12x12"}, "'--size' describes raw files");
         row("a header tells the type", "lattice.nrrd", {"--type", "uint8"}, "'--type' describes raw files");
         row("mesh, block", "mesh.vtu", {"--block", "4"}, "Leave it out");
+        const char* const space = "Leave it out, or choose '--space computational'";
+        row("C6: rectilinear, warping", "box.xyz", {"--warping", "2"}, space);
+        row("C6: rectilinear, warping only", "box.xyz", {"--warping", "2"}, "'box.xyz' is a rectilinear grid");
+        row("C6: rectilinear, block", "box.xyz", {"--block", "4"}, space);
+        row("C6: rectilinear, no block", "box.xyz", {"--block", "none", "--space", "physical"}, space);
+        row("C6: rectilinear, selection", "box.xyz", {"--selection", "paper"}, space);
+        row("C6: rectilinear, resume", "box.xyz", {"--resume"}, "Leave '--resume' out");
+        row("C6: rectilinear decimated, space", "box.xyz", decimate + QStringList{"--space", "computational"},
+            "'--builder refinement'");
+        for (const char* other : {"lattice.nrrd", "grid.xyz", "points.csv"})
+            row(QByteArray("C6: space, ") + other, other, {"--space", "computational"},
+                "'--space' is for rectilinear data only");
     }
     void whatIsOfNoUseIsRefused()
     {
@@ -86,6 +99,9 @@ private slots:
         row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper", "--block", "4"});
         row("a decimated grid warps", "grid.xyz", {"--builder", "decimation", "--warping", "2"});
         row("a mesh warps", "mesh.vtu", {"--warping", "2"});
+        row("C6: a rectilinear grid as a curvilinear one", "box.xyz",
+            {"--space", "computational", "--warping", "2", "--selection", "paper", "--block", "4"});
+        row("C6: decimated points warp", "points.csv", {"--builder", "decimation", "--warping", "2"});
     }
     void whatIsOfUseIsTaken()
     {
@@ -93,6 +109,44 @@ private slots:
         QFETCH(QStringList, options);
         const Run run = tan(QStringList{"build", input, "-o", "taken.tan"} + options);
         QVERIFY2(run.exitCode == 0, run.messages);
+    }
+
+    /// C6: a rectilinear grid is refined in physical space, where it has no warping; as a curvilinear grid, as all once
+    /// were, it has one. Either model is proved, and so is one of decimated points.
+    void everyModelIsProved_data()
+    {
+        QTest::addColumn<QString>("input");
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("rectilinear") << "box.xyz" << QStringList{} << "scattered";
+        QTest::newRow("as curvilinear") << "box.xyz" << QStringList{"--space", "computational"} << "curvilinear";
+        QTest::newRow("points") << "points.csv" << QStringList{"--builder", "decimation"} << "irregular";
+    }
+    void everyModelIsProved()
+    {
+        QFETCH(QString, input);
+        QFETCH(QStringList, options);
+        QFETCH(QString, kind);
+        QCOMPARE(tan(QStringList{"build", input, "-o", "proved.tan"} + options).exitCode, 0);
+        const QJsonObject info = tan({"info", "proved.tan", "--json"}).json();
+        QCOMPARE(info["kind"].toString(), kind);
+        QCOMPARE(info["parameters"].toObject().contains("space"), input == "box.xyz");
+        const Run run = tan({"verify", "proved.tan", "--against", input, "--json"});
+        QVERIFY2(run.exitCode == 0, run.output + run.messages);
+        QCOMPARE(run.json()["levels"].toArray().size(), 8);
+        for (const QJsonValue level : run.json()["levels"].toArray())
+            if (kind == "scattered")
+                QCOMPARE(level["largest_warping"].toDouble(), 0.0);
+        const Run other = tan({"verify", "proved.tan", "--against", "mesh.vtu"});
+        QVERIFY2(other.exitCode == 1 && other.output.contains("built from another dataset"), other.output);
+    }
+
+    /// C6: what is not convex is no points' hull.
+    void nonconvexMeshesAreNotRefined()
+    {
+        const Run run = tan({"build", "mesh.vtu", "--builder", "refinement", "-o", "refused.tan"});
+        QVERIFY(run.exitCode != 0);
+        QVERIFY2(run.messages.contains("not convex") && run.messages.contains("Decimation"), run.messages);
     }
 
     /// What was not used does not stand in the model as if it had been.

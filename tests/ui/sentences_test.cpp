@@ -253,7 +253,7 @@ private:
     void building()
     {
         const fs::path output = folder_ / "built.tan";
-        const auto points = scatteredDataset({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1, 2, 3, 4}, "points");
+        const auto points = scatteredDataset({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {1, 2, 3}, "points");
         const auto built = [&](const Dataset& dataset, const char* builder, const ParameterValues& values) {
             return errorOf(buildModel(*host_, dataset, std::string(builder), values, output));
         };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace tetra {
 
@@ -53,7 +54,7 @@ Parameter selectionParameter()
                         "compare with it. Both keep cells from turning over.");
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
-    return inComputationalSpace(selection);
+    return inComputationalSpace(std::move(selection));
 }
 
 Parameter blockParameter()
@@ -69,7 +70,8 @@ Parameter blockParameter()
     block.defaultValue = std::string("automatic");
     block.words = {Message::marked("automatic"), Message::marked("none")};
     block = inComputationalSpace(std::move(block));
-    block.onlyWith.values.emplace_back(std::string(domainClassName(DomainClass::RegularLattice)));
+    block.onlyWith.values.insert(block.onlyWith.values.begin(),
+                                 std::string(domainClassName(DomainClass::RegularLattice)));
     return block;
 }
 

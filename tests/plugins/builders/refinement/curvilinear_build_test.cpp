@@ -70,6 +70,7 @@ private slots:
         QCOMPARE(RefinementBuilder().accepts(dataset).score, 0.0);
     }
 
+    /// R12, C8: one threshold alone means the same in every builder (decimation_builder_test.cpp).
     void thresholdsSayWhereToStopAndWhatCounts_data()
     {
         QTest::addColumn<double>("error");
