@@ -33,42 +33,6 @@ struct Task {
     const Progress& progress;
 };
 
-/// --range: two errors, in any order.
-Result<std::array<Accuracy, 2>> rangeOf(const Arguments& arguments)
-{
-    const std::string given = *arguments.value("range");
-    const auto errors = parseNumbers("range", given, 0, 100);
-    if (!errors)
-        return errors.error();
-    if (errors->size() != 2)
-        return Error{ErrorKind::WrongUsage,
-                     "'" + given + "' does not fit '--range': it takes two errors in %, such as 4,1."};
-    std::array<Accuracy, 2> ends;
-    for (std::size_t end = 0; end < 2; ++end) {
-        const auto warping = limitOption(arguments, "warping", (*errors)[end]);
-        if (!warping)
-            return warping.error();
-        ends[end] = {.error = (*errors)[end], .warping = *warping};
-    }
-    return ends;
-}
-
-Status checkRangeStandsAlone(PluginHost& host, const Arguments& arguments)
-{
-    for (const Option& option : fieldOptions())
-        if (option.name != "warping" && arguments.has(option.name))
-            return Error{ErrorKind::WrongUsage, "'--range' asks for tetrahedra of many accuracies, so '--" +
-                                                    option.name + "' does not go with it."};
-    if (arguments.value("border") == "clipped")
-        return Error{ErrorKind::WrongUsage, "'--border clipped' does not go with '--range': what is cut off is no "
-                                            "tetrahedron of the model. Use intersecting or contained."};
-    if (isSurfaceFileOnly(host, *arguments.value("output")))
-        return Error{ErrorKind::WrongUsage,
-                     "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
-                     "Write a .vtu, .vtk or .ply file."};
-    return {};
-}
-
 Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)
 {
     return {.figures = {{"file", QFile::decodeName(task.output.c_str())},
@@ -76,6 +40,20 @@ Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)
                         {"tetrahedra", static_cast<qint64>(mesh.tetrahedra.size())}},
             .text = task.output.string() + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
                     std::to_string(mesh.tetrahedra.size()) + " tetrahedra"};
+}
+
+/// What there is to tell of one mesh.
+void describeMesh(const Task& task, const MeshQuery& query, const ExtractedMesh& found, Outcome& outcome)
+{
+    if (found.mesh.tetrahedra.size() != found.keptTetrahedra)
+        outcome.text += ", pieces of " + std::to_string(found.keptTetrahedra) + " of the " +
+                        std::to_string(found.wholeTetrahedra) + " of the whole mesh";
+    else if (found.keptTetrahedra != found.wholeTetrahedra)
+        outcome.text += " of " + std::to_string(found.wholeTetrahedra);
+    if (isSurfaceFileOnly(task.host, task.output))
+        outcome.text += ", of which the file has the boundary";
+    if (found.scale > 1)
+        outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
 }
 
 Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
@@ -88,6 +66,10 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     const ExtractedMesh& found = **extracted;
     if (const Status some = checkNotEmpty(task.arguments, task.model, found.mesh); !some)
         return some.error();
+    if (found.overlaps && isSurfaceFileOnly(task.host, task.output))
+        return Error{ErrorKind::WrongUsage,
+                     "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
+                     "Write a .vtu, .vtk or .ply file."};
     if (const Status written = saveMesh(task.host, contentOf(task.model, query, found), task.output, task.values,
                                         task.progress.part(extractionEnd, 1));
         !written)
@@ -96,55 +78,8 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     const QJsonObject figures = figuresOf(task.model, query, found);
     for (auto figure = figures.begin(); figure != figures.end(); ++figure)
         outcome.figures[figure.key()] = figure.value();
-    if (found.mesh.tetrahedra.size() != found.keptTetrahedra)
-        outcome.text += ", pieces of " + std::to_string(found.keptTetrahedra) + " of the " +
-                        std::to_string(found.wholeTetrahedra) + " of the whole mesh";
-    else if (found.keptTetrahedra != found.wholeTetrahedra)
-        outcome.text += " of " + std::to_string(found.wholeTetrahedra);
-    if (isSurfaceFileOnly(task.host, task.output))
-        outcome.text += ", of which the file has the boundary";
-    if (found.scale > 1)
-        outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
-    return outcome;
-}
-
-QJsonObject figuresOf(const MeshSize& size)
-{
-    return {{"error", size.error},
-            {"warping", size.warping},
-            {"sites", static_cast<qint64>(size.sites)},
-            {"tetrahedra", static_cast<qint64>(size.tetrahedra)}};
-}
-
-Result<Outcome> extractRange(const Task& task)
-{
-    const auto ends = rangeOf(task.arguments);
-    if (!ends)
-        return ends.error();
-    const auto values = valueRangesOf(task.arguments);
-    if (!values)
-        return values.error();
-    const auto window = windowOf(task.arguments);
-    if (!window)
-        return window.error();
-    const auto part = confirmed(
-        task.model,
-        extractHistory(task.model, (*ends)[0], (*ends)[1], *values, *window, task.progress.part(0, extractionEnd)),
-        task.progress);
-    if (!part)
-        return part.error();
-    if (const Status some = checkNotEmpty(task.arguments, task.model, part->mesh); !some)
-        return some.error();
-    const Lives lives = livesOf(task.model, *part);
-    if (const Status right = task.model.checkIntact(); !right)
-        return right.error();
-    if (const Status written = saveMesh(task.host, contentOf(task.model, *part, lives), task.output, task.values,
-                                        task.progress.part(extractionEnd, 1));
-        !written)
-        return written.error();
-    Outcome outcome = outcomeOf(task, part->mesh);
-    outcome.figures["coarse"] = figuresOf(part->coarse);
-    outcome.figures["fine"] = figuresOf(part->fine);
+    if (!query.range)
+        describeMesh(task, query, found, outcome);
     return outcome;
 }
 
@@ -161,17 +96,11 @@ Syntax extractSyntax(PluginHost& host)
             "the vertices; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), STL (.stl), Wavefront "
             "text (.obj) or binary glTF (.glb).",
         .positionals = {{"MODEL", "The model."}},
-        .options = fieldOptions(),
+        .options = queryOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
                      {"tan extract engine.tan --error 4 --focus sphere:120,100,60,30 --focus-error 0.5 -o detail.vtu",
                       "Fine in a sphere, coarse elsewhere, conforming."},
                      {"tan extract engine.tan --budget 300000 -o engine.ply", "As good as 300,000 tetrahedra allow."}}};
-    syntax.options.push_back({.name = "range",
-                              .placeholder = "A,B",
-                              .explanation =
-                                  "In place of --error, all tetrahedra that are in the mesh of some error "
-                                  "from A to B, each with its life: the arrays birth_error and death_error."});
-    std::ranges::move(partOptions(), std::back_inserter(syntax.options));
     syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Mesh), "The file to write."));
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Mesh));
     return syntax;
@@ -182,10 +111,7 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const Arguments& arguments = invocation.arguments;
     const std::filesystem::path input = arguments.positionals[0];
     const std::filesystem::path output = *arguments.value("output");
-    const bool ranges = arguments.has("range");
-    if (const Status alone = ranges ? checkRangeStandsAlone(invocation.host, arguments) : Status(); !alone)
-        return alone.error();
-    const auto query = ranges ? Result<MeshQuery>(MeshQuery()) : queryOf(arguments);
+    const auto query = queryOf(arguments);
     if (!query)
         return query.error();
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Mesh));
@@ -205,7 +131,7 @@ Result<Outcome> runExtract(const Invocation& invocation)
     if (const Status safe = checkMeshOutput(output, **model); !safe)
         return safe.error();
     const Task task{arguments, output, invocation.host, *values, **model, invocation.progress};
-    auto outcome = ranges ? extractRange(task) : extractMesh(task, *query, *model);
+    auto outcome = extractMesh(task, *query, *model);
     if (!outcome)
         return outcome.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -4,65 +4,48 @@
 #include <tan/query.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetra {
 namespace {
 
-MeshContent contentOf(const Model& model, const TetrahedralMesh& mesh)
-{
-    MeshContent content;
-    content.positions = mesh.positions;
-    content.tetrahedra = mesh.tetrahedra;
-    content.pointArrays = {{"value", std::span<const float>(mesh.values)}};
-    content.facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
-    return content;
-}
-
 /// A number where the field is one, else its text.
-void addField(MeshContent& content, const std::string& name, const ErrorField& field, double scale)
+void addField(MeshFacts& facts, const std::string& name, const ErrorField& field, double scale)
 {
     if (field.isConstant())
-        content.facts.emplace_back(name, keptPercent(field.bounds().minimum, scale));
+        facts.emplace_back(name, keptPercent(field.bounds().minimum, scale));
     else
-        content.facts.emplace_back(name + "_field", toText(field));
+        facts.emplace_back(name + "_field", toText(field));
 }
 
 } // namespace
 
+MeshFacts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+{
+    MeshFacts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
+    if (query.range) {
+        const double one = meshSizeAt(model, query.range->one).error;
+        const double other = meshSizeAt(model, query.range->other).error;
+        facts.emplace_back("coarsest_error", std::max(one, other));
+        facts.emplace_back("finest_error", std::min(one, other));
+        return facts;
+    }
+    addField(facts, "error", query.error, mesh.scale);
+    if (model.description().warpingWeight > 0)
+        addField(facts, "warping", query.warping, mesh.scale);
+    facts.emplace_back("error_scale", mesh.scale);
+    return facts;
+}
+
 MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
-    MeshContent content = contentOf(model, mesh.mesh);
-    addField(content, "error", query.error, mesh.scale);
-    if (model.description().warpingWeight > 0)
-        addField(content, "warping", query.warping, mesh.scale);
-    content.facts.emplace_back("error_scale", mesh.scale);
-    return content;
-}
-
-Lives livesOf(const Model& model, const HistoryPart& part)
-{
-    model.check(model.runningKeys()); // what it finds is known to checkIntact()
-    const double extent = model.description().range.extent();
-    const auto error = [&](std::uint32_t sites) {
-        if (sites == Model::never)
-            return 0.0F;
-        const float key = model.runningKeys()[sites - 1]; // what the mesh without the last of them keeps
-        return std::isinf(key) ? key : static_cast<float>(extent > 0 ? 100 * static_cast<double>(key) / extent : 0);
-    };
-    Lives lives{std::vector<float>(part.births.size()), std::vector<float>(part.deaths.size())};
-    std::ranges::transform(part.births, lives.births.begin(), error);
-    std::ranges::transform(part.deaths, lives.deaths.begin(), error);
-    return lives;
-}
-
-MeshContent contentOf(const Model& model, const HistoryPart& part, const Lives& lives)
-{
-    MeshContent content = contentOf(model, part.mesh);
-    content.cellArrays = {{"birth_error", std::span<const float>(lives.births)},
-                          {"death_error", std::span<const float>(lives.deaths)}};
-    content.facts.emplace_back("coarsest_error", part.coarse.error);
-    content.facts.emplace_back("finest_error", part.fine.error);
+    MeshContent content;
+    content.positions = mesh.mesh.positions;
+    content.tetrahedra = mesh.mesh.tetrahedra;
+    content.pointArrays = {{"value", std::span<const float>(mesh.mesh.values)}};
+    if (query.range)
+        content.cellArrays = {{"birth_error", std::span<const float>(mesh.birthErrors)},
+                              {"death_error", std::span<const float>(mesh.deathErrors)}};
+    content.facts = meshFacts(model, query, mesh);
     return content;
 }
 

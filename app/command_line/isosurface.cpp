@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/extracted_content.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
+#include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/memory.h"
@@ -22,22 +24,6 @@
 
 namespace tetra {
 namespace {
-
-/// A model and one mesh of it.
-struct ModelMesh {
-    std::shared_ptr<const Model> model;
-    MeshSize size;
-    std::shared_ptr<const TetrahedralMesh> mesh;
-};
-
-Result<ModelMesh> meshAt(const std::shared_ptr<const Model>& model, const Accuracy& accuracy, const Progress& progress)
-{
-    const MeshSize size = meshSizeAt(*model, accuracy);
-    auto mesh = confirmed(*model, extractPrefix(*model, size.sites, progress), progress);
-    if (!mesh)
-        return mesh.error();
-    return ModelMesh{model, size, std::make_shared<const TetrahedralMesh>(*std::move(mesh))};
-}
 
 Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
 {
@@ -99,27 +85,43 @@ struct ValuedSurface {
     TriangleMesh mesh;
 };
 
-Result<std::vector<ValuedSurface>> extractAll(const TetrahedralMesh& mesh, const std::vector<double>& isovalues,
-                                              const Progress& progress)
+/// Isosurfaces, and of a range of accuracies the lives of the tetrahedra that their triangles lie in.
+struct ValuedSurfaces {
+    std::vector<ValuedSurface> all;
+    std::vector<float> births;
+    std::vector<float> deaths;
+};
+
+Result<ValuedSurfaces> extractAll(const ExtractedMesh& extracted, const std::vector<double>& isovalues,
+                                  const Progress& progress)
 {
+    const TetrahedralMesh& mesh = extracted.mesh;
+    const bool haveLives = !extracted.birthErrors.empty();
     const auto gradients = vertexGradients(mesh);
-    std::vector<ValuedSurface> surfaces;
+    ValuedSurfaces surfaces;
     for (std::size_t index = 0; index < isovalues.size(); ++index) {
         const double share = 1.0 / static_cast<double>(isovalues.size());
         const double begin = share * static_cast<double>(index);
-        auto surface = extractIsosurface(mesh, gradients, isovalues[index], progress.part(begin, begin + share));
+        Buffer<std::uint32_t> cells;
+        auto surface = extractIsosurface(mesh, gradients, isovalues[index], progress.part(begin, begin + share),
+                                         haveLives ? &cells : nullptr);
         if (!surface)
             return surface.error();
-        surfaces.push_back({isovalues[index], *std::move(surface)});
+        surfaces.all.push_back({isovalues[index], *std::move(surface)});
+        for (const std::uint32_t cell : cells) {
+            surfaces.births.push_back(extracted.birthErrors[cell]);
+            surfaces.deaths.push_back(extracted.deathErrors[cell]);
+        }
     }
     return surfaces;
 }
 
 /// Points into the surfaces.
-SurfaceContent contentOf(const ModelMesh& shown, const std::vector<ValuedSurface>& surfaces)
+SurfaceContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh,
+                         const ValuedSurfaces& surfaces)
 {
     SurfaceContent content{.title = "isosurfaces", .valueName = "isovalue", .parts = {}, .facts = {}};
-    for (const ValuedSurface& surface : surfaces) {
+    for (const ValuedSurface& surface : surfaces.all) {
         const Colour colour = distinctColour(content.parts.size());
         content.parts.push_back({.name = "isovalue " + formatNumber(surface.value),
                                  .positions = surface.mesh.positions,
@@ -128,11 +130,10 @@ SurfaceContent contentOf(const ModelMesh& shown, const std::vector<ValuedSurface
                                  .values = static_cast<float>(surface.value),
                                  .colour = {colour.red, colour.green, colour.blue, 1}});
     }
-    content.facts = {{"model", shown.model->path().filename().string()},
-                     {"source", shown.model->description().sourceName},
-                     {"error", shown.size.error}};
-    if (shown.model->description().warpingWeight > 0)
-        content.facts.emplace_back("warping", shown.size.warping);
+    content.facts = meshFacts(model, query, mesh);
+    if (query.range)
+        content.cellArrays = {{"birth_error", std::span<const float>(surfaces.births)},
+                              {"death_error", std::span<const float>(surfaces.deaths)}};
     return content;
 }
 
@@ -142,8 +143,9 @@ Syntax isosurfaceSyntax(PluginHost& host)
 {
     Syntax syntax{.purpose = "write isosurfaces of a model as a triangle mesh",
                   .explanation =
-                      "Marching tetrahedra over the mesh of the accuracy asked for: closed but for the domain's "
-                      "boundary, with shared vertices and smooth normals. The file is VTK polydata (.vtp, .vtk), a VTK "
+                      "Marching tetrahedra over a mesh as 'tan extract' takes it from the model: closed but for the "
+                      "boundary of the domain, or of the part of it that is asked for, with shared vertices and smooth "
+                      "normals. The file is VTK polydata (.vtp, .vtk), a VTK "
                       "unstructured grid (.vtu), binary PLY (.ply) or STL (.stl), Wavefront text (.obj) or binary glTF "
                       "(.glb). Each vertex has a position, a normal and the isovalue that it belongs to, as far as the "
                       "format can hold them.",
@@ -152,13 +154,14 @@ Syntax isosurfaceSyntax(PluginHost& host)
                                .placeholder = "V[,V2...]",
                                .explanation = "The isovalues, in units of the data.",
                                .repeatable = true,
-                               .required = true},
-                              errorOption(),
-                              warpingOption(),
-                              outputOption(fileChoices(host, WrittenContent::Surface), "The file to write.")},
+                               .required = true}},
                   .examples = {{"tan isosurface engine.tan --error 0.5 --value 100,180 -o engine.ply",
                                 "Two surfaces in one file."},
-                               {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."}}};
+                               {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."},
+                               {"tan isosurface engine.tan --value 100 --field 'isovalues(;0.2,4,30)' -o sharp.vtp",
+                                "From a mesh that is fine near the surface."}}};
+    std::ranges::move(queryOptions(), std::back_inserter(syntax.options));
+    syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Surface), "The file to write."));
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Surface));
     return syntax;
 }
@@ -168,12 +171,12 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const Arguments& arguments = invocation.arguments;
     const std::filesystem::path input = arguments.positionals[0];
     const std::filesystem::path output = *arguments.value("output");
-    const auto accuracy = accuracyOption(arguments);
-    if (!accuracy)
-        return accuracy.error();
     const auto isovalues = isovaluesOf(arguments);
     if (!isovalues)
         return isovalues.error();
+    const auto query = queryOf(arguments, {.isovalues = *isovalues});
+    if (!query)
+        return query.error();
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Surface));
     if (!values)
         return values.error();
@@ -192,35 +195,41 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         return inRange.error();
     if (const Status safe = checkMeshOutput(output, **model); !safe)
         return safe.error();
-    const auto shown = meshAt(*model, *accuracy, invocation.progress.part(0, 0.3));
-    if (!shown)
-        return shown.error();
-    if (const Status fits = checkMemoryForSurfaces(*shown->mesh, *isovalues); !fits)
+    MeshExtractor extractor(*model);
+    const auto extracted =
+        confirmed(**model, extractor.extract(*query, invocation.progress.part(0, 0.3)), invocation.progress);
+    if (!extracted)
+        return extracted.error();
+    const ExtractedMesh& mesh = **extracted;
+    if (const Status some = checkNotEmpty(arguments, **model, mesh.mesh); !some)
+        return some.error();
+    if (const Status fits = checkMemoryForSurfaces(mesh.mesh, *isovalues); !fits)
         return fits.error();
-    const auto surfaces = extractAll(*shown->mesh, *isovalues, invocation.progress.part(0.3, 0.8));
+    const auto surfaces = extractAll(mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = saveSurface(invocation.host, contentOf(*shown, *surfaces), output, *values,
-                                           invocation.progress.part(0.8, 1));
+    if (const Status written = saveSurface(invocation.host, contentOf(**model, *query, mesh, *surfaces), output,
+                                           *values, invocation.progress.part(0.8, 1));
         !written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     std::size_t vertices = 0;
     std::size_t triangles = 0;
-    for (const ValuedSurface& surface : *surfaces) {
+    for (const ValuedSurface& surface : surfaces->all) {
         vertices += surface.mesh.positions.size();
         triangles += surface.mesh.triangles.size();
     }
-    return Outcome{.figures = {{"file", QFile::decodeName(output.c_str())},
-                               {"vertices", static_cast<qint64>(vertices)},
-                               {"triangles", static_cast<qint64>(triangles)},
-                               {"sites", static_cast<qint64>(shown->size.sites)},
-                               {"tetrahedra", static_cast<qint64>(shown->size.tetrahedra)},
-                               {"seconds", elapsed.count()}},
+    QJsonObject figures = figuresOf(**model, *query, mesh);
+    figures["file"] = QFile::decodeName(output.c_str());
+    figures["vertices"] = static_cast<qint64>(vertices);
+    figures["triangles"] = static_cast<qint64>(triangles);
+    figures["seconds"] = elapsed.count();
+    return Outcome{.figures = figures,
                    .text = output.string() + ": " + std::to_string(vertices) + " vertices, " +
-                           std::to_string(triangles) + " triangles from " + std::to_string(shown->size.tetrahedra) +
-                           " tetrahedra, in " + rounded(elapsed.count(), 3) + " s\n"};
+                           std::to_string(triangles) + " triangles from " +
+                           std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra, in " +
+                           rounded(elapsed.count(), 3) + " s\n"};
 }
 
 } // namespace tetra

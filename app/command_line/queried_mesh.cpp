@@ -5,6 +5,8 @@
 #include "app/command_line/table.h"
 #include "core/verify/verify_mesh.h"
 
+#include <utility>
+
 namespace tetra {
 
 Status checkNotEmpty(const Arguments& arguments, const Model& model, const TetrahedralMesh& mesh)
@@ -16,9 +18,10 @@ Status checkNotEmpty(const Arguments& arguments, const Model& model, const Tetra
         return "(" + rounded(p[0], 6) + ", " + rounded(p[1], 6) + ", " + rounded(p[2], 6) + ")";
     };
     const bool window = arguments.has("window"), values = arguments.has("values");
-    const std::string asked = !window  ? "has such values"
-                              : values ? "is in that window with such values"
-                                       : "is in that window";
+    const std::string asked = arguments.has("births") || arguments.has("deaths") ? "has such a life there"
+                              : !window                                          ? "has such values"
+                              : values                                           ? "is in that window with such values"
+                                                                                 : "is in that window";
     return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
                                             place(data.bounds.min()) + " and " + place(data.bounds.max()) +
                                             ", with values from " + rounded(data.range.minimum, 6) + " to " +
@@ -27,6 +30,21 @@ Status checkNotEmpty(const Arguments& arguments, const Model& model, const Tetra
 
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
+    const auto ofMesh = [](const MeshSize& size) {
+        return QJsonObject{{"error", size.error},
+                           {"warping", size.warping},
+                           {"sites", static_cast<qint64>(size.sites)},
+                           {"tetrahedra", static_cast<qint64>(size.tetrahedra)}};
+    };
+    if (query.range) {
+        MeshSize coarse = meshSizeAt(model, query.range->one), fine = meshSizeAt(model, query.range->other);
+        if (coarse.sites > fine.sites)
+            std::swap(coarse, fine);
+        return {{"sites", static_cast<qint64>(mesh.mesh.positions.size())},
+                {"tetrahedra", static_cast<qint64>(mesh.mesh.tetrahedra.size())},
+                {"coarse", ofMesh(coarse)},
+                {"fine", ofMesh(fine)}};
+    }
     const Accuracy kept = keptEverywhere(query, mesh.scale);
     const bool warps = model.description().warpingWeight > 0;
     return {{"sites", static_cast<qint64>(mesh.mesh.positions.size())},

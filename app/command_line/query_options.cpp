@@ -41,13 +41,13 @@ chosen(const Arguments& arguments, std::string_view option, const Choices& choic
 }
 
 /// --field, which says all of the error.
-Result<FocusedFields> writtenField(const Arguments& arguments)
+Result<FocusedFields> writtenField(const Arguments& arguments, const PresentView& present)
 {
     for (const char* option : {"error", "focus", "focus-error", "focus-warping", "falloff"})
         if (arguments.has(option))
             return Error{ErrorKind::WrongUsage, "'--field' says where which error is allowed, so '--" +
                                                     std::string(option) + "' does not go with it."};
-    const auto error = parseErrorField(*arguments.value("field"));
+    const auto error = parseErrorField(*arguments.value("field"), present);
     if (!error)
         return Error{ErrorKind::WrongUsage, "'--field': " + error.error().text()};
     if (!arguments.has("warping"))
@@ -58,10 +58,10 @@ Result<FocusedFields> writtenField(const Arguments& arguments)
     return FocusedFields{*error, *warping};
 }
 
-Result<FocusedFields> fieldsOf(const Arguments& arguments)
+Result<FocusedFields> fieldsOf(const Arguments& arguments, const PresentView& present)
 {
     if (arguments.has("field"))
-        return writtenField(arguments);
+        return writtenField(arguments, present);
     auto accuracy = accuracyOption(arguments);
     if (!accuracy)
         return accuracy.error();
@@ -84,8 +84,7 @@ Result<std::optional<std::uint64_t>> budgetOf(const Arguments& arguments)
     return std::optional(static_cast<std::uint64_t>(*budget));
 }
 
-} // namespace
-
+/// How accurate one mesh is, and where.
 std::vector<Option> fieldOptions()
 {
     Option error = errorOption();
@@ -113,6 +112,22 @@ std::vector<Option> fieldOptions()
     return options;
 }
 
+/// Many meshes in place of one.
+std::vector<Option> rangeOptions()
+{
+    return {{.name = "range",
+             .placeholder = "A,B",
+             .explanation = "In place of --error, all tetrahedra that are in the mesh of some error from A to B, each "
+                            "with its life: the arrays birth_error and death_error."},
+            {.name = "births",
+             .placeholder = "LO,HI",
+             .explanation = "Of a range, only tetrahedra that live from an error above LO and up to HI on; HI may be "
+                            "inf."},
+            {.name = "deaths",
+             .placeholder = "LO,HI",
+             .explanation = "Of a range, only tetrahedra that are replaced at an error from LO to HI."}};
+}
+
 std::vector<Option> partOptions()
 {
     return {{.name = "window",
@@ -129,10 +144,62 @@ std::vector<Option> partOptions()
              .repeatable = true}};
 }
 
-bool asksForMesh(const Arguments& arguments)
+/// Two numbers, the smaller one first.
+Result<ValueRange> orderedPair(std::string_view option, const std::string& given, double least, double most)
 {
-    return std::ranges::any_of(
-        fieldOptions(), [&](const Option& option) { return option.name != "warping" && arguments.has(option.name); });
+    const auto ends = parseNumbers(option, given, least, most);
+    if (!ends || ends->size() != 2 || ends->front() > ends->back())
+        return Error{ErrorKind::WrongUsage, "'" + given + "' does not fit '--" + std::string(option) +
+                                                "': it takes two numbers, the smaller one first: LO,HI."};
+    return ValueRange{ends->front(), ends->back()};
+}
+
+Status checkRangeStandsAlone(const Arguments& arguments)
+{
+    for (const Option& option : fieldOptions())
+        if (option.name != "warping" && arguments.has(option.name))
+            return Error{ErrorKind::WrongUsage, "'--range' asks for tetrahedra of many accuracies, so '--" +
+                                                    option.name + "' does not go with it."};
+    if (arguments.value("border") == "clipped")
+        return Error{ErrorKind::WrongUsage, "'--border clipped' does not go with '--range': what is cut off is no "
+                                            "tetrahedron of the model. Use intersecting or contained."};
+    return {};
+}
+
+/// --range: two errors, in any order.
+Result<std::optional<LifeRange>> rangeOf(const Arguments& arguments)
+{
+    for (const char* option : {"births", "deaths"})
+        if (arguments.has(option) && !arguments.has("range"))
+            return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
+                                                    "' chooses from a range of accuracies: say which with '--range'."};
+    if (!arguments.has("range"))
+        return std::optional<LifeRange>();
+    if (const Status alone = checkRangeStandsAlone(arguments); !alone)
+        return alone.error();
+    const std::string given = *arguments.value("range");
+    const auto errors = parseNumbers("range", given, 0, 100);
+    if (!errors)
+        return errors.error();
+    if (errors->size() != 2)
+        return Error{ErrorKind::WrongUsage,
+                     "'" + given + "' does not fit '--range': it takes two errors in %, such as 4,1."};
+    LifeRange range;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const auto warping = limitOption(arguments, "warping", (*errors)[end]);
+        if (!warping)
+            return warping.error();
+        (end == 0 ? range.one : range.other) = {.error = (*errors)[end], .warping = *warping};
+    }
+    constexpr double most = std::numeric_limits<double>::infinity();
+    for (const auto& [option, lives] : {std::pair{"births", &range.births}, std::pair{"deaths", &range.deaths}})
+        if (const auto text = arguments.value(option)) {
+            const auto ends = orderedPair(option, *text, 0, most);
+            if (!ends)
+                return ends.error();
+            *lives = *ends;
+        }
+    return std::optional(range);
 }
 
 Result<std::optional<Window>> windowOf(const Arguments& arguments)
@@ -156,20 +223,44 @@ Result<std::vector<ValueRange>> valueRangesOf(const Arguments& arguments)
     constexpr double most = std::numeric_limits<double>::max();
     std::vector<ValueRange> ranges;
     for (const std::string& given : arguments.values("values")) {
-        const auto ends = parseNumbers("values", given, -most, most);
-        if (!ends || ends->size() != 2 || ends->front() > ends->back())
-            return Error{ErrorKind::WrongUsage,
-                         "'" + given +
-                             "' does not fit '--values': it takes two numbers, the smaller one first: LO,HI."};
-        ranges.push_back({ends->front(), ends->back()});
+        const auto ends = orderedPair("values", given, -most, most);
+        if (!ends)
+            return ends.error();
+        ranges.push_back(*ends);
     }
     return ranges;
 }
 
-Result<MeshQuery> queryOf(const Arguments& arguments)
+} // namespace
+
+std::vector<Option> queryOptions()
+{
+    std::vector<Option> all;
+    for (auto options : {fieldOptions(), rangeOptions(), partOptions()})
+        std::ranges::move(options, std::back_inserter(all));
+    return all;
+}
+
+bool asksForMesh(const Arguments& arguments)
+{
+    return std::ranges::any_of(
+        queryOptions(), [&](const Option& option) { return option.name != "warping" && arguments.has(option.name); });
+}
+
+PresentView anyView()
+{
+    return {Eigen::Vector3d(0, 0, 0), {0}, {{0, 1}}};
+}
+
+Result<MeshQuery> queryOf(const Arguments& arguments, const PresentView& present)
 {
     MeshQuery query;
-    const auto fields = fieldsOf(arguments);
+    const auto range = rangeOf(arguments);
+    if (!range)
+        return range.error();
+    query.range = *range;
+    const auto fields =
+        query.range ? Result<FocusedFields>(FocusedFields{0, anyWarping}) : fieldsOf(arguments, present);
     if (!fields)
         return fields.error();
     query.error = fields->error;

@@ -10,23 +10,22 @@
 
 namespace tetra {
 
-/// The options that choose a mesh of a model, the same wherever a subcommand takes them.
-///
-/// How accurate it is, and where: --error, --warping, --focus, --focus-error, --focus-warping, --falloff, --field,
-/// --budget, --method.
-std::vector<Option> fieldOptions();
-/// Which part of it: --window, --border, --values.
-std::vector<Option> partOptions();
+/// The options that choose a mesh of a model, one group for all subcommands that take one (C2): how accurate it is, and
+/// where (--error, --warping, --focus, --focus-error, --focus-warping, --falloff, --field, --budget, --method); in
+/// place of one mesh all of a range of accuracies (--range, --births, --deaths); and which part of it (--window,
+/// --border,
+/// --values).
+std::vector<Option> queryOptions();
 
-/// Whether one of the fieldOptions() but --warping is given, which also goes with levels of detail.
+/// Whether one of these but --warping is given, which also goes with levels of detail.
 bool asksForMesh(const Arguments& arguments);
 
-/// What all these options ask for. Errors (WrongUsage): values that do not fit, and options that do not go together.
-Result<MeshQuery> queryOf(const Arguments& arguments);
+/// What all these options ask for; fields take what they leave out from `present`. Errors (WrongUsage): values that do
+/// not fit, and options that do not go together.
+Result<MeshQuery> queryOf(const Arguments& arguments, const PresentView& present = {});
 
-/// The parts of queryOf() that other queries take, too.
-Result<std::optional<Window>> windowOf(const Arguments& arguments);
-Result<std::vector<ValueRange>> valueRangesOf(const Arguments& arguments);
+/// For queries to be checked before there is a picture: something of everything.
+PresentView anyView();
 
 /// As --method takes it: "closed-set".
 std::string_view methodName(VariableMethod method);

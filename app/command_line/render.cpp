@@ -9,6 +9,7 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
@@ -97,8 +98,8 @@ ParameterValues completed(const ParameterValues& given, const std::vector<Parame
     return values;
 }
 
-AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& parameters, const ParameterValues& values,
-                            const ShownMesh& mesh)
+/// What of a view these values are.
+ViewValue viewOf(const ParameterValues& values)
 {
     ViewValue view;
     view.appearance.settings = values;
@@ -108,7 +109,21 @@ AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& pa
     if (const auto found = values.find(isovaluesId); found != values.end())
         if (const auto* isovalues = std::get_if<std::vector<Isovalue>>(&found->second))
             view.isovalues = *isovalues;
-    return annotationContent(model, matteringParameters(parameters, values), view, &mesh);
+    return view;
+}
+
+/// What fields can be taken from.
+PresentView presentView(const Camera& camera, const ParameterValues& values)
+{
+    ViewValue view = viewOf(values);
+    view.camera = camera;
+    return presentView(view);
+}
+
+AnnotationContent contentOf(const Model& model, const std::vector<Parameter>& parameters, const ParameterValues& values,
+                            const ShownMesh& mesh)
+{
+    return annotationContent(model, matteringParameters(parameters, values), viewOf(values), &mesh);
 }
 
 /// Options that this mode would not look at, as the others are.
@@ -146,6 +161,9 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return values.error();
     if (const Status used = checkAppearance(invocation.arguments, *view.model, renderer, *values); !used)
         return used.error();
+    if (request.query.range && invocation.arguments.has(boundaryId))
+        return Error{ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary for "
+                                            "'--boundary'. Leave one of the two out."};
     if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
@@ -155,13 +173,12 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return camera.error();
     const FieldExtent field = extentOf(*view.model);
     const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
-    view.scene = {view.model,
-                  renderer.plugin,
-                  request.query,
-                  completed(*values, renderer.plugin->parameters(field), start),
-                  *camera,
-                  request.picture.width,
-                  request.picture.height};
+    ParameterValues shown = completed(*values, renderer.plugin->parameters(field), start);
+    const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
+    if (!query)
+        return query.error();
+    view.scene = {
+        view.model, renderer.plugin, *query, std::move(shown), *camera, request.picture.width, request.picture.height};
     view.picture.annotations = annotationsOf(invocation.arguments);
     view.picture.annotations.camera = *camera;
     view.picture.annotations.background = request.picture.background;
@@ -363,7 +380,7 @@ Syntax renderSyntax(PluginHost& host)
     addPluginOptions(syntax, ofRenderers);
     const FieldExtent someField{{1, 3}, Eigen::AlignedBox3d(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3, 6, 9)), {}};
     sayDefaultsFromData(syntax, ofRenderers, rendererParameters(host, someField));
-    for (auto options : {pictureOptions(host), annotationOptions(), fieldOptions(), partOptions()})
+    for (auto options : {pictureOptions(host), annotationOptions(), queryOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
     return syntax;
 }

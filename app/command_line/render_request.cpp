@@ -162,7 +162,7 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
         request.depth = *depth;
     if (const auto surfaces = arguments.value("surfaces"))
         request.surfaces = *surfaces;
-    auto query = queryOf(arguments);
+    auto query = queryOf(arguments, anyView()); // for good when the picture is known
     if (!query)
         return query.error();
     request.query = *std::move(query);

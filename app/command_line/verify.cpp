@@ -137,6 +137,22 @@ Result<LevelReport> verifyExtracted(const std::shared_ptr<const Model>& model, c
     return verdict;
 }
 
+/// What is proved is a mesh of the whole domain.
+Status checkWhole(const Arguments& arguments)
+{
+    for (const char* option : {"range", "births", "deaths"})
+        if (arguments.has(option))
+            return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
+                                                    "' gives tetrahedra of many meshes, and one mesh is proved at a "
+                                                    "time. Give accuracies of the range with '--lod'."};
+    for (const char* option : {"window", "border", "values"})
+        if (arguments.has(option))
+            return Error{ErrorKind::WrongUsage, "'--" + std::string(option) +
+                                                    "' chooses from the tetrahedra of a mesh that is proved as a "
+                                                    "whole, and them with it. Leave it out."};
+    return {};
+}
+
 } // namespace
 
 Syntax verifySyntax(PluginHost& host)
@@ -168,7 +184,7 @@ Syntax verifySyntax(PluginHost& host)
                      {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."},
                      {"tan verify engine.tan --against engine.nrrd --focus sphere:120,100,60,30 --focus-error 0.5",
                       "The mesh that 'tan extract' would write for the same options."}}};
-    std::ranges::move(fieldOptions(), std::back_inserter(syntax.options));
+    std::ranges::move(queryOptions(), std::back_inserter(syntax.options));
     addImportOptions(syntax, host);
     return syntax;
 }
@@ -176,6 +192,8 @@ Syntax verifySyntax(PluginHost& host)
 Result<Outcome> runVerify(const Invocation& invocation)
 {
     const std::string& path = invocation.arguments.positionals[0];
+    if (const Status whole = checkWhole(invocation.arguments); !whole)
+        return whole.error();
     const bool asksMesh = asksForMesh(invocation.arguments);
     const auto query = asksMesh ? queryOf(invocation.arguments) : Result<MeshQuery>(MeshQuery());
     if (!query)

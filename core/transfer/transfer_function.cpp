@@ -137,6 +137,33 @@ std::vector<double> valuesOf(const TransferFunction& function)
 
 } // namespace
 
+std::vector<std::array<double, 2>> opacityKnots(const TransferFunction& function)
+{
+    std::vector<std::array<double, 2>> knots;
+    const auto addEnd = [&](double value, bool before) {
+        const Stretch<OpacityPoint> stretch = stretchAt(function.opacities, value);
+        const double opacity =
+            std::lerp(double{stretch.low.opacity}, double{stretch.high.opacity}, stretch.share(value));
+        knots.push_back({value, before ? 0 : opacity});
+        knots.push_back({value, before ? opacity : 0});
+    };
+    if (function.mask)
+        addEnd(function.mask->least, true);
+    for (const OpacityPoint& point : function.opacities)
+        if (!function.mask || (function.mask->least < point.value && point.value < function.mask->largest))
+            knots.push_back({point.value, double{point.opacity}});
+    if (function.mask)
+        addEnd(function.mask->largest, false);
+    double largest = 0;
+    for (const auto& [value, opacity] : knots)
+        largest = std::max(largest, opacity);
+    if (!(largest > 0))
+        return {};
+    for (auto& [value, opacity] : knots)
+        opacity /= largest;
+    return knots;
+}
+
 TransferSample evaluate(const TransferFunction& function, double value)
 {
     if (const auto& mask = function.mask; mask && !(value >= mask->least && value <= mask->largest))

@@ -158,6 +158,10 @@ Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, cons
     if (!query.values.empty() || query.window)
         return Error{ErrorKind::WrongUsage, Message::say("Only a mesh of the whole domain can be verified: ask for it "
                                                          "without a range of values and without a window.")};
+    if (query.range)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A range of accuracies has the tetrahedra of many meshes, each "
+                                  "of which can be verified at its own accuracy.")};
     return guarded(
         Message::marked("Not enough memory to verify the mesh. Close other programs, or ask for a coarser one."),
         [&] { return verifyWhole(model, original, query, mesh, progress); });

@@ -99,6 +99,8 @@ struct SurfaceContent {
     std::string valueName; ///< of the array of the parts' values
     std::vector<SurfacePart> parts;
     MeshFacts facts;
+    /// As many values as all parts have triangles, part after part; for the formats that have such arrays.
+    std::vector<NamedArray> cellArrays{};
 
     /// Of all parts together.
     std::uint64_t vertexCount() const

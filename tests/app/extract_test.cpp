@@ -282,6 +282,93 @@ private slots:
                 tetrahedra(extracted({"--range", "1,8", "--window", "0,0,0,5,5,5"})));
     }
 
+    /// Births and deaths choose from a range (R17, C2): what is alive at an error is its mesh, which has a boundary.
+    void livesChooseFromARange()
+    {
+        const QStringList alive = {"--range", "1,8", "--births", "2,inf", "--deaths", "0,2"};
+        QCOMPARE(tetrahedra(extracted(alive)), tetrahedra(level("2")));
+        QCOMPARE(tetrahedra(extracted(alive, "mesh.stl")), tetrahedra(level("2")));
+        const qint64 all = tetrahedra(extracted({"--range", "1,8"}));
+        const qint64 early = tetrahedra(extracted({"--range", "1,8", "--births", "3,inf"}));
+        const qint64 late = tetrahedra(extracted({"--range", "1,8", "--births", "0,3"}));
+        QVERIFY(early > 0 && late > 0);
+        QCOMPARE(early + late, all);
+    }
+
+    /// Isosurfaces of the same meshes by the same options (R19, C2).
+    void isosurfacesTakeTheSameQueries_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("nothing") << QStringList();
+        QTest::newRow("error") << QStringList{"--error", "3"};
+        QTest::newRow("foci") << QStringList{
+            "--error", "8", "--focus", "sphere:8,8,8,3", "--focus", "box:0,0,0,3,3,3", "--focus-error", "0.5"};
+        QTest::newRow("field") << QStringList{"--field", "isovalues(120; 0.5, 8, 20)"};
+        QTest::newRow("budget") << QStringList{"--budget", "2000"};
+        QTest::newRow("window") << QStringList{"--window", "0,0,0,8,8,8", "--border", "clipped"};
+        QTest::newRow("values") << QStringList{"--values", "100,110"};
+        QTest::newRow("range") << QStringList{"--range", "1,8"};
+        QTest::newRow("part of a range") << QStringList{"--range",  "1,8",     "--births", "2,20",
+                                                        "--values", "100,130", "--window", "0,0,0,8,8,15"};
+    }
+    void isosurfacesTakeTheSameQueries()
+    {
+        QFETCH(QStringList, options);
+        const Run run = tan(QStringList{"isosurface", "c60.tan", "--value", "120", "-o", "s.vtp", "--json"} + options);
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const QJsonObject mesh = extracted(options);
+        for (const char* figure : {"sites", "tetrahedra", "scale", "method", "kept_tetrahedra", "coarse", "fine"})
+            QCOMPARE(run.json()[figure], mesh[figure]);
+        QVERIFY(run.json()["triangles"].toInteger() > 0 || options.contains("--values"));
+    }
+
+    /// The triangles of a range know the lives of their tetrahedra: those alive at an error are its isosurface (C2).
+    void trianglesOfARangeHaveLives_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"lives.vtp", "lives.vtu", "lives.vtk"})
+            QTest::newRow(name) << QString(name);
+    }
+    void trianglesOfARangeHaveLives()
+    {
+        QFETCH(QString, name);
+        const Run run = tan({"isosurface", "c60.tan", "--value", "120,60", "--range", "1,8", "-o", name, "--json"});
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const VtkReader reader(path(name));
+        if (reader.isMissing())
+            QSKIP("skipped: no python3-vtk9");
+        QVERIFY2(reader.ok(), reader.messages());
+        const std::vector<float> births = reader.array<float>("cell.birth_error");
+        const std::vector<float> deaths = reader.array<float>("cell.death_error");
+        QCOMPARE(static_cast<qint64>(births.size()), run.json()["triangles"].toInteger());
+        QCOMPARE(deaths.size(), births.size());
+        for (const float error : {1.0F, 2.0F, 8.0F}) {
+            qint64 alive = 0;
+            for (std::size_t cell = 0; cell < births.size(); ++cell)
+                alive += deaths[cell] <= error && error < births[cell] ? 1 : 0;
+            const Run one = tan({"isosurface", "c60.tan", "--value", "120,60", "--error",
+                                 QString::number(static_cast<double>(error)), "-o", "one.vtp", "--json"});
+            QCOMPARE(alive, one.json()["triangles"].toInteger());
+        }
+    }
+
+    void plyFilesOfARangeHaveLives()
+    {
+        QCOMPARE(tan({"isosurface", "c60.tan", "--value", "120", "--range", "1,8", "-o", "lives.ply"}).exitCode, 0);
+        QFile file(path("lives.ply"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray content = file.readAll();
+        const qsizetype end = content.indexOf("end_header\n") + 11;
+        const QByteArray head = content.left(end);
+        QVERIFY(head.contains("property list uchar int vertex_indices\nproperty float birth_error\n"
+                              "property float death_error\n"));
+        const auto count = [&head](const QByteArray& element) {
+            const qsizetype at = head.indexOf("element " + element + " ") + 9 + element.size();
+            return head.mid(at, head.indexOf('\n', at) - at).toLongLong();
+        };
+        QCOMPARE(content.size() - end, count("vertex") * 28 + count("face") * (13 + 8));
+    }
+
     void warpingIsLimited()
     {
         const auto size = [&](const QStringList& options) {

@@ -80,6 +80,9 @@ private slots:
         row("range and focus", QStringList{"--range", "1,2"} + focus, "'--focus' does not go with it", false);
         row("range and budget", {"--range", "1,2", "--budget", "100"}, "'--budget' does not go with it", false);
         row("range and method", {"--range", "1,2", "--method", "automatic"}, "'--method' does not go with it", false);
+        row("births without a range", {"--births", "1,2"}, "'--range'", false);
+        row("deaths turned round", {"--range", "1,2", "--deaths", "2,1"}, "'--deaths'", false);
+        row("nothing so short-lived", {"--range", "1,2", "--births", "0,0"}, "has such a life", false);
         row("range cut off", {"--range", "1,2", "--window", "0,0,0,5,5,5", "--border", "clipped"},
             "'--border clipped' does not go", false);
     }
@@ -98,6 +101,19 @@ private slots:
         const Run verify = tan(QStringList{"verify", "c60.tan", "--against", "c60.nrrd"} + options);
         QVERIFY2(verify.exitCode == 2, QByteArray::number(verify.exitCode) + ": " + verify.messages);
         QVERIFY2(QString::fromUtf8(verify.messages).contains(part), verify.messages);
+    }
+
+    /// What makes no sense for a proof is refused with the reason, not as unknown (C2).
+    void verifyProvesWholeMeshes()
+    {
+        for (const QStringList& options :
+             {QStringList{"--range", "1,2"}, QStringList{"--births", "1,2"}, QStringList{"--window", "0,0,0,5,5,5"},
+              QStringList{"--border", "clipped"}, QStringList{"--values", "1,2"}}) {
+            const Run run = tan(QStringList{"verify", "c60.tan", "--against", "c60.nrrd"} + options);
+            QCOMPARE(run.exitCode, 2);
+            QVERIFY2(run.messages.contains("'" + options[0].toUtf8() + "' ") && run.messages.contains("prove"),
+                     run.messages);
+        }
     }
 
     void wrongFilesAreRefused()

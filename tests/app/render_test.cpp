@@ -313,6 +313,50 @@ private slots:
         QCOMPARE(points, others);
     }
 
+    /// Fields take the camera, the isovalues and the opacities from the picture (C3).
+    void fieldsDependOnThePicture()
+    {
+        QVERIFY(writeFile(path("view.json"),
+                          R"({"azimuth": 0, "elevation": 0, "target": [7.5, 7.5, 7.5], "distance": 40})"));
+        QVERIFY(writeFile(path("ramp.json"),
+                          R"({"format": "tan-transfer-function", "version": 2, "colours": [],
+                              "opacities": [{"value": 50, "opacity": 0}, {"value": 150, "opacity": 0.5}]})"));
+        const auto tetrahedra = [&](const QString& mode, const QString& field) {
+            QStringList options{"render", "c60.tan", "--mode",      mode,     "--camera", "view.json", "--size",
+                                "9x9",    "-o",      "picture.png", "--json", "--field",  field};
+            options += mode == "volume" ? QStringList{"--transfer", "ramp.json"} : QStringList{"--isovalue", "120"};
+            return tan(options).json()["tetrahedra"].toInteger(-1);
+        };
+        for (const auto& [mode, present, written] :
+             {std::tuple{"isosurface", "camera(; 0.5, 8, 45)", "camera(7.5, -32.5, 7.5; 0.5, 8, 45)"},
+              std::tuple{"isosurface", "isovalues(; 0.5, 8, 20)", "isovalues(120; 0.5, 8, 20)"},
+              std::tuple{"volume", "opacity(; 0.5, 8)", "opacity(50:0, 150:1; 0.5, 8)"}}) {
+            const qint64 size = tetrahedra(mode, present);
+            QCOMPARE(size, tetrahedra(mode, written));
+            QVERIFY(size > tetrahedra(mode, "8") && size < tetrahedra(mode, "0.5"));
+        }
+        const Run missed = tan({"extract", "c60.tan", "--field", "camera(; 1, 2, 3)", "-o", "x.vtu"});
+        QCOMPARE(missed.exitCode, 2);
+        QVERIFY2(missed.messages.contains("the camera's position"), missed.messages);
+    }
+
+    /// Surfaces of a range are drawn over each other; a volume is drawn of one mesh only (C2).
+    void rangesAreDrawnAsSurfaces()
+    {
+        const auto [all, figures] = drawn({"--range", "8,1", "--isovalue", "120:gold:0.2"}, "isosurface");
+        const auto [one, fewer] = drawn({"--error", "1", "--isovalue", "120:gold:0.2"}, "isosurface");
+        QVERIFY(figures["triangles"].toInteger() > fewer["triangles"].toInteger());
+        QVERIFY(all != one);
+        const QStringList alive{"--range", "8,1", "--births", "2,inf", "--deaths", "0,2"};
+        QCOMPARE(drawn(alive, "volume").first, drawn({"--error", "2"}, "volume").first);
+        for (const QStringList& options : {QStringList{"--mode", "volume"}, QStringList{"--boundary", "translucent"}}) {
+            const Run run =
+                tan(QStringList{"render", "c60.tan", "--range", "8,1", "--size", "60x60", "-o", "x.png"} + options);
+            QCOMPARE(run.exitCode, 2);
+            QVERIFY2(run.messages.contains("over each other") || run.messages.contains("overlap"), run.messages);
+        }
+    }
+
     void anEmptySessionIsNoPicture()
     {
         QFile empty(path("empty.tansession"));

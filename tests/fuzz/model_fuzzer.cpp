@@ -72,7 +72,7 @@ void examine(const std::shared_ptr<const Model>& model)
         else
             requireText(mesh.error());
     }
-    const auto part = extractHistory(*model, {20}, {1}, {}, {});
+    const auto part = extractHistory(*model, {20}, {1});
     if (part)
         requireWellFormed(part->mesh);
     require(verify(*model, datasetFor(*model), {{5}, {0}}).ok(), "verification finds, it does not fail");

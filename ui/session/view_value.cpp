@@ -76,6 +76,15 @@ void PartialView::complete(const PartialView& others)
     std::ranges::sort(parts_, {}, &Part::index);
 }
 
+PresentView presentView(const ViewValue& view)
+{
+    PresentView present{eyePosition(view.camera), {}, opacityKnots(view.appearance.transfer)};
+    for (const Isovalue& isovalue : view.isovalues)
+        if (isovalue.visible)
+            present.isovalues.push_back(isovalue.value);
+    return present;
+}
+
 FilmFrame frameOf(const ViewValue& view)
 {
     return {view.camera,      view.appearance.transfer, view.isovalues,

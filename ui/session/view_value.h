@@ -91,6 +91,9 @@ private:
     std::vector<Part> parts_; ///< in that order
 };
 
+/// What of a view error fields can depend on: where the eye is, the isovalues that are shown, and the opacities.
+PresentView presentView(const ViewValue& view);
+
 /// What of a view can move in a film.
 FilmFrame frameOf(const ViewValue& view);
 /// The view with what a frame of a film shows.

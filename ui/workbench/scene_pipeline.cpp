@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/scene_pipeline.h"
 
+#include "plugins/api/boundary_parameters.h"
+
 #include <chrono>
 #include <new>
 #include <variant>
@@ -180,13 +182,20 @@ try {
     }
     if (!session_ || renderer_ != request.renderer)
         open(request, needed);
-    auto scene =
-        session_->prepare({request.values, request.camera, request.width, request.height}, progress.part(0.5, 1));
+    ParameterValues values = request.values;
+    if (const auto boundary = values.find(boundaryId); mesh_->overlaps && boundary != values.end())
+        boundary->second = std::string(boundaryOff); // tetrahedra over each other have none
+    auto scene = session_->prepare({values, request.camera, request.width, request.height}, progress.part(0.5, 1));
     if (!scene) {
         if (scene.error().kind == ErrorKind::OutOfResource)
             clear();
         return scene.error();
     }
+    if (mesh_->overlaps && hasVolume(**scene))
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("A range of accuracies has tetrahedra that lie over each other, so their volume cannot "
+                         "be drawn. Choose isosurfaces, or births and deaths that leave one mesh.")};
     built.scene = *std::move(scene);
     built.mesh = shownMesh(request.query);
     built.triangles = triangleCount(*built.scene);

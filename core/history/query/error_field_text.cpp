@@ -149,7 +149,7 @@ bool isBlank(char c)
 /// By recursive descent. After the first error, which is kept, everything else fails: functions then return something.
 class Parser {
 public:
-    explicit Parser(std::string_view text) : text_(text) {}
+    Parser(std::string_view text, const PresentView& present) : text_(text), present_(present) {}
 
     Result<ErrorField> run()
     {
@@ -248,8 +248,24 @@ private:
 
     ErrorField camera()
     {
+        if (takesPresent(present_.eye.has_value(), Message::marked("the camera's position")))
+            return ramp(Sphere{*present_.eye, 0});
         const Numbers n = coordinates(3);
         return ramp(Sphere{{n[0], n[1], n[2]}, 0});
+    }
+
+    /// Whether the list before the semicolon is left out; then what comes next is that sign.
+    bool takesPresent(bool isPresent, MarkedText missing)
+    {
+        const std::size_t start = place_;
+        expect('(');
+        skipBlanks();
+        const bool isLeftOut = !error_ && place_ < text_.size() && text_[place_] == ';';
+        if (isLeftOut && !isPresent)
+            fail(missing);
+        if (!isLeftOut && !error_)
+            place_ = start;
+        return isLeftOut && isPresent;
     }
 
     ErrorField ramp(const Region& region)
@@ -270,11 +286,14 @@ private:
 
     ErrorField isovalues()
     {
-        Numbers found;
-        expect('(');
-        do
-            found.push_back(number());
-        while (next(','));
+        Numbers found = present_.isovalues;
+        if (!takesPresent(!found.empty(), Message::marked("the isovalues"))) {
+            found.clear();
+            expect('(');
+            do
+                found.push_back(number());
+            while (next(','));
+        }
         const auto [inner, outer] = twoErrors();
         const double falloff = next(',') ? size() : 0;
         return ErrorField::nearValues(found, inner, outer, falloff);
@@ -282,8 +301,11 @@ private:
 
     ErrorField opacity()
     {
-        expect('(');
-        const Knots found = knots();
+        Knots found = present_.opacity;
+        if (!takesPresent(!found.empty(), Message::marked("the opacities"))) {
+            expect('(');
+            found = knots();
+        }
         const auto [inner, outer] = twoErrors();
         return ErrorField::byOpacity(found, inner, outer);
     }
@@ -418,6 +440,7 @@ private:
     }
 
     std::string_view text_;
+    const PresentView& present_;
     std::size_t place_ = 0;
     int depth_ = 0;
     int fields_ = 0;
@@ -426,9 +449,9 @@ private:
 
 } // namespace
 
-Result<ErrorField> parseErrorField(std::string_view text)
+Result<ErrorField> parseErrorField(std::string_view text, const PresentView& present)
 {
-    return Parser(text).run();
+    return Parser(text, present).run();
 }
 
 } // namespace tetra

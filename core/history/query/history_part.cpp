@@ -8,6 +8,10 @@
 #include "core/mesh/topology.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace tetra {
@@ -16,43 +20,10 @@ namespace {
 
 constexpr MarkedText extractingRange = Message::marked("Extracting a range of meshes");
 
-/// What is asked of tetrahedra besides their life.
-class Choice {
-public:
-    Choice(std::span<const ValueRange> values, const std::optional<Window>& window, const TetrahedralMesh& mesh)
-        : ranges_(values), values_(mesh.values)
-    {
-        if (window) {
-            border_ = window->border;
-            sides_.emplace(window->box, mesh.positions);
-        }
-    }
-
-    bool includesAll() const { return ranges_.empty() && !sides_; }
-
-    bool includes(const Tetrahedron& t) const
-    {
-        if (!ranges_.empty() && !canContain({values_[t[0]], values_[t[1]], values_[t[2]], values_[t[3]]}, ranges_))
-            return false;
-        if (!sides_)
-            return true;
-        return border_ == WindowBorder::Contained ? sides_->placeOf(t) == BoxSides::Place::Inside : sides_->meets(t);
-    }
-
-private:
-    std::span<const ValueRange> ranges_;
-    std::span<const float> values_;
-    WindowBorder border_ = WindowBorder::Intersecting;
-    std::optional<BoxSides> sides_;
-};
-
 /// Goes through the part of the file that the finer mesh needs.
 class HistoryScan {
 public:
-    HistoryScan(const Model& model, const Choice& choice, HistoryPart& part)
-        : model_(model), choice_(choice), part_(part)
-    {
-    }
+    HistoryScan(const Model& model, HistoryPart& part) : model_(model), part_(part) {}
 
     Status run(const Progress& progress);
 
@@ -61,7 +32,6 @@ private:
     Status keep(std::uint32_t creator, std::uint64_t tetrahedron, std::uint32_t destroyer);
 
     const Model& model_;
-    const Choice& choice_;
     HistoryPart& part_;
     std::uint64_t inCoarse_ = 0;
     std::uint64_t inFine_ = 0;
@@ -69,9 +39,8 @@ private:
 
 Status HistoryScan::run(const Progress& progress)
 {
-    if (choice_.includesAll())
-        if (const Status made = makeRoom(progress.part(0, 0.2)); !made)
-            return made;
+    if (const Status made = makeRoom(progress.part(0, 0.2)); !made)
+        return made;
     const auto visit = [this](const Stars& stars) {
         Status right;
         // Of later batches than the creator: so a life that ends behind the coarse mesh has meshes from there on.
@@ -119,17 +88,23 @@ Status HistoryScan::keep(std::uint32_t creator, std::uint64_t tetrahedron, std::
         return inconsistentModel(
             model_,
             Message::say("a tetrahedron of site %1 is destroyed by a site that does not come after it", creator));
-    const Tetrahedron found = {creator, a, b, c};
-    if (!choice_.includes(found))
-        return {};
-    part_.mesh.tetrahedra.push_back(found);
+    part_.mesh.tetrahedra.push_back({creator, a, b, c});
     part_.births.push_back(creator + 1);
     part_.deaths.push_back(destroyer == Model::never ? Model::never : destroyer + 1);
     return {};
 }
 
-Status extractInto(const Model& model, std::span<const ValueRange> values, const std::optional<Window>& window,
-                   const Progress& progress, HistoryPart& part)
+/// What a mesh of so many sites had before the last of them entered, in % of the value range.
+float errorBefore(const Model& model, std::uint32_t sites)
+{
+    if (sites == Model::never)
+        return 0;
+    const double extent = model.description().range.extent();
+    const float key = model.runningKeys()[sites - 1];
+    return std::isinf(key) ? key : static_cast<float>(extent > 0 ? 100 * static_cast<double>(key) / extent : 0);
+}
+
+Status extractInto(const Model& model, const Progress& progress, HistoryPart& part)
 {
     if (part.coarse.sites == 0)
         return inconsistentModel(model, Message::say("its first sites have an error"));
@@ -137,34 +112,101 @@ Status extractInto(const Model& model, std::span<const ValueRange> values, const
         return placed;
     if (const Status copied = copyValues(model, part.fine.sites, part.mesh.values); !copied)
         return copied;
-    const Choice choice(values, window, part.mesh);
-    if (const Status scanned = HistoryScan(model, choice, part).run(progress); !scanned)
+    if (const Status scanned = HistoryScan(model, part).run(progress); !scanned)
         return scanned;
     turnToPhysicalSpace(model, part.mesh.tetrahedra);
+    model.check(model.runningKeys()); // what it finds is known to checkIntact()
+    const auto errors = [&model](const Buffer<std::uint32_t>& sites, Buffer<float>& result) {
+        result.resize(sites.size());
+        std::ranges::transform(sites, result.begin(), [&](std::uint32_t site) { return errorBefore(model, site); });
+    };
+    errors(part.births, part.birthErrors);
+    errors(part.deaths, part.deathErrors);
     return model.checkIntact();
 }
 
 } // namespace
 
 Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
-                                   std::span<const ValueRange> values, const std::optional<Window>& window,
                                    const Progress& progress)
 {
-    if (window && window->border == WindowBorder::Clipped)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Meshes of several accuracies cannot be cut at a window: what is cut has no life of "
-                                  "its own. Ask for the tetrahedra that intersect the window, or that it contains.")};
     HistoryPart part;
     part.coarse = meshSizeAt(model, one);
     part.fine = meshSizeAt(model, other);
     if (part.coarse.sites > part.fine.sites)
         std::swap(part.coarse, part.fine);
     const Status extracted = guarded(
-        Message::marked("Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window."),
-        [&] { return extractInto(model, values, window, progress, part); }, part.fine.sites);
+        Message::marked("Not enough memory for all meshes of up to %1 sites. Choose a larger error."),
+        [&] { return extractInto(model, progress, part); }, part.fine.sites);
     if (!extracted)
         return extracted.error();
     return part;
+}
+
+namespace {
+
+/// What is asked of tetrahedra besides their life.
+class Choice {
+public:
+    Choice(std::span<const ValueRange> values, const std::optional<Window>& window, const TetrahedralMesh& mesh)
+        : ranges_(values), values_(mesh.values)
+    {
+        if (window) {
+            border_ = window->border;
+            sides_.emplace(window->box, mesh.positions);
+        }
+    }
+
+    bool includes(const Tetrahedron& t) const
+    {
+        if (!ranges_.empty() && !canContain({values_[t[0]], values_[t[1]], values_[t[2]], values_[t[3]]}, ranges_))
+            return false;
+        if (!sides_)
+            return true;
+        return border_ == WindowBorder::Contained ? sides_->placeOf(t) == BoxSides::Place::Inside : sides_->meets(t);
+    }
+
+private:
+    std::span<const ValueRange> ranges_;
+    std::span<const float> values_;
+    WindowBorder border_ = WindowBorder::Intersecting;
+    std::optional<BoxSides> sides_;
+};
+
+} // namespace
+
+Result<ExtractedMesh> chooseLives(const HistoryPart& part, const MeshQuery& query, const Progress& progress)
+{
+    constexpr MarkedText choosingLives = Message::marked("Choosing tetrahedra by their lives");
+    constexpr std::size_t chosenAtOnce = 1 << 16;
+    const LifeRange range = query.range.value_or(LifeRange());
+    const Choice choice(query.values, query.window, part.mesh);
+    ExtractedMesh chosen;
+    chosen.mesh.positions = part.mesh.positions;
+    chosen.mesh.values = part.mesh.values;
+    chosen.sites.resize(part.mesh.positions.size());
+    std::iota(chosen.sites.begin(), chosen.sites.end(), 0);
+    float firstBirth = std::numeric_limits<float>::infinity(), lastDeath = 0;
+    for (std::size_t t = 0; t < part.mesh.tetrahedra.size(); ++t) {
+        if (t % chosenAtOnce == 0 && progress.cancelled())
+            return cancelledError(choosingLives);
+        const float birth = part.birthErrors[t], death = part.deathErrors[t];
+        const bool lives = range.births.minimum < birth && birth <= range.births.maximum &&
+                           range.deaths.minimum <= death && death <= range.deaths.maximum;
+        if (!lives || !choice.includes(part.mesh.tetrahedra[t]))
+            continue;
+        chosen.mesh.tetrahedra.push_back(part.mesh.tetrahedra[t]);
+        chosen.birthErrors.push_back(birth);
+        chosen.deathErrors.push_back(death);
+        firstBirth = std::min(firstBirth, birth);
+        lastDeath = std::max(lastDeath, death);
+    }
+    chosen.overlaps = !chosen.mesh.tetrahedra.empty() && !(lastDeath < firstBirth);
+    chosen.wholeSites = part.fine.sites;
+    chosen.wholeTetrahedra = part.mesh.tetrahedra.size();
+    chosen.keptTetrahedra = chosen.mesh.tetrahedra.size();
+    dropUnusedVertices(chosen);
+    return chosen;
 }
 
 } // namespace tetra

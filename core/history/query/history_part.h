@@ -4,7 +4,7 @@
 #include <tan/base.h>
 #include <tan/query.h>
 
-#include <optional>
+#include <cstdint>
 
 namespace tetra {
 
@@ -15,16 +15,19 @@ struct HistoryPart {
     TetrahedralMesh mesh; ///< vertices are the first sites; the tetrahedra overlap: they are no mesh together
     Buffer<std::uint32_t> births;
     Buffer<std::uint32_t> deaths;
+    Buffer<float> birthErrors; ///< the same as ExtractedMesh has them
+    Buffer<float> deathErrors;
     MeshSize coarse; ///< the meshes at the two ends
     MeshSize fine;
 };
 
-/// All tetrahedra that are alive at some accuracy between the two, ends included, which may come in any order; of
-/// these, only those that can contain a value of `values` (empty: all), and that have a point in common with the window
-/// or lie in it (a window that cuts is refused, WrongUsage: what is cut has no life). In the order of the file, so of
-/// birth. Other errors as of extractPrefix().
-TAN_INTERNAL Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
-                                                std::span<const ValueRange> values, const std::optional<Window>& window,
-                                                const Progress& progress = {});
+/// All tetrahedra that are alive at some accuracy between the two, ends included, which may come in any order. In the
+/// order of the file, so of birth. Errors as of extractPrefix().
+Result<HistoryPart> extractHistory(const Model& model, const Accuracy& one, const Accuracy& other,
+                                   const Progress& progress = {});
+
+/// What of a part the lives, values and window of a query with a range choose (R17), without the vertices that none of
+/// it uses; nothing is read of the model. O(vertices + tetrahedra). May throw std::bad_alloc. Error: cancelled.
+Result<ExtractedMesh> chooseLives(const HistoryPart& part, const MeshQuery& query, const Progress& progress = {});
 
 } // namespace tetra

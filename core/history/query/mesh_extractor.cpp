@@ -6,6 +6,7 @@
 #include "core/history/query/boundary_repair.h"
 #include "core/history/query/closed_set.h"
 #include "core/history/query/curvilinear_focus.h"
+#include "core/history/query/history_part.h"
 #include "core/history/query/refinement_criterion.h"
 #include "core/history/query/region_refiner.h"
 #include "core/history/query/window.h"
@@ -164,6 +165,7 @@ public:
     Result<std::shared_ptr<const ExtractedMesh>> extract(const MeshQuery& query, const Progress& progress);
 
 private:
+    Result<std::shared_ptr<const ExtractedMesh>> extractRange(const MeshQuery& query, const Progress& progress);
     Status extractWhole(const MeshQuery& query, const Progress& progress);
     Status extractUniform(const MeshQuery& query, const Progress& progress);
     Status extractPair(const MeshQuery& query, const Accuracy& asked, const Progress& progress);
@@ -195,6 +197,7 @@ private:
     std::shared_ptr<LendableMesh> whole_;              ///< the last mesh before values and window; null after an error
     std::uint32_t uniformSites_ = 0;                   ///< of that, if it is a prefix; else 0
     std::optional<MeshQuery> pair_;                    ///< of that, if it is uniform and no prefix
+    std::optional<HistoryPart> part_;                  ///< of the last query with a range
 };
 
 Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const MeshQuery& query,
@@ -202,6 +205,9 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
 {
     if (const Status sensible = checkQuery(*model_, query); !sensible)
         return sensible.error();
+    if (query.range)
+        return extractRange(query, progress);
+    part_.reset();
     const bool filters = !query.values.empty() || query.window.has_value();
     Status found = extractWhole(query, progress.part(0, filters ? 0.7 : 1));
     // Whatever else came of damaged numbers, this is the reason.
@@ -229,6 +235,27 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
     }
     dropUnusedVertices(*part);
     return std::shared_ptr<const ExtractedMesh>(std::move(part));
+}
+
+/// Of the tetrahedra that are there already, if they are the same meshes'.
+Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extractRange(const MeshQuery& query,
+                                                                               const Progress& progress)
+{
+    std::uint32_t coarse = meshSizeAt(*model_, query.range->one).sites;
+    std::uint32_t fine = meshSizeAt(*model_, query.range->other).sites;
+    if (coarse > fine)
+        std::swap(coarse, fine);
+    if (!part_ || part_->coarse.sites != coarse || part_->fine.sites != fine) {
+        part_.reset();
+        auto part = extractHistory(*model_, query.range->one, query.range->other, progress.part(0, 0.8));
+        if (!part)
+            return part.error();
+        part_ = *std::move(part);
+    }
+    auto chosen = chooseLives(*part_, query, progress.part(0.8, 1));
+    if (!chosen)
+        return chosen.error();
+    return std::make_shared<const ExtractedMesh>(*std::move(chosen));
 }
 
 Status MeshExtractor::Work::extractWhole(const MeshQuery& query, const Progress& progress)

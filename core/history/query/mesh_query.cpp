@@ -8,14 +8,31 @@
 
 namespace tetra {
 
+namespace {
+
+bool sameRange(const ValueRange& one, const ValueRange& other)
+{
+    return one.minimum == other.minimum && one.maximum == other.maximum;
+}
+
+bool sameAccuracy(const Accuracy& one, const Accuracy& other)
+{
+    return one.error == other.error && one.warping == other.warping;
+}
+
+} // namespace
+
+bool operator==(const LifeRange& first, const LifeRange& second)
+{
+    return sameAccuracy(first.one, second.one) && sameAccuracy(first.other, second.other) &&
+           sameRange(first.births, second.births) && sameRange(first.deaths, second.deaths);
+}
+
 bool operator==(const MeshQuery& first, const MeshQuery& second)
 {
-    const auto sameRange = [](const ValueRange& one, const ValueRange& other) {
-        return one.minimum == other.minimum && one.maximum == other.maximum;
-    };
     return first.error == second.error && first.warping == second.warping && first.budget == second.budget &&
            std::ranges::equal(first.values, second.values, sameRange) && first.window == second.window &&
-           first.method == second.method;
+           first.method == second.method && first.range == second.range;
 }
 
 namespace {
@@ -33,6 +50,26 @@ Status checkWindow(const Box& box)
             return wrong(Message::say("The smallest %1 of the crop box, %2, is larger than its largest, %3. Swap them.",
                                       axes[static_cast<std::size_t>(axis)], formatNumber(box.least[axis]),
                                       formatNumber(box.largest[axis])));
+    return {};
+}
+
+Status checkRange(const MeshQuery& query)
+{
+    const LifeRange& range = *query.range;
+    for (const Accuracy& end : {range.one, range.other})
+        if (std::isnan(end.error) || std::isnan(end.warping))
+            return wrong(Message::say("An end of the range of accuracies is not a number. Give both in percent."));
+    for (const ValueRange& lives : {range.births, range.deaths})
+        if (!(lives.minimum <= lives.maximum))
+            return wrong(Message::say("A range of births or deaths goes from a smaller error to a larger one: %1 and "
+                                      "%2 do not.",
+                                      formatNumber(lives.minimum), formatNumber(lives.maximum)));
+    if (query.budget)
+        return wrong(Message::say("A budget is for one mesh, and a range of accuracies has many. Leave one of the two "
+                                  "out."));
+    if (query.window && query.window->border == WindowBorder::Clipped)
+        return wrong(Message::say("Meshes of several accuracies cannot be cut at a window: what is cut has no life of "
+                                  "its own. Ask for the tetrahedra that intersect the window, or that it contains."));
     return {};
 }
 
@@ -62,6 +99,8 @@ Status checkQuery(const Model& model, const MeshQuery& query)
         if (!(range.minimum <= range.maximum))
             return wrong(Message::say("A range of values goes from a smaller number to a larger one: %1 and %2 do not.",
                                       formatNumber(range.minimum), formatNumber(range.maximum)));
+    if (const Status range = query.range ? checkRange(query) : Status(); !range)
+        return range;
     return query.window ? checkWindow(query.window->box) : Status();
 }
 
@@ -102,7 +141,7 @@ ErrorField inner(const ErrorField& field)
 std::optional<TwoResolutions> twoResolutions(const MeshQuery& query)
 {
     const SpaceRamp* const ramp = query.error.asSpaceRamp();
-    if (ramp == nullptr || std::holds_alternative<HalfSpace>(ramp->region) || query.budget)
+    if (ramp == nullptr || std::holds_alternative<HalfSpace>(ramp->region) || query.budget || query.range)
         return std::nullopt;
     TwoResolutions result;
     if (const Box* const box = std::get_if<Box>(&ramp->region))

@@ -35,6 +35,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -184,6 +185,13 @@ struct ErrorField::Node {
     std::variant<double, SpaceRamp, ValueRamp, Pair> content;
 };
 
+/// What of a picture error fields can depend on (C3).
+struct PresentView {
+    std::optional<Eigen::Vector3d> eye{};         ///< where the camera is
+    std::vector<double> isovalues{};              ///< that are shown
+    std::vector<std::array<double, 2>> opacity{}; ///< of the transfer function, as for ErrorField::byOpacity()
+};
+
 /// Error fields as text (B2), for command lines, sessions and fields of forms. A number is a field, and so are
 ///
 ///     box(x,y,z, X,Y,Z; inner, outer, falloff)           two opposite corners
@@ -195,10 +203,11 @@ struct ErrorField::Node {
 ///     opacity(value:opacity, ...; inner, outer)          the opacity of a transfer function
 ///     sum(a, b, ...)  product(a, b, ...)  min(a, b, ...)  max(a, b, ...)     of two fields or more
 ///
-/// A falloff that is left out is 0: a sharp border. Blanks may stand between any two words or signs; numbers have a
-/// decimal point under every locale, and "inf" is one. At most 1000 fields are combined, nested 100 deep. Errors
-/// (WrongUsage) name the place, counted in characters from 1, and what is expected there.
-TAN_API Result<ErrorField> parseErrorField(std::string_view text);
+/// A falloff that is left out is 0: a sharp border. camera(; ...), isovalues(; ...) and opacity(; ...) without what
+/// comes before the semicolon take it from `present`, if that has it. Blanks may stand between any two words or signs;
+/// numbers have a decimal point under every locale, and "inf" is one. At most 1000 fields are combined, nested 100
+/// deep. Errors (WrongUsage) name the place, counted in characters from 1, and what is expected there.
+TAN_API Result<ErrorField> parseErrorField(std::string_view text, const PresentView& present = {});
 
 /// The inverse of parseErrorField(), with the shortest numbers; isovalues() and opacity() become values(). The field
 /// must be of finite regions, and of the size that can be parsed.
@@ -235,19 +244,36 @@ constexpr double keptPercent(double asked, double scale)
     return scale > 1 ? scale * (asked > leastScaledPercent ? asked : leastScaledPercent) : asked;
 }
 
+/// Tetrahedra of many meshes at once (R14): all that are alive in the mesh of some accuracy between two. They overlap,
+/// so together they are no mesh, unless what is chosen of them is alive at one and the same error.
+struct LifeRange {
+    Accuracy one; ///< the ends, which belong to it, in any order
+    Accuracy other;
+    /// Of these only the ones that are born within and die within so many percent (R17), as ExtractedMesh::birthErrors
+    /// and deathErrors: births.minimum < birth <= births.maximum, deaths.minimum <= death <= deaths.maximum. What is
+    /// alive at an error e has births {e, infinity} and deaths {0, e}.
+    ValueRange births{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    ValueRange deaths{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+};
+TAN_API bool operator==(const LifeRange& first, const LifeRange& second);
+
 /// A question to a model, as a value (R14, R17, R25, B1). Everything can be combined: accuracy or field or budget
-/// choose a conforming mesh of the whole domain, then values and window choose from its tetrahedra.
+/// choose a conforming mesh of the whole domain, or a range of accuracies many of them; then values and window choose
+/// from the tetrahedra.
 struct MeshQuery {
     ErrorField error = 0.0;          ///< at most this at each sample, % of the value range
     ErrorField warping = anyWarping; ///< likewise, % of the diagonal: curvilinear and irregular data only
     /// At most so many tetrahedra in the whole mesh: error and warping are multiplied by the smallest factor, at least
     /// 1, that satisfies it (keptPercent()), ramps as a whole. A budget only coarsens: to fill it, ask for a smaller
     /// error than it allows. With insertion the factor is approximate and may leave a tenth of the budget unused.
-    std::optional<std::uint64_t> budget;
+    std::optional<std::uint64_t> budget{};
     /// Only tetrahedra that can contain a value of one of these ranges, ends included. Empty: all.
-    std::vector<ValueRange> values;
-    std::optional<Window> window;
+    std::vector<ValueRange> values{};
+    std::optional<Window> window{};
     VariableMethod method = VariableMethod::Automatic;
+    /// In place of error, warping, budget and method. Goes with values, and with windows that do not cut: what is cut
+    /// has no life of its own.
+    std::optional<LifeRange> range{};
 };
 
 TAN_API bool operator==(const MeshQuery& first, const MeshQuery& second);
@@ -273,6 +299,13 @@ struct ExtractedMesh {
     /// model has nothing finer.
     double scale = 1;
     VariableMethod method = VariableMethod::ClosedSet; ///< that was used; a uniform mesh is a closed set, too
+    /// Of a range of accuracies, for each tetrahedron: the error from which it lives and the one from which it does not
+    /// any more, in % of the value range. It is in the mesh of an error e if death <= e < birth; the first ones have
+    /// the birth infinity, the last ones the death 0. Empty for one mesh.
+    Buffer<float> birthErrors{};
+    Buffer<float> deathErrors{};
+    /// Whether tetrahedra may lie over each other: no error is in the lives of all.
+    bool overlaps = false;
 };
 
 /// The mesh alone, for what draws it or goes through it; it keeps the whole result.
@@ -305,7 +338,8 @@ TAN_API std::optional<TwoResolutions> twoResolutions(const MeshQuery& query);
 
 /// Answers query after query to one model. Caches what variable queries need: positions and values of the sites, and
 /// links of the part of the history that was visited, never more than 8 bytes a tetrahedron of that. A uniform mesh is
-/// kept, too, so that another window or other values of it cost only the filter. Used from one thread at a time.
+/// kept, too, and so are the tetrahedra of a range of accuracies, so that another window, other values or other lives
+/// cost only the filter. Used from one thread at a time.
 /// Results outlive it. If nobody else holds the last result, its memory is used again. With insertion, a mesh may hold
 /// sites that an earlier, overlapping focus left: it keeps what was asked for, and is larger; a new extractor begins
 /// afresh.

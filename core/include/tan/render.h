@@ -339,10 +339,12 @@ TAN_API Buffer<Eigen::Vector3f> vertexGradients(const TetrahedralMesh& mesh);
 /// and triangles that lose a corner by that are left out, so no crack opens. Where the inside touches itself along an
 /// edge of the mesh, four triangles meet. Triangles wind so that their front looks towards smaller values; normals come
 /// from `gradients` (vertexGradients of the same mesh) and look the same way; where the gradient vanishes, from the
-/// triangles. O(vertices + tetrahedra), on all threads, the same result with any number of them. Errors: cancelled, not
-/// enough memory, arguments that do not belong together.
+/// triangles. `cells`, if given, gets the tetrahedron that each triangle lies in, ascending: so triangles are chosen by
+/// what is known of their tetrahedra (R17). O(vertices + tetrahedra), on all threads, the same result with any number
+/// of them. Errors: cancelled, not enough memory, arguments that do not belong together.
 TAN_API Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
-                                               double isovalue, const Progress& progress = {});
+                                               double isovalue, const Progress& progress = {},
+                                               Buffer<std::uint32_t>* cells = nullptr);
 
 /// A point of an edge of a mesh, from + share (to - from): so whatever is known at each vertex is interpolated there.
 struct EdgePoint {

@@ -132,6 +132,10 @@ struct TransferSegment {
     bool transparent() const noexcept { return atOrigin.extinction == 0 && perValue.extinction == 0; }
 };
 
+/// The opacities that are seen, as knots (value, share of the largest one), linear between, two of one value at a step:
+/// what ErrorField::byOpacity() takes. None if all is transparent. O(points).
+TAN_API std::vector<std::array<double, 2>> opacityKnots(const TransferFunction& function);
+
 /// The segments between the points of both curves of a function that checkTransferFunction() accepts, from minus to
 /// plus infinity, plus one on either side of its mask; one transparent segment if it has no opacities. O(points).
 TAN_API std::vector<TransferSegment> transferSegments(const TransferFunction& function);

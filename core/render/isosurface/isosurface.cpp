@@ -81,6 +81,20 @@ Buffer<Triangle> joinTriangles(std::span<const SurfaceChunk> runs, const Surface
     return triangles;
 }
 
+/// The tetrahedron of each triangle, in the order of joinTriangles(): a corner that is cut off gives one, two and two
+/// that are parted give two.
+Buffer<std::uint32_t> cellsOfTriangles(const TetrahedralMesh& mesh, std::span<const float> values, double isovalue)
+{
+    Buffer<std::uint32_t> cells;
+    for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        const auto inside = std::ranges::count_if(
+            mesh.tetrahedra[t], [&](std::uint32_t vertex) { return static_cast<double>(values[vertex]) >= isovalue; });
+        for (auto triangle = std::min(inside, 4 - inside); triangle > 0; --triangle)
+            cells.push_back(t);
+    }
+    return cells;
+}
+
 Status checkArguments(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
                       std::span<const Eigen::Vector3f> gradients, double isovalue)
 {
@@ -98,7 +112,8 @@ Status checkArguments(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
 } // namespace
 
 Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const float> values, const IsosurfaceIndex* index,
-                               std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress)
+                               std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress,
+                               Buffer<std::uint32_t>* cells)
 {
     progress.report(0, extractingIsosurface);
     const std::vector<SurfaceChunk> runs = makeSurfaceChunks(mesh, values, index, isovalue, progress);
@@ -124,8 +139,10 @@ Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const floa
         return cancelledError(extractingIsosurface);
     progress.report(0.9, extractingIsosurface);
     surface.triangles = joinTriangles(runs, vertices);
+    if (cells != nullptr)
+        *cells = cellsOfTriangles(mesh, values, isovalue);
     if (!found.ties.empty())
-        weldAtMeshVertices(found.ties, surface, vertices.edges);
+        weldAtMeshVertices(found.ties, surface, vertices.edges, cells);
     if (found.normalsMissing)
         fillNormalsFromTriangles(surface);
     progress.report(1, extractingIsosurface);
@@ -136,14 +153,14 @@ namespace {
 
 Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const IsosurfaceIndex* index,
                                     std::span<const Eigen::Vector3f> gradients, double isovalue,
-                                    const Progress& progress)
+                                    const Progress& progress, Buffer<std::uint32_t>* cells = nullptr)
 {
     if (Status status = checkArguments(mesh, index, gradients, isovalue); !status)
         return status.error();
     return guarded(Message::marked(
                        "Not enough memory for the isosurface. Close other programs or lower the accuracy of the mesh."),
                    [&]() -> Result<TriangleMesh> {
-                       auto contour = extractContour(mesh, mesh.values, index, gradients, isovalue, progress);
+                       auto contour = extractContour(mesh, mesh.values, index, gradients, isovalue, progress, cells);
                        if (!contour)
                            return contour.error();
                        return std::move(contour->surface);
@@ -153,9 +170,9 @@ Result<TriangleMesh> extractChecked(const TetrahedralMesh& mesh, const Isosurfac
 } // namespace
 
 Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, std::span<const Eigen::Vector3f> gradients,
-                                       double isovalue, const Progress& progress)
+                                       double isovalue, const Progress& progress, Buffer<std::uint32_t>* cells)
 {
-    return extractChecked(mesh, nullptr, gradients, isovalue, progress);
+    return extractChecked(mesh, nullptr, gradients, isovalue, progress, cells);
 }
 
 Result<TriangleMesh> extractIsosurface(const TetrahedralMesh& mesh, const IsosurfaceIndex& index,

@@ -41,9 +41,11 @@ struct Contour {
 };
 
 /// An isosurface of any numbers, one for each vertex of the mesh, in place of its own values; `index`, of those
-/// numbers, may be null. Arguments are not checked. May throw std::bad_alloc.
+/// numbers, may be null, and so may `cells`, for the tetrahedra of the triangles. Arguments are not checked. May throw
+/// std::bad_alloc.
 Result<Contour> extractContour(const TetrahedralMesh& mesh, std::span<const float> values, const IsosurfaceIndex* index,
-                               std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress);
+                               std::span<const Eigen::Vector3f> gradients, double isovalue, const Progress& progress,
+                               Buffer<std::uint32_t>* cells = nullptr);
 
 /// Fills in the normals of `surface` that are zero: the mean of the normals of the triangles, weighted by area; a
 /// vertex without one gets +z. O(vertices + triangles), one thread.

@@ -434,7 +434,8 @@ Buffer<std::uint32_t> renumberVertices(std::span<const CoincidentVertex> ties, T
 
 } // namespace
 
-void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface, Buffer<EdgeKey>& edges)
+void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface, Buffer<EdgeKey>& edges,
+                        Buffer<std::uint32_t>* cells)
 {
     const Buffer<std::uint32_t> numbers = renumberVertices(ties, surface, edges);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.triangles.size(), tiesAtOnce), [&](const auto& range) {
@@ -442,7 +443,15 @@ void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& su
             for (std::uint32_t& corner : surface.triangles[t])
                 corner = numbers[corner];
     });
-    std::erase_if(surface.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+    const auto isFlat = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+    if (cells != nullptr) {
+        std::size_t left = 0;
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            if (!isFlat(surface.triangles[t]))
+                (*cells)[left++] = (*cells)[t];
+        cells->resize(left);
+    }
+    std::erase_if(surface.triangles, isFlat);
 }
 
 } // namespace tetra

@@ -68,8 +68,9 @@ PlacingFindings placeVertices(const TetrahedralMesh& mesh, std::span<const float
 
 /// Makes one vertex of those that lie in the same vertex of the mesh: the edges of a vertex whose value is the isovalue
 /// all cross there. Of `edges`, those of the vertices, the first of each place stays. Keeps the order, and leaves out
-/// the triangles that have no area then; without welding, leaving them out would tear the surface. O(vertices +
-/// triangles), all threads for triangles. May throw std::bad_alloc.
-void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface, Buffer<EdgeKey>& edges);
+/// the triangles that have no area then, of `cells`, if given, likewise; without welding, leaving them out would tear
+/// the surface. O(vertices + triangles), all threads for triangles. May throw std::bad_alloc.
+void weldAtMeshVertices(std::span<const CoincidentVertex> ties, TriangleMesh& surface, Buffer<EdgeKey>& edges,
+                        Buffer<std::uint32_t>* cells = nullptr);
 
 } // namespace tetra

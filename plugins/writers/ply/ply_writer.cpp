@@ -127,7 +127,9 @@ std::string headOf(const SurfaceContent& content)
     if (content.hasColours())
         for (const std::string_view channel : {"red", "green", "blue"})
             head.property("uchar", channel);
-    return head.element("face", content.triangleCount()).vertexList().text();
+    head.element("face", content.triangleCount()).vertexList();
+    addProperties(head, content.cellArrays);
+    return head.text();
 }
 
 } // namespace
@@ -183,7 +185,7 @@ public:
         const bool normals = content.hasNormals();
         const bool colours = content.hasColours();
         const std::size_t vertexBytes = (normals ? 7 : 4) * sizeof(float) + (colours ? 3 : 0);
-        constexpr std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t);
+        const std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t) + bytesOfValues(content.cellArrays);
         file.expect(content.vertexCount() * vertexBytes + content.triangleCount() * faceBytes);
         if (const Status written = file.text(headOf(content)); !written)
             return written;
@@ -199,10 +201,12 @@ public:
         };
         if (const Status written = file.vertexRecords(content, vertexBytes, vertex); !written)
             return written;
-        const auto face = [](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
+        std::uint64_t number = 0;
+        const auto face = [&](const std::array<std::uint64_t, 3>& corners, std::byte* where) {
             putNumber(where, std::uint8_t(3));
             for (const std::uint64_t corner : corners)
                 putNumber(where, static_cast<std::int32_t>(corner));
+            putValues(where, content.cellArrays, number++);
         };
         return file.triangleRecords(content, faceBytes, face);
     }

@@ -210,6 +210,12 @@ Status writeAll(OutputFile& file, const SurfaceContent& content)
         return written;
     if (const Status written = writeTriangles(file, content); !written)
         return written;
+    if (!content.cellArrays.empty()) {
+        if (const Status written = file.text("\n"); !written)
+            return written;
+        if (const Status written = writeArrays(file, "CELL_DATA", triangles, content.cellArrays); !written)
+            return written;
+    }
     if (const Status written = file.text("\nPOINT_DATA " + vertices + "\nSCALARS " + vtkLegacyWord(content.valueName) +
                                          " float 1\nLOOKUP_TABLE default\n");
         !written)
@@ -277,7 +283,8 @@ public:
                          Message::say("'%1' would hold more than a legacy VTK file can number. Write a .vtp file, or a "
                                       "surface of a larger error.",
                                       file.target().string())};
-        file.expect(vertices * (content.hasColours() ? 31 : 28) + triangles * legacyTriangleBytes);
+        file.expect(vertices * (content.hasColours() ? 31 : 28) + triangles * legacyTriangleBytes +
+                    bytesOf(content.cellArrays));
         if (const Status written = writeAll(file, content); !written)
             return written;
         return file.text("\n");

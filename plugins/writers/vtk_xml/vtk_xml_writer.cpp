@@ -205,6 +205,17 @@ XmlArray connectivity(const SurfaceContent& content, std::uint64_t triangles)
             }};
 }
 
+XmlElement elementOf(std::string name, const std::vector<NamedArray>& arrays)
+{
+    XmlElement element{std::move(name), {}, {}};
+    if (!arrays.empty())
+        element.attributes = " Scalars=\"" + xmlAttribute(arrays.front().name) + "\"";
+    for (const NamedArray& array : arrays)
+        element.arrays.push_back(
+            std::visit([&](const auto& values) { return xmlArray(array.name, values); }, array.values));
+    return element;
+}
+
 XmlGrid gridOf(const SurfaceContent& content, bool polydata)
 {
     const std::uint64_t vertexCount = content.vertexCount(), triangleCount = content.triangleCount();
@@ -231,6 +242,7 @@ XmlGrid gridOf(const SurfaceContent& content, bool polydata)
                 triangles + "\"",
             content.facts,
             {std::move(pointData),
+             elementOf("CellData", content.cellArrays),
              {"Points", {}, {vectors("Points", content, &SurfacePart::positions)}},
              std::move(cells)}};
 }
@@ -238,17 +250,6 @@ XmlGrid gridOf(const SurfaceContent& content, bool polydata)
 // Meshes.
 
 constexpr std::uint8_t vtkTetra = 10;
-
-XmlElement elementOf(std::string name, const std::vector<NamedArray>& arrays)
-{
-    XmlElement element{std::move(name), {}, {}};
-    if (!arrays.empty())
-        element.attributes = " Scalars=\"" + xmlAttribute(arrays.front().name) + "\"";
-    for (const NamedArray& array : arrays)
-        element.arrays.push_back(
-            std::visit([&](const auto& values) { return xmlArray(array.name, values); }, array.values));
-    return element;
-}
 
 /// `Index` is the type of the numbers of vertices. Points into the content.
 template <class Index> XmlGrid gridWith(const MeshContent& content)

@@ -6,6 +6,7 @@
 
 #include <tan/render.h>
 
+#include <Eigen/LU>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -281,6 +282,35 @@ private slots:
 
     /// In spatial order and by an index it is the same surface, whatever is passed over: fields with and without ties
     /// and NaN, in several runs.
+    /// Each triangle lies in its tetrahedron, and the surface is the one that is made without them (R17, C2), also
+    /// where triangles are left out because corners of the mesh have the isovalue.
+    void trianglesKnowTheirCells()
+    {
+        for (const Split split : {Split::Five, Split::Six}) {
+            const auto mesh = latticeMesh(9, 9, split, randomField(5, 4));
+            const auto gradients = vertexGradients(mesh);
+            for (const double isovalue : {1.0, 2.0, 1.3}) {
+                Buffer<std::uint32_t> cells;
+                const auto surface = extractIsosurface(mesh, gradients, isovalue, {}, &cells);
+                QVERIFY(surface.ok() && !surface->triangles.empty());
+                QVERIFY(surface->triangles == extracted(mesh, isovalue).triangles);
+                QCOMPARE(cells.size(), surface->triangles.size());
+                QVERIFY(std::ranges::is_sorted(cells));
+                for (std::size_t t = 0; t < cells.size(); ++t) {
+                    const auto& cell = mesh.tetrahedra[cells[t]];
+                    Eigen::Matrix4d corners;
+                    for (int i = 0; i < 4; ++i)
+                        corners.col(i) << mesh.positions[cell[static_cast<std::size_t>(i)]].cast<double>(), 1;
+                    for (std::size_t corner = 0; corner < 3; ++corner) {
+                        Eigen::Vector4d place;
+                        place << cornerOf(*surface, t, corner), 1;
+                        QVERIFY((corners.inverse() * place).minCoeff() > -1e-4);
+                    }
+                }
+            }
+        }
+    }
+
     void sameByIndex()
     {
         std::mt19937 random(21);

@@ -65,6 +65,20 @@ class TransferFunctionTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What error fields take of a function (C3): shares of its largest opacity, nothing outside of the mask.
+    void opacitiesAsKnots()
+    {
+        TransferFunction function;
+        QVERIFY(opacityKnots(function).empty());
+        function.opacities = {{0, 0}, {10, 0.5F}, {10, 0.25F}, {20, 0}};
+        using Knots = std::vector<std::array<double, 2>>;
+        QVERIFY((opacityKnots(function) == Knots{{0, 0}, {10, 1}, {10, 0.5}, {20, 0}}));
+        function.mask = TransferMask{15, 30};
+        QVERIFY((opacityKnots(function) == Knots{{15, 0}, {15, 1}, {20, 0}, {30, 0}, {30, 0}}));
+        function.mask = TransferMask{21, 30};
+        QVERIFY(opacityKnots(function).empty());
+    }
+
     void extinctionGivesTheOpacityOfTheUnitDistance()
     {
         for (const double opacity : {0.0, 0.01, 0.5, 0.999})

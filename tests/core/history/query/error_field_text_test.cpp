@@ -76,6 +76,23 @@ private slots:
         QCOMPARE(QString::fromStdString(toText(*field)), means);
     }
 
+    /// What is left out comes from the picture (C3), and is missed where there is none.
+    void thePresentViewIsTaken()
+    {
+        const PresentView present{Eigen::Vector3d(1, 2, 3), {10, 20}, {{0, 0}, {10, 1}}};
+        for (const auto& [text, means] : {std::pair{"camera(; 0, 10, 500)", "camera(1, 2, 3; 0, 10, 500)"},
+                                          std::pair{"isovalues( ; .5, 8, 3)", "isovalues(10, 20; .5, 8, 3)"},
+                                          std::pair{"opacity(;1,5)", "opacity(0:0, 10:1; 1, 5)"}}) {
+            const auto field = parseErrorField(text, present);
+            QVERIFY2(field.ok(), field.ok() ? "" : field.error().text().c_str());
+            QVERIFY(*field == *parseErrorField(means));
+            const auto missed = parseErrorField(text);
+            QVERIFY(!missed.ok());
+            QVERIFY2(missed.error().text().find(", but there is ';") != std::string::npos,
+                     missed.error().text().c_str());
+        }
+    }
+
     void errorsNameThePlace_data()
     {
         QTest::addColumn<QString>("text");

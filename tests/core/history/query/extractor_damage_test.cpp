@@ -143,7 +143,7 @@ private slots:
                     QVERIFY(mesh.error().text().size() > 20);
                 ++(mesh.ok() ? meshes : errors);
             }
-            const auto part = extractHistory(**model, {20}, {1}, {}, {});
+            const auto part = extractHistory(**model, {20}, {1});
             if (part.ok())
                 for (const auto& t : part->mesh.tetrahedra)
                     QVERIFY(*std::ranges::max_element(t) < part->mesh.positions.size());

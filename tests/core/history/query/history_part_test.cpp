@@ -10,8 +10,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 
 using namespace tetra;
@@ -24,6 +27,26 @@ using Damage = std::function<void(FileParts&)>;
 std::vector<Tetrahedron> sorted(std::span<const Tetrahedron> tetrahedra)
 {
     std::vector<Tetrahedron> result(tetrahedra.begin(), tetrahedra.end());
+    std::ranges::sort(result);
+    return result;
+}
+
+ExtractedMesh whole(const HistoryPart& part)
+{
+    ExtractedMesh mesh;
+    mesh.mesh = part.mesh;
+    mesh.sites.resize(part.mesh.positions.size());
+    std::iota(mesh.sites.begin(), mesh.sites.end(), 0);
+    return mesh;
+}
+
+/// Its tetrahedra by sites, in order.
+std::vector<Tetrahedron> bySites(const ExtractedMesh& mesh)
+{
+    std::vector<Tetrahedron> result(mesh.mesh.tetrahedra.begin(), mesh.mesh.tetrahedra.end());
+    for (Tetrahedron& tetrahedron : result)
+        for (std::uint32_t& vertex : tetrahedron)
+            vertex = mesh.sites[vertex];
     std::ranges::sort(result);
     return result;
 }
@@ -43,7 +66,7 @@ private slots:
     {
         for (const auto& [name, model] : models_)
             for (const auto& [one, other] : ranges()) {
-                const auto part = extractHistory(*model, {one}, {other}, {}, {});
+                const auto part = extractHistory(*model, {one}, {other});
                 QVERIFY2(part.ok(), part.ok() ? "" : part.error().text().c_str());
                 QCOMPARE(part->coarse.sites, meshSizeAt(*model, {std::max(one, other)}).sites);
                 QCOMPARE(part->fine.sites, meshSizeAt(*model, {std::min(one, other)}).sites);
@@ -74,7 +97,7 @@ private slots:
     void livesReachBeyondTheRange()
     {
         for (const auto& [name, model] : models_) {
-            const auto part = extractHistory(*model, {5}, {4}, {}, {});
+            const auto part = extractHistory(*model, {5}, {4});
             QVERIFY(part.ok());
             std::map<Tetrahedron, std::vector<std::uint32_t>> alive;
             std::vector<std::uint32_t> ends;
@@ -100,67 +123,132 @@ private slots:
     {
         for (const auto& [name, model] : models_)
             for (const double error : {100.0, 7.0, 0.0}) {
-                const auto part = extractHistory(*model, {error}, {error}, {}, {});
+                const auto part = extractHistory(*model, {error}, {error});
                 const auto mesh = extractPrefix(*model, meshSizeAt(*model, {error}).sites);
                 QVERIFY(part.ok() && mesh.ok());
                 QVERIFY2(part->mesh.tetrahedra == mesh->tetrahedra, name.c_str());
             }
     }
 
-    /// What is left is what the filters of meshes leave.
+    /// What is left is what the filters of meshes leave, and each keeps its life.
     void valuesAndWindowChoose()
     {
         std::mt19937 random(8);
         std::size_t chosen = 0;
-        for (const auto& [name, model] : models_)
+        for (const auto& [name, model] : models_) {
+            const auto all = extractHistory(*model, {30}, {1});
+            QVERIFY(all.ok());
             for (int trial = 0; trial < 20; ++trial) {
-                const auto all = extractHistory(*model, {30}, {1}, {}, {});
-                QVERIFY(all.ok());
                 const auto anyVertex = [&] { return random() % all->mesh.values.size(); };
-                std::vector<ValueRange> values(random() % 3);
-                for (ValueRange& range : values)
+                MeshQuery query{.range = LifeRange{{30}, {1}}};
+                query.values.resize(random() % 3);
+                for (ValueRange& range : query.values)
                     range.minimum = range.maximum = all->mesh.values[anyVertex()];
-                std::optional<Window> window;
                 if (trial % 4 != 0) {
                     const Eigen::Vector3d one = all->mesh.positions[anyVertex()].cast<double>();
                     const Eigen::Vector3d other = all->mesh.positions[anyVertex()].cast<double>();
-                    window = Window{{one.cwiseMin(other), one.cwiseMax(other)},
-                                    trial % 2 == 0 ? WindowBorder::Intersecting : WindowBorder::Contained};
+                    query.window = Window{{one.cwiseMin(other), one.cwiseMax(other)},
+                                          trial % 2 == 0 ? WindowBorder::Intersecting : WindowBorder::Contained};
                 }
-                const auto part = extractHistory(*model, {30}, {1}, values, window);
+                const auto part = chooseLives(*all, query);
                 QVERIFY(part.ok());
-                TetrahedralMesh expected = all->mesh;
-                QVERIFY(keepValues(expected, values).ok());
-                if (window)
-                    QVERIFY(keepWindow(expected, *window).ok());
-                QVERIFY2(part->mesh.tetrahedra == expected.tetrahedra, name.c_str());
-                QCOMPARE(part->births.size(), expected.tetrahedra.size());
-                QCOMPARE(part->deaths.size(), expected.tetrahedra.size());
-                chosen += expected.tetrahedra.size();
+                ExtractedMesh expected = whole(*all);
+                QVERIFY(keepValues(expected.mesh, query.values).ok());
+                if (query.window)
+                    QVERIFY(keepWindow(expected.mesh, *query.window).ok());
+                dropUnusedVertices(expected);
+                QVERIFY2(part->mesh.tetrahedra == expected.mesh.tetrahedra, name.c_str());
+                QVERIFY2(part->mesh.positions == expected.mesh.positions, name.c_str());
+                QVERIFY2(part->sites == expected.sites, name.c_str());
+                QCOMPARE(part->birthErrors.size(), expected.mesh.tetrahedra.size());
+                QCOMPARE(part->deathErrors.size(), expected.mesh.tetrahedra.size());
+                QCOMPARE(part->keptTetrahedra, expected.mesh.tetrahedra.size());
+                chosen += expected.mesh.tetrahedra.size();
             }
+        }
         QVERIFY(chosen > 1000);
+    }
+
+    /// Of the tetrahedra that are loaded, births and deaths choose (R17, C2): what is alive at an error of the range is
+    /// its mesh, and nothing is extracted for it.
+    void livesChoose()
+    {
+        for (const auto& [name, model] : models_) {
+            const double extent = model->description().range.extent(), weight = model->description().warpingWeight;
+            const auto both = [&](double percent) { // lives are told by the key
+                return weight > 0 ? Accuracy{percent, percent * extent / (weight * model->diagonal())}
+                                  : Accuracy{percent};
+            };
+            MeshExtractor extractor(model);
+            MeshQuery query{.range = LifeRange{both(30), both(1)}};
+            const auto all = extractor.extract(query);
+            QVERIFY(all.ok());
+            QVERIFY((*all)->overlaps == ((*all)->mesh.tetrahedra.size() != meshSizeAt(*model, both(1)).tetrahedra));
+            bool extracts = false;
+            const Progress progress({}, [&](double, const Message& activity) {
+                extracts = extracts || activity.text() == "Extracting a range of meshes";
+            });
+            for (const double error : {29.0, 17.0, 5.0, 2.0, 1.1}) {
+                query.range->births = {error, std::numeric_limits<double>::infinity()};
+                query.range->deaths = {0, error};
+                const auto alive = extractor.extract(query, progress);
+                QVERIFY(alive.ok() && !(*alive)->overlaps);
+                const double key = error / 100 * extent;
+                const auto first = std::ranges::partition_point(
+                    model->runningKeys(), [key](float before) { return static_cast<double>(before) > key; });
+                const auto mesh =
+                    extractPrefix(*model, static_cast<std::uint32_t>(first - model->runningKeys().begin()));
+                QVERIFY(mesh.ok());
+                QVERIFY2(bySites(**alive) == sorted(mesh->tetrahedra), name.c_str());
+            }
+            query.range->births = {3, 20};
+            query.range->deaths = {2, 10};
+            const auto some = extractor.extract(query, progress);
+            QVERIFY(some.ok());
+            std::size_t expected = 0;
+            for (std::size_t t = 0; t < (*all)->birthErrors.size(); ++t) {
+                const float birth = (*all)->birthErrors[t], death = (*all)->deathErrors[t];
+                QVERIFY(death < birth && birth > 0.999F && death <= 30.001F);
+                expected += birth > 3 && birth <= 20 && death >= 2 && death <= 10 ? 1 : 0;
+            }
+            QCOMPARE((*some)->mesh.tetrahedra.size(), expected);
+            QVERIFY(!extracts);
+            query.range->other = both(4);
+            QVERIFY(extractor.extract(query, progress).ok() && extracts);
+        }
     }
 
     void emptyWindowsHoldNothing()
     {
         const Window window{{{1e3, -1e3, -1e3}, {-1e3, 1e3, 1e3}}, WindowBorder::Intersecting};
-        const auto part = extractHistory(*models_[0].model, {30}, {1}, {}, window);
-        QVERIFY(part.ok() && part->mesh.tetrahedra.empty() && part->births.empty() && part->deaths.empty());
+        const auto all = extractHistory(*models_[0].model, {30}, {1});
+        QVERIFY(all.ok());
+        const auto part = chooseLives(*all, {.window = window, .range = LifeRange{{30}, {1}}});
+        QVERIFY(part.ok() && part->mesh.tetrahedra.empty() && part->birthErrors.empty() && !part->overlaps);
     }
 
-    void whatIsCutHasNoLife()
+    /// What a range of accuracies cannot be combined with.
+    void wrongQueriesAreRefused()
     {
-        const auto part =
-            extractHistory(*models_[0].model, {2}, {1}, {}, Window{{{0, 0, 0}, {1, 1, 1}}, WindowBorder::Clipped});
-        QVERIFY(!part.ok());
-        QCOMPARE(part.error().kind, ErrorKind::WrongUsage);
+        const LifeRange range{{2}, {1}};
+        MeshExtractor extractor(models_[0].model);
+        const Window cut{{{0, 0, 0}, {1, 1, 1}}, WindowBorder::Clipped};
+        LifeRange notOrdered = range;
+        notOrdered.births = {2, 1};
+        for (const MeshQuery& query :
+             {MeshQuery{.window = cut, .range = range}, MeshQuery{.budget = 1000, .range = range},
+              MeshQuery{.range = LifeRange{{std::nan("")}, {1}}}, MeshQuery{.range = notOrdered}}) {
+            const auto part = extractor.extract(query);
+            QVERIFY(!part.ok());
+            QCOMPARE(part.error().kind, ErrorKind::WrongUsage);
+        }
     }
 
     void canBeCancelled()
     {
         std::stop_source stop;
         stop.request_stop();
-        const auto part = extractHistory(*models_[0].model, {2}, {1}, {}, {}, Progress(stop.get_token(), {}));
+        const auto part = extractHistory(*models_[0].model, {2}, {1}, Progress(stop.get_token(), {}));
         QVERIFY(!part.ok());
         QCOMPARE(part.error().kind, ErrorKind::Cancelled);
     }
@@ -219,7 +307,7 @@ private slots:
         writeBytes(path, parts.content);
         const auto model = Model::open(path);
         QVERIFY(model.ok());
-        const auto part = extractHistory(**model, {100}, {0}, {}, {});
+        const auto part = extractHistory(**model, {100}, {0});
         QVERIFY(!part.ok());
         QCOMPARE(part.error().kind, ErrorKind::BadInput);
         QVERIFY2(QString::fromStdString(part.error().text()).contains(says), part.error().text().c_str());

@@ -25,16 +25,10 @@ std::string contentOf(const ExtractedMesh& mesh)
     std::string text = meshContent(mesh.mesh);
     appendArray(text, mesh.sites);
     appendArray(text, mesh.points);
+    appendArray(text, mesh.birthErrors);
+    appendArray(text, mesh.deathErrors);
     return text + std::to_string(mesh.wholeSites) + " " + std::to_string(mesh.wholeTetrahedra) + " " +
            std::to_string(mesh.scale);
-}
-
-std::string contentOf(const HistoryPart& part)
-{
-    std::string text = meshContent(part.mesh);
-    appendArray(text, part.births);
-    appendArray(text, part.deaths);
-    return text + std::to_string(part.coarse.error) + " " + std::to_string(part.fine.error);
 }
 
 /// One after the other of one extractor.
@@ -80,8 +74,10 @@ Result<std::string> answerOfPrefix(const ModelPointer& model, double error)
 Result<std::string> answerOfPart(const ModelPointer& model, std::span<const ValueRange> values,
                                  const std::optional<Window>& window)
 {
-    const auto part = extractHistory(*model, {20}, {3}, values, window);
-    return part ? Result<std::string>(contentOf(*part)) : Result<std::string>(part.error());
+    MeshQuery query{.window = window, .range = LifeRange{{20}, {3}}};
+    query.values.assign(values.begin(), values.end());
+    const auto part = MeshExtractor(model).extract(query);
+    return part ? Result<std::string>(contentOf(**part)) : Result<std::string>(part.error());
 }
 
 } // namespace
