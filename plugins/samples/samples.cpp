@@ -671,6 +671,8 @@ Result<Dataset> partDataset(SampleType type, std::uint32_t size, const Progress&
 Dataset described(Dataset dataset, const SampleKind& kind, std::uint32_t size)
 {
     dataset.domain = kind.domain;
+    if (dataset.domain == DomainClass::Curvilinear) // meshes are looked at where they are made
+        dataset.convex = hasConvexDomain(dataset);
     dataset.source.name = nameOf(kind, size, dataset.pointCount());
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     return dataset;

@@ -209,7 +209,8 @@ std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, 
     if ((size.domain == DomainClass::Irregular && !size.convex) || !block)
         return std::nullopt;
     BuildSize taken = size;
-    if (size.convex && parameterValue<std::string>(parameters(), values, "space") != computational)
+    const bool isGridOrMesh = size.domain == DomainClass::Curvilinear || size.domain == DomainClass::Irregular;
+    if (isGridOrMesh && size.convex && parameterValue<std::string>(parameters(), values, "space") != computational)
         taken.domain = DomainClass::Scattered;
     double error = parameterValue<double>(parameters(), values, "error");
     if (taken.domain == DomainClass::Curvilinear && !(error > 0))

@@ -152,6 +152,8 @@ private slots:
         add("marschner-lobb", 32, "refinement", {0, 0.1, 1});
         add("blunt-body", 24, "refinement", {0, 0.1, 1});
         add("scattered", 16, "refinement", {0, 0.1, 1});
+        add("stretched", 20, "refinement", {0, 0.1, 1});
+        add("scattered", 14, "decimation", {0, 0.1, 1});
         add("part", 24, "decimation", {0, 0.1, 1});
     }
 
@@ -239,15 +241,23 @@ private slots:
         }
     }
 
-    /// A builder knows of its own work only, and in blocks other than as a whole.
+    /// C8: a builder knows of its own work only, and in blocks other than as a whole.
     void theEstimateIsOfTheBuilder()
     {
         const auto estimate = [this](const char* builder, const BuildSize& size, const ParameterValues& values = {}) {
             return host_->builder(builder)->plugin->estimate(size, values, 2);
         };
         const BuildSize lattice{.domain = DomainClass::RegularLattice, .points = 1'000'000};
-        QVERIFY(!estimate("decimation", {.domain = DomainClass::Scattered, .points = 1000}));
-        QVERIFY(!estimate("refinement", {.domain = DomainClass::Irregular, .points = 1000, .tetrahedra = 5000}));
+        const BuildSize points{.domain = DomainClass::Scattered, .points = 1000};
+        QVERIFY(estimate("decimation", points)->memoryBytes > estimate("refinement", points)->memoryBytes);
+        BuildSize mesh{.domain = DomainClass::Irregular, .points = 1000, .tetrahedra = 5000};
+        QVERIFY(!estimate("refinement", mesh));
+        mesh.convex = true; // C6: refined as its points
+        QCOMPARE(estimate("refinement", mesh)->memoryBytes, estimate("refinement", points)->memoryBytes);
+        BuildSize grid{.domain = DomainClass::Curvilinear, .points = 1000, .convex = true};
+        QCOMPARE(estimate("refinement", grid)->memoryBytes, estimate("refinement", points)->memoryBytes);
+        QVERIFY(estimate("refinement", grid, {{"space", std::string("computational")}})->seconds <
+                estimate("refinement", grid)->seconds);
         QVERIFY(estimate("decimation", lattice)->memoryBytes > estimate("refinement", lattice)->memoryBytes);
         QVERIFY(estimate("refinement", lattice, {{"block", std::string("32")}})->memoryBytes <
                 estimate("refinement", lattice, {{"block", std::string("none")}})->memoryBytes / 2);

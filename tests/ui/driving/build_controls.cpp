@@ -41,13 +41,13 @@ Driver::Step withBuilder(const QString& id)
     return [id](DrivenWindow& window) { chooseBuilder(window, id); };
 }
 
-/// With a dataset on a curvilinear grid, for what only such data need.
-Driver::Step withGrid(const QString& builder)
+/// With a dataset on a curvilinear grid, for what only such data need; or on another sample's.
+Driver::Step withGrid(const QString& builder, const std::string& sample = "bent-duct")
 {
-    return [builder](DrivenWindow& window) {
+    return [builder, sample](DrivenWindow& window) {
         const auto path = window.folderPath() + "/grid.xyz";
         SampleRequest request;
-        request.name = "bent-duct";
+        request.name = sample;
         request.size = 8;
         const auto grid = makeSample(request);
         if (!grid || !saveDataset(*window.host, *grid, path))
@@ -177,6 +177,7 @@ Drivers buildControls()
         typedOption("warping", withGrid(refinement), "1.5"),
         typedOption("block", withBuilder(refinement), "4"),
         steppedOption("selection", withGrid(refinement), "paper"),
+        steppedOption("space", withGrid(refinement, "stretched"), "computational"),
         typedOption("weights", withBuilder(refinement), "value:50,20,0.5"),
         steppedOption("order", withBuilder(decimation), "paper"),
         typedOption("finest", withBuilder(decimation), "1.5"),
