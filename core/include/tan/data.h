@@ -398,7 +398,7 @@ TAN_API bool hasHoles(const Dataset& grid) noexcept;
 /// What such a grid is, as readers give it to the program (S6, S20): the irregular dataset of its other cells as
 /// hexahedra, with a remark on what was left out; any other dataset as it is. Its positions count where a cell uses
 /// them. Errors: those of irregularDataset(); no cell is left (BadInput); more memory than there is, told beforehand
-/// (OutOfResource); cancelled. One thread, about 2 KB a cell that is left; safe from any thread.
+/// (OutOfResource); cancelled. One thread, about 1 KB a cell that is left; safe from any thread.
 TAN_API Result<Dataset> withHoles(const Dataset& grid, const Progress& progress = {});
 
 /// The weight beyond the reach of a term, unless the term says otherwise.
