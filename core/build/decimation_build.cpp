@@ -242,8 +242,13 @@ Status checkDecimation(const Dataset& dataset)
     return checkDecimationNeed(size, usableBytes());
 }
 
-Result<Dataset> takenFor(const Decimation&, const Dataset& dataset, const Progress& progress)
+Result<Dataset> takenFor(const Decimation& decimation, const Dataset& dataset, const Progress& progress)
 {
+    if (dataset.domain == DomainClass::RegularLattice &&
+        (decimation.warping > 0 || decimation.orderedBy != OrderedBy::Both))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' is a regular lattice, which has no warping. Leave out what is asked of it.",
+                                  dataset.source.name)};
     if (dataset.domain != DomainClass::Scattered || !checkDecimation(dataset))
         return dataset;
     return guarded(

@@ -302,14 +302,22 @@ Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, c
         return Error{ErrorKind::WrongUsage,
                      Message::say("Only rectilinear grids can be refined in one space or the other, and '%1' is none.",
                                   dataset.source.name)};
-    if (!dataset.convex || refinement.computational || (!isGrid && dataset.domain != DomainClass::Irregular))
-        return dataset;
-    if (isGrid && (refinement.warping > 0 || refinement.block.value_or(0) > 0 || refinement.paperSelection ||
-                   refinement.orderedBy != OrderedBy::Both))
+    const bool inIndices = isGrid && (!dataset.convex || refinement.computational);
+    const bool warps = refinement.warping > 0 || refinement.paperSelection || refinement.orderedBy != OrderedBy::Both;
+    const bool hasBlocks = refinement.block.value_or(0) > 0;
+    if (isGrid && !inIndices && (warps || hasBlocks))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is a rectilinear grid, which is refined in physical space: there it has no "
                                   "warping and no blocks. Leave these out, or refine it in computational space.",
                                   dataset.source.name)};
+    if (!inIndices && warps)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Refined, '%1' has no warping. Leave out what is asked of it.", dataset.source.name)};
+    if (!isOnLattice(dataset.domain) && hasBlocks)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("'%1' is no grid, so it has no blocks. Leave them out.", dataset.source.name)};
+    if (inIndices || !dataset.convex || dataset.domain == DomainClass::RegularLattice)
+        return dataset;
     if (isGrid)
         if (const Status enough = checkMemoryOfPoints(refinement, dataset, usableBytes()); !enough)
             return enough.error();

@@ -131,7 +131,7 @@ std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, 
 
 Result<Dataset> DecimationBuilder::taken(const Dataset& dataset, const ParameterValues&, const Progress& progress) const
 {
-    return takenFor(Decimation(), dataset, progress);
+    return takenFor(Decimation(), dataset, progress); // what it has no use for the host refuses
 }
 
 Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const ParameterValues& values, BuildTarget& target,

@@ -207,7 +207,9 @@ int main(int count, char** arguments)
                                                                 : refinement->block   ? "-blocks"
                                                                                       : "-whole");
             const auto report = buildModel(dataset, folder / (name + ".tan"), method);
-            if (!report && report.error().kind == ErrorKind::BadInput) { // not a method for these data
+            if (!report &&
+                (report.error().kind == ErrorKind::BadInput || report.error().kind == ErrorKind::WrongUsage)) {
+                // not a method for these data
                 std::cout << std::left << std::setw(24) << name << report.error().text() << '\n';
                 continue;
             }

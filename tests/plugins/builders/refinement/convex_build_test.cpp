@@ -244,6 +244,29 @@ private slots:
         }
     }
 
+    /// C7: what a builder cannot do it refuses, whoever asks.
+    void whatIsOfNoUseIsRefused()
+    {
+        const auto places = placesOf(inBox);
+        const Dataset lattice =
+            latticeDataset({.size = gridSize}, ScalarField::of(fieldAt<float>(places)), "l").value();
+        const Dataset points = scatteredDataset(places, fieldAt<double>(places), "points").value();
+        const Dataset mesh = meshOf(inBox);
+        const auto isRefused = [this](const Dataset& dataset, const BuildMethod& method) {
+            const auto report = buildModel(dataset, path(), method);
+            return !report && report.error().kind == ErrorKind::WrongUsage;
+        };
+        for (const Dataset& dataset : {lattice, points, mesh})
+            for (const Refinement& refinement :
+                 {Refinement{.warping = 1}, Refinement{.paperSelection = true}, Refinement{.computational = true},
+                  Refinement{.orderedBy = OrderedBy::Error}})
+                QVERIFY(isRefused(dataset, refinement));
+        for (const Dataset& dataset : {points, mesh})
+            QVERIFY(isRefused(dataset, Refinement{.block = 4}));
+        QVERIFY(isRefused(lattice, Decimation{.warping = 1}));
+        QVERIFY(isRefused(lattice, Decimation{.orderedBy = OrderedBy::Warping}));
+    }
+
     void pointsAreDecimated_data()
     {
         QTest::addColumn<QString>("file");
