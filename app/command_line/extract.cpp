@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/datasets.h"
+#include "app/command_line/error_statistics.h"
 #include "app/command_line/extracted_content.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
@@ -7,6 +9,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/verify/verify_mesh.h"
+#include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/output_check.h"
 
@@ -17,14 +20,17 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 
 namespace tetra {
 namespace {
 
 constexpr double extractionEnd = 0.6; ///< how far it is when the mesh is there
+constexpr double measuringEnd = 0.9;  ///< and when it was compared with a dataset
 
 /// What a run of the subcommand was told.
 struct Task {
+    const Invocation& invocation;
     const Arguments& arguments;
     std::filesystem::path output;
     PluginHost& host;
@@ -56,6 +62,36 @@ void describeMesh(const Task& task, const MeshQuery& query, const ExtractedMesh&
         outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
 }
 
+Option againstOption()
+{
+    return {.name = "against",
+            .placeholder = "IN",
+            .explanation =
+                "The dataset that the model was built from, opened in the same way: also measure the error of "
+                "the mesh at every point of it, which takes about as long as 'tan verify' does for one level."};
+}
+
+/// --against: what there is to measure of the mesh, compared with the dataset. Errors: also that the mesh is none of
+/// it.
+Result<ErrorStatistics> measured(const Task& task, const std::string& against, const MeshQuery& query,
+                                 const ExtractedMesh& mesh)
+{
+    const auto options = importOptions(task.invocation, against, &task.model.description());
+    if (!options)
+        return options.error();
+    const Progress progress = task.progress.part(extractionEnd, measuringEnd);
+    const auto original = openDataset(task.host, against, *options, progress.part(0, 0.2));
+    if (!original)
+        return original.error();
+    const auto verdict = verifyMesh(task.model, *original, query, mesh, progress.part(0.2, 1));
+    if (!verdict)
+        return verdict.error();
+    if (!verdict->ok())
+        return Error{ErrorKind::BadInput, "The mesh cannot be measured against '" + against +
+                                              "': " + verdict->failures.front() + " Nothing was written."};
+    return verdict->measured;
+}
+
 Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
 {
     MeshExtractor extractor(std::move(model));
@@ -70,8 +106,15 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
         return Error{ErrorKind::WrongUsage,
                      "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
                      "Write a .vtu, .vtk or .ply file."};
+    std::optional<ErrorStatistics> statistics;
+    if (const auto against = task.arguments.value("against")) {
+        const auto measurement = measured(task, *against, query, found);
+        if (!measurement)
+            return measurement.error();
+        statistics = *measurement;
+    }
     if (const Status written = saveMesh(task.host, contentOf(task.model, query, found), task.output, task.values,
-                                        task.progress.part(extractionEnd, 1));
+                                        task.progress.part(statistics ? measuringEnd : extractionEnd, 1));
         !written)
         return written.error();
     Outcome outcome = outcomeOf(task, found.mesh);
@@ -80,6 +123,11 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
         outcome.figures[figure.key()] = figure.value();
     if (!query.range)
         describeMesh(task, query, found, outcome);
+    if (statistics) {
+        const DomainClass domain = task.model.description().domain;
+        addStatistics(outcome.figures, *statistics, domain);
+        outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
+    }
     return outcome;
 }
 
@@ -100,7 +148,10 @@ Syntax extractSyntax(PluginHost& host)
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
                      {"tan extract engine.tan --error 4 --focus sphere:120,100,60,30 --focus-error 0.5 -o detail.vtu",
                       "Fine in a sphere, coarse elsewhere, conforming."},
-                     {"tan extract engine.tan --budget 300000 -o engine.ply", "As good as 300,000 tetrahedra allow."}}};
+                     {"tan extract engine.tan --budget 300000 -o engine.ply", "As good as 300,000 tetrahedra allow."},
+                     {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.ply",
+                      "And how good that is on the whole."}}};
+    syntax.options.push_back(againstOption());
     syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Mesh), "The file to write."));
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Mesh));
     return syntax;
@@ -114,6 +165,9 @@ Result<Outcome> runExtract(const Invocation& invocation)
     const auto query = queryOf(arguments);
     if (!query)
         return query.error();
+    if (arguments.has("against") && (query->window || query->range || !query->values.empty()))
+        return Error{ErrorKind::WrongUsage, "'--against' measures one mesh of the whole domain, so '--window', "
+                                            "'--values' and '--range' do not go with it."};
     const auto values = pluginValues(arguments, writerParameters(invocation.host, WrittenContent::Mesh));
     if (!values)
         return values.error();
@@ -130,13 +184,14 @@ Result<Outcome> runExtract(const Invocation& invocation)
         return warps.error();
     if (const Status safe = checkMeshOutput(output, **model); !safe)
         return safe.error();
-    const Task task{arguments, output, invocation.host, *values, **model, invocation.progress};
+    const Task task{invocation, arguments, output, invocation.host, *values, **model, invocation.progress};
     auto outcome = extractMesh(task, *query, *model);
     if (!outcome)
         return outcome.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     outcome->figures["seconds"] = elapsed.count();
-    outcome->text += ", in " + rounded(elapsed.count(), 3) + " s\n";
+    outcome->text.insert(std::min(outcome->text.find('\n'), outcome->text.size()),
+                         ", in " + rounded(elapsed.count(), 3) + " s\n");
     return outcome;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
+#include "app/command_line/error_statistics.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
@@ -13,6 +14,7 @@
 
 #include <tan/model.h>
 #include <tan/query.h>
+#include <tan/verify.h>
 
 #include <QJsonArray>
 
@@ -109,19 +111,52 @@ Status writeLevels(const Model& model, const std::vector<Accuracy>& levels, cons
     return writeWholeFile(output, std::as_bytes(std::span(*text)));
 }
 
-Result<Outcome> describeModel(const Arguments& arguments, const std::string& path, const std::vector<Accuracy>& levels,
-                              const std::optional<std::string>& output, const Progress& progress)
+/// --against: what the model's levels are off the dataset on the whole; as 'tan verify' finds it, and with its answer.
+Status addMeasured(const Invocation& invocation, const Model& model, const std::vector<Accuracy>& levels,
+                   Outcome& outcome)
+{
+    const auto against = invocation.arguments.value("against");
+    if (!against)
+        return {};
+    const auto options = importOptions(invocation, *against, &model.description());
+    if (!options)
+        return options.error();
+    const auto original = openDataset(invocation.host, *against, *options, invocation.progress.part(0, 0.05));
+    if (!original)
+        return original.error();
+    const auto verdict = verify(model, *original, levels, invocation.progress.part(0.05, 1));
+    if (!verdict)
+        return verdict.error();
+    const DomainClass domain = model.description().domain;
+    std::vector<NamedStatistics> measured;
+    QJsonArray list;
+    for (std::size_t number = 0; number < levels.size(); ++number) {
+        QJsonObject figures = outcome.figures["levels"][static_cast<qsizetype>(number)].toObject();
+        addStatistics(figures, verdict->levels[number].measured, domain);
+        list.append(figures);
+        measured.push_back({rounded(levels[number].error) + " %", verdict->levels[number].measured});
+    }
+    outcome.figures["levels"] = list;
+    outcome.text += "\n" + statisticsText(measured, domain);
+    outcome.isYes = verdict->ok();
+    if (!verdict->ok())
+        outcome.text += "\nThe model is NOT what it claims to be of this dataset: 'tan verify' says why.\n";
+    return {};
+}
+
+Result<Outcome> describeModel(const Invocation& invocation, const std::string& path,
+                              const std::vector<Accuracy>& levels, const std::optional<std::string>& output)
 {
     const auto opened = Model::open(path);
     if (!opened)
         return opened.error();
     const Model& model = **opened;
-    if (const Status warps = checkWarpingOption(arguments, model); !warps)
+    if (const Status warps = checkWarpingOption(invocation.arguments, model); !warps)
         return warps.error();
     const ModelDescription& description = model.description();
     const Result<LevelTable> found = levelTable(model, levels);
     const DatasetSummary summary = summaryOf(model);
-    if (const Status right = model.confirm(progress); !right)
+    if (const Status right = model.confirm(invocation.progress); !right)
         return right.error();
     if (!found)
         return found.error();
@@ -145,6 +180,8 @@ Result<Outcome> describeModel(const Arguments& arguments, const std::string& pat
                    " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows);
     if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
+    if (const Status measured = addMeasured(invocation, model, levels, outcome); !measured)
+        return measured.error();
     return outcome;
 }
 
@@ -178,7 +215,7 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     if (!options)
         return options.error();
     // A file that is missing, or no dataset either, was told before.
-    for (const char* option : {"lod", "warping"})
+    for (const char* option : {"lod", "warping", "against"})
         if (invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage, "'--" + std::string(option) + "' is of the levels of a model, and '" +
                                                     path + "' is none. Build a model of it first."};
@@ -215,10 +252,17 @@ Syntax infoSyntax(PluginHost& host)
             "with gzip (*.gz): " +
             readable + ".",
         .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
-        .options = {levelsOption(), warpingOption(),
+        .options = {levelsOption(),
+                    warpingOption(),
+                    {.name = "against",
+                     .placeholder = "IN",
+                     .explanation = "Of a model: the dataset that it was built from. Also says how large error and "
+                                    "warping are on the whole at each level, and the error in space; takes as long as "
+                                    "'tan verify'."},
                     outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false)},
         .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
                      {"tan info engine.tan -o levels.csv", "The meshes at the usual accuracies, for a spreadsheet."},
+                     {"tan info engine.tan --lod 1 --against engine.nrrd", "And how far a mesh is off on the whole."},
                      {"tan info engine.nrrd --json", "A dataset, for a program."}}};
     addImportOptions(syntax, host);
     return syntax;
@@ -237,15 +281,18 @@ Result<Outcome> runInfo(const Invocation& invocation)
                                                     "' is none. Build a model of it first."};
         return describeDataset(invocation, path);
     }
+    const bool against = invocation.arguments.has("against");
     for (const char* option : {"reader", "region", "stride"})
-        if (invocation.arguments.has(option))
+        if (!against && invocation.arguments.has(option))
             return Error{ErrorKind::WrongUsage,
                          "The model '" + path + "' has no option '--" + option + "': it is of datasets."};
-    if (const Status known = checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()), {},
-                                                "model '" + path + "'");
+    if (const Status known = against
+                                 ? Status()
+                                 : checkPluginOptions(invocation.arguments, allParameters(invocation.host.readers()),
+                                                      {}, "model '" + path + "'");
         !known)
         return known.error();
-    return describeModel(invocation.arguments, path, *levels, output, invocation.progress);
+    return describeModel(invocation, path, *levels, output);
 }
 
 } // namespace tetra

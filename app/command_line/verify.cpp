@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
+#include "app/command_line/error_statistics.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/query_options.h"
@@ -26,7 +27,7 @@ QJsonArray toJson(const std::vector<std::string>& texts)
     return list;
 }
 
-QJsonObject levelFigures(const LevelReport& level, bool warps)
+QJsonObject levelFigures(const LevelReport& level, bool warps, DomainClass domain)
 {
     QJsonObject figures = {{"error", level.asked.error},
                            {"warping", warps ? level.asked.warping : 0},
@@ -36,11 +37,12 @@ QJsonObject levelFigures(const LevelReport& level, bool warps)
                            {"inverted", static_cast<qint64>(level.inverted)},
                            {"inverted_in_data", static_cast<qint64>(level.invertedInData)},
                            {"degenerate", static_cast<qint64>(level.degenerate)},
-                           {"largest_error", level.largestError},
-                           {"largest_warping", level.largestWarping},
+                           {"largest_error", level.measured.error.largest},
+                           {"largest_warping", level.measured.warping.largest},
                            {"sites", static_cast<qint64>(level.sites)},
                            {"tetrahedra", static_cast<qint64>(level.tetrahedra)},
                            {"failures", toJson(level.failures)}};
+    addStatistics(figures, level.measured, domain);
     if (level.twoSidedWarping) {
         figures["two_sided_warping"] = *level.twoSidedWarping;
         figures["two_sided_bound"] = level.twoSidedBound;
@@ -51,11 +53,12 @@ QJsonObject levelFigures(const LevelReport& level, bool warps)
 std::vector<std::string> levelRow(const LevelReport& level, bool warps, bool twoSided)
 {
     const auto yes = [](bool answer) { return std::string(answer ? "yes" : "NO"); };
-    std::vector<std::string> row = {
-        rounded(level.asked.error), yes(level.ok()),   std::to_string(level.sites),    std::to_string(level.tetrahedra),
-        yes(level.conforming),      yes(level.covers), std::to_string(level.inverted), rounded(level.largestError)};
+    std::vector<std::string> row = {rounded(level.asked.error),     yes(level.ok()),
+                                    std::to_string(level.sites),    std::to_string(level.tetrahedra),
+                                    yes(level.conforming),          yes(level.covers),
+                                    std::to_string(level.inverted), rounded(level.measured.error.largest)};
     if (warps) {
-        row.push_back(rounded(level.largestWarping));
+        row.push_back(rounded(level.measured.warping.largest));
         row.push_back(std::to_string(level.degenerate));
     }
     if (twoSided)
@@ -93,8 +96,9 @@ std::string remarkOn(const VerificationReport& verdict)
            std::to_string(verdict.foldedCells) + " folded).\n";
 }
 
-Outcome describe(const VerificationReport& verdict, const std::string& path, bool warps)
+Outcome describe(const VerificationReport& verdict, const std::string& path, const ModelDescription& description)
 {
+    const bool warps = description.warpingWeight > 0;
     Outcome outcome;
     QJsonArray levels;
     std::vector<std::vector<std::string>> rows = {
@@ -105,17 +109,19 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, boo
         std::ranges::any_of(verdict.levels, [](const auto& level) { return level.twoSidedWarping.has_value(); });
     if (twoSided)
         rows[0].emplace_back("from both sides %");
+    std::vector<NamedStatistics> measured;
     for (const LevelReport& level : verdict.levels) {
-        levels.append(levelFigures(level, warps));
+        levels.append(levelFigures(level, warps, description.domain));
         rows.push_back(levelRow(level, warps, twoSided));
+        measured.push_back({rounded(level.asked.error) + " %", level.measured});
     }
     outcome.isYes = verdict.ok();
     outcome.figures = {{"ok", verdict.ok()},
                        {"failures", toJson(verdict.failures)},
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
                        {"levels", levels}};
-    outcome.text = path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) +
-                   remarkOn(verdict) + failureText(verdict);
+    outcome.text = path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) + "\n" +
+                   statisticsText(measured, description.domain) + remarkOn(verdict) + failureText(verdict);
     return outcome;
 }
 
@@ -169,6 +175,9 @@ Syntax verifySyntax(PluginHost& host)
             "too far (those are counted). For irregular data, whose boundary may lie elsewhere: that the boundary is a "
             "manifold that does not meet itself, with the components, the surfaces and the holes of the data, and how "
             "far it is from theirs. "
+            "It also says how large error and warping are on the whole: mean, 99th percentile and root mean square; "
+            "and for curvilinear data the error in space, at the place where each point lies, which is not the error "
+            "in the grid that the model guarantees. "
             "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
             "A model of a part of a dataset, or of an array of a file that holds several, keeps how that was opened; "
             "the options that say it are needed only to check against something else.\n"
@@ -224,7 +233,7 @@ Result<Outcome> runVerify(const Invocation& invocation)
             return level.error();
         verdict->levels.push_back(*std::move(level));
     }
-    Outcome outcome = describe(*verdict, path, (*model)->description().warpingWeight > 0);
+    Outcome outcome = describe(*verdict, path, (*model)->description());
     addFaultyCells(*original, outcome);
     return outcome;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/rounding.h"
 #include "core/mesh/topology.h"
+#include "core/verify/error_in_space.h"
 #include "core/verify/verify_irregular.h"
 #include "core/verify/verify_parts.h"
 
@@ -34,6 +35,7 @@ Result<Original> Original::make(const Model& model, const Dataset& dataset, std:
         if (!made)
             return made.error();
         original.curvilinear = *std::move(made);
+        original.gridPoints.emplace(dataset);
     } else if (dataset.domain == DomainClass::Scattered) {
         original.scattered.emplace(dataset);
     } else if (dataset.domain == DomainClass::Irregular) {
@@ -135,12 +137,12 @@ template <class Kind> Status checkEveryCell(const Kind& kind, CellFindings& foun
         };
         const Number own = kind.bound(cell, residual.own(number));
         const Number claimed = uniform ? kind.bound(cell, residual.claimed(0)) : Number(0);
-        Number worst = 0;
         Number worstBeyond = 0; ///< of those larger than what is claimed
         std::uint64_t sampleBeyond = 0;
         kind.forEachSample(cell, [&](std::uint64_t sample, Number size) {
             found.mark(sample, size <= own);
-            worst = std::max(worst, size);
+            if (size > 0)
+                found.residuals.raise(sample, kind.value(cell, size));
             if (!(size > worstBeyond && size > (uniform ? claimed : kind.bound(cell, residual.claimed(sample)))))
                 return;
             if constexpr (Kind::tellsOfEachSample) {
@@ -150,7 +152,6 @@ template <class Kind> Status checkEveryCell(const Kind& kind, CellFindings& foun
                 sampleBeyond = sample;
             }
         });
-        found.largest.add(kind.value(cell, worst));
         if (worstBeyond > 0)
             addBeyond(number, sampleBeyond, worstBeyond);
     };
@@ -366,119 +367,7 @@ struct GridWarpings {
     double value(const Cell&, double warping) const { return warping; }
 };
 
-/// The planes of a positive tetrahedron and its box, as a quick test that never rejects what is inside.
-class TetrahedronPlanes {
-public:
-    explicit TetrahedronPlanes(const PlacedCell& corners)
-    {
-        for (std::size_t face = 0; face < 4; ++face) {
-            const auto& [first, second, third] = cornersOfFace[face];
-            const Eigen::Vector3d& origin = corners[first];
-            const Eigen::Vector3d a = corners[third] - origin; // inwards
-            const Eigen::Vector3d b = corners[second] - origin;
-            origins_[face] = origin;
-            normals_[face] = a.cross(b);
-            const Eigen::Vector3d p = a.cwiseAbs(), q = b.cwiseAbs();
-            magnitudes_[face] = {p[1] * q[2] + p[2] * q[1], p[2] * q[0] + p[0] * q[2], p[0] * q[1] + p[1] * q[0]};
-            box_.extend(corners[face]);
-        }
-    }
-    bool mayMeet(const Eigen::AlignedBox3d& box) const
-    {
-        constexpr double margin = 32 * 0x1p-53;
-        if (!box_.intersects(box))
-            return false;
-        for (std::size_t face = 0; face < 4; ++face) {
-            double farthest = 0;
-            double doubt = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                const double low = box.min()[axis] - origins_[face][axis];
-                const double high = box.max()[axis] - origins_[face][axis];
-                farthest += std::max(normals_[face][axis] * low, normals_[face][axis] * high);
-                doubt += magnitudes_[face][axis] * std::max(std::abs(low), std::abs(high));
-            }
-            if (farthest < -margin * doubt)
-                return false;
-        }
-        return true;
-    }
-
-private:
-    std::array<Eigen::Vector3d, 4> origins_;
-    std::array<Eigen::Vector3d, 4> normals_;    ///< inwards
-    std::array<Eigen::Vector3d, 4> magnitudes_; ///< what the normals' rounding errors are relative to
-    Eigen::AlignedBox3d box_;
-};
-
-__extension__ using Quadruple = __float128;
-
-/// Cramer's rule from corner 0: the interpolation's gradient times the volume, along the way to the place.
-template <class Real> struct Interpolation {
-    Real numerator = 0; ///< of value - interpolation
-    Real volume = 0;
-    Real magnitude = 0; ///< what the numerator's rounding error is relative to
-    Real volumeMagnitude = 0;
-
-    Interpolation(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
-                  double value)
-    {
-        const auto from0 = [&](const Eigen::Vector3d& to) {
-            std::array<Real, 3> way{};
-            for (std::size_t x = 0; x < 3; ++x)
-                way[x] = static_cast<Real>(to[static_cast<int>(x)]) - static_cast<Real>(cell[0][static_cast<int>(x)]);
-            return way;
-        };
-        const std::array<Real, 3> way = from0(place);
-        const std::array<std::array<Real, 3>, 3> edges = {from0(cell[1]), from0(cell[2]), from0(cell[3])};
-        const auto size = [](Real number) { return number < 0 ? -number : number; };
-        const Real start = static_cast<Real>(value) - static_cast<Real>(values[0]);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::array<Real, 3>& b = edges[(i + 1) % 3];
-            const std::array<Real, 3>& c = edges[(i + 2) % 3];
-            const Real rise = static_cast<Real>(values[i + 1]) - static_cast<Real>(values[0]);
-            for (std::size_t x = 0; x < 3; ++x) {
-                const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
-                const Real first = b[y] * c[z], second = b[z] * c[y];
-                numerator -= rise * way[x] * (first - second);
-                magnitude += size(rise * way[x]) * (size(first) + size(second));
-                if (i == 0) {
-                    volume += edges[0][x] * (first - second);
-                    volumeMagnitude += size(edges[0][x]) * (size(first) + size(second));
-                }
-            }
-        }
-        numerator += start * volume;
-        magnitude += size(start) * volumeMagnitude;
-    }
-};
-
-/// |value - interpolation| at a place in a positive cell.
-struct CellError {
-    double error = 0;
-    double doubt = 0; ///< how much of it may be rounding
-};
-
-/// In double precision; preciseError() leaves no doubt worth speaking of.
-CellError quickError(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
-                     double value)
-{
-    constexpr double unit = 32 * 0x1p-53;
-    const Interpolation<double> at(cell, values, place, value);
-    const double volume = std::abs(at.volume) - unit * at.volumeMagnitude;
-    if (!(volume > 0))
-        return {0, std::numeric_limits<double>::infinity()};
-    const double error = std::abs(at.numerator) / std::abs(at.volume);
-    return {error, unit * (at.magnitude + error * at.volumeMagnitude) / volume};
-}
-
 } // namespace
-
-double preciseError(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
-                    double value)
-{
-    const Interpolation<Quadruple> at(cell, values, place, value);
-    return std::abs(static_cast<double>(at.numerator / at.volume));
-}
 
 std::optional<Eigen::Vector3d> placeInside(const PlacedCell& cell)
 {
@@ -648,7 +537,7 @@ Status verifyWarping(const MeshToVerify& mesh, LevelReport& verdict, const Progr
     CellFindings found(mesh.original.dataset.pointCount());
     if (const Status done = checkEveryCell(warpings, found, progress); !done)
         return done;
-    verdict.largestWarping = warpings.residual.percent(found.largest.ofAll());
+    verdict.measured.warping = found.residuals.statistics(warpings.residual.percent(1));
     verdict.inverted += found.turned.count() + found.allowed;
     verdict.invertedInData = found.allowed;
     verdict.degenerate = found.degenerate;
@@ -662,22 +551,22 @@ Status verifyWarping(const MeshToVerify& mesh, LevelReport& verdict, const Progr
 Status verifyCells(const MeshToVerify& mesh, LevelReport& verdict, const Progress& progress)
 {
     const DomainClass domain = mesh.original.dataset.domain;
-    const double cellsEnd = canWarp(domain) ? 0.4 : 0.6; // how far it is after each part
-    const double facesEnd = canWarp(domain) ? 0.7 : 1;
+    const double cellsEnd = canWarp(domain) ? 0.3 : 0.6; // how far it is after each part
+    const double facesEnd = canWarp(domain) ? 0.5 : 1;
+    constexpr double warpingEnd = 0.7;
     CellFindings found(mesh.original.dataset.pointCount());
     if (const Status done = checkErrors(mesh, found, progress.part(0, cellsEnd)); !done)
         return done;
     const Residual errors = Residual::error(mesh);
     verdict.tetrahedra = mesh.cells.size();
     verdict.inverted = found.turned.count();
-    verdict.largestError = errors.percent(found.largest.ofAll());
     found.turned.moveTo(verdict.failures);
     verdict.covers = true;
     if (isOnLattice(domain))
         verifyVolume(mesh, verdict);
     std::vector<BoundaryFace> boundary;
     if (const Status done = verifyFaces(mesh.cells, faceRule(mesh), verdict, progress.part(cellsEnd, facesEnd),
-                                        domain == DomainClass::Irregular ? &boundary : nullptr);
+                                        canWarp(domain) ? &boundary : nullptr);
         !done)
         return done;
     if (domain == DomainClass::Irregular)
@@ -685,7 +574,13 @@ Status verifyCells(const MeshToVerify& mesh, LevelReport& verdict, const Progres
     if (domain == DomainClass::Scattered)
         verifyCoveredOnce(mesh, verdict);
     moveSamplesTo(errors, true, found, verdict);
-    return domain == DomainClass::Curvilinear ? verifyWarping(mesh, verdict, progress.part(facesEnd, 1)) : Status{};
+    verdict.measured.error = found.residuals.statistics(errors.percent(1));
+    verdict.measured.errorInSpace = {verdict.measured.error};
+    if (domain != DomainClass::Curvilinear)
+        return {};
+    if (const Status done = verifyWarping(mesh, verdict, progress.part(facesEnd, warpingEnd)); !done)
+        return done;
+    return measureErrorInSpace(mesh, boundary, verdict.measured.errorInSpace, progress.part(warpingEnd, 1));
 }
 
 } // namespace tetra

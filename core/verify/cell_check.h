@@ -5,6 +5,7 @@
 #include "core/verify/findings.h"
 #include "core/verify/irregular_original.h"
 #include "core/verify/level_cells.h"
+#include "core/verify/placed_cell.h"
 
 #include <tan/base.h>
 #include <tan/data.h>
@@ -38,6 +39,7 @@ struct Original {
     std::optional<CurvilinearOriginal> curvilinear;
     std::optional<ScatteredOriginal> scattered;
     std::optional<IrregularOriginal> irregular;
+    std::optional<GridPoints> gridPoints; ///< of curvilinear data
 
     /// Of scattered and irregular data.
     const ScatteredOriginal& points() const { return irregular ? irregular->points : *scattered; }
@@ -78,13 +80,13 @@ struct Residual {
 
 /// What the check of all cells finds of one residual. Safe to add to from any number of threads.
 struct CellFindings {
-    explicit CellFindings(std::size_t samples) : states(samples) {}
+    explicit CellFindings(std::size_t samples) : residuals(samples, 0), states(samples) {}
 
     Findings turned; ///< flat and inverted cells
     Findings beyondClaim;
     std::atomic<std::uint64_t> degenerate = 0; ///< without volume in physical space
     std::atomic<std::uint64_t> allowed = 0;    ///< inverted, as the grid itself is there
-    Largest largest;
+    PointResiduals residuals;                  ///< the largest of the cells that hold each
     std::vector<std::atomic<std::uint8_t>> states;
 
     bool isCovered(std::uint64_t sample) const { return (state(sample) & Covered) != 0; }
@@ -117,9 +119,5 @@ std::optional<Eigen::Vector3d> placeInside(const PlacedCell& cell);
 /// How many cells hold the place. O(cells), on all threads.
 std::size_t countHolding(std::span<const Eigen::Vector3d> positions, const LevelCells& cells,
                          const Eigen::Vector3d& place);
-
-/// |value - interpolation| at a place in a positive cell, with 113 bits and no doubt worth speaking of.
-double preciseError(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
-                    double value);
 
 } // namespace tetra

@@ -18,6 +18,19 @@
 
 namespace tetra {
 
+GridPoints::GridPoints(const Dataset& grid) : lattice_(grid.lattice)
+{
+    std::uint32_t count = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        count *= blocks_[axis] = (lattice_.size[axis] + 1) / 2;
+    boxes_.resize(count);
+    for (std::uint32_t block = 0; block < count; ++block)
+        forEachPoint(block, [&](std::uint64_t point) { boxes_[block].extend((*grid.positions)[point]); });
+    tree_ = BoxTree(
+        count, [this](std::uint32_t block) { return boxes_[block]; },
+        [this](std::uint32_t block, Eigen::Index axis) { return boxes_[block].center()[axis]; });
+}
+
 namespace {
 
 /// How many corners of cells have volume, of either sign.

@@ -4,16 +4,17 @@
 #include "core/base/progress.h"
 
 #include <tan/base.h>
+#include <tan/verify.h>
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -64,22 +65,63 @@ private:
     std::multiset<std::pair<std::uint64_t, std::string>> texts_; ///< of one place in the order of the alphabet
 };
 
-/// The largest of the numbers that threads find, none of which is negative.
-class Largest {
+/// What is measured at each point: of several numbers the largest, or the smallest. Threads may raise or lower at once;
+/// what comes of it is the same with any number of them.
+class PointResiduals {
 public:
-    void add(double number)
+    /// `initial`: 0 to raise, infinity to lower.
+    PointResiduals(std::size_t points, double initial) : residuals_(points)
     {
-        double& known = ofThreads_.local();
-        known = std::max(known, number);
+        for (std::atomic<double>& residual : residuals_)
+            residual.store(initial, std::memory_order_relaxed);
     }
-    double ofAll() const
+
+    std::size_t size() const { return residuals_.size(); }
+    double at(std::size_t point) const { return residuals_[point].load(std::memory_order_relaxed); }
+    void raise(std::size_t point, double residual)
     {
-        return std::accumulate(ofThreads_.begin(), ofThreads_.end(), 0.0,
-                               [](double a, double b) { return std::max(a, b); });
+        for (double known = at(point); known < residual && !exchange(point, known, residual);)
+            ;
+    }
+    void lower(std::size_t point, double residual)
+    {
+        for (double known = at(point); residual < known && !exchange(point, known, residual);)
+            ;
+    }
+
+    /// Of the points that `counts(point)` says yes of; residuals are multiplied by `factor`. O(points).
+    template <class Counts> ResidualStatistics statistics(double factor, const Counts& counts) const
+    {
+        std::vector<double> numbers;
+        numbers.reserve(residuals_.size());
+        double sum = 0, squares = 0;
+        for (std::size_t point = 0; point < residuals_.size(); ++point) {
+            if (!counts(point))
+                continue;
+            const double number = numbers.emplace_back(factor * at(point));
+            sum += number;
+            squares += number * number;
+        }
+        if (numbers.empty())
+            return {};
+        const auto count = static_cast<double>(numbers.size());
+        const auto percentile = numbers.begin() + static_cast<std::ptrdiff_t>((numbers.size() * 99 + 99) / 100 - 1);
+        std::ranges::nth_element(numbers, percentile);
+        const double largest = *std::max_element(percentile, numbers.end());
+        return {largest, sum / count, *percentile, std::sqrt(squares / count)};
+    }
+    ResidualStatistics statistics(double factor) const
+    {
+        return statistics(factor, [](std::size_t) { return true; });
     }
 
 private:
-    tbb::enumerable_thread_specific<double> ofThreads_{0.0};
+    bool exchange(std::size_t point, double& known, double residual)
+    {
+        return residuals_[point].compare_exchange_weak(known, residual, std::memory_order_relaxed);
+    }
+
+    std::vector<std::atomic<double>> residuals_;
 };
 
 /// Calls check(number) for every number below `count`, on all threads of the current arena, `atOnce` of them in a row.

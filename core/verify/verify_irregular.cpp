@@ -348,9 +348,10 @@ constexpr std::uint32_t relatedPointsAtOnce = 64;
 
 class RelatedCheck {
 public:
-    RelatedCheck(const MeshToVerify& mesh, const MeshBoundary& boundary, const CellFindings& inside)
+    RelatedCheck(const MeshToVerify& mesh, const MeshBoundary& boundary, CellFindings& inside)
         : mesh_(mesh), boundary_(boundary), original_(*mesh.original.irregular), inside_(inside),
-          isVertex_(original_.points.positions.size()), error_(Residual::error(mesh)), warping_(Residual::warping(mesh))
+          isVertex_(original_.points.positions.size()), error_(Residual::error(mesh)),
+          warping_(Residual::warping(mesh)), warpings_(isVertex_.size(), 0)
     {
         for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
             for (const std::uint32_t point : mesh.cells.points(cell))
@@ -392,13 +393,13 @@ private:
     const MeshToVerify& mesh_;
     const MeshBoundary& boundary_;
     const IrregularOriginal& original_;
-    const CellFindings& inside_;
+    CellFindings& inside_;
     std::vector<bool> isVertex_;
     Residual error_;
     Residual warping_;
     double largestOwnWarping_ = 0; ///< of cells on the boundary
-    Largest largestError_;
-    Largest largestWarping_;
+    PointResiduals warpings_;
+    std::atomic<std::uint64_t> outside_ = 0;
     Findings tooFar_;
     Findings tooLarge_;
     Findings beyondOwn_;
@@ -434,7 +435,7 @@ void RelatedCheck::checkWarping(const Related& related)
 {
     const double warping = related.weight * related.nearest.place.distance;
     const double claimed = warping_.claimed(related.point);
-    largestWarping_.add(warping);
+    warpings_.raise(related.point, warping);
     if (warping > claimed + warping_.allowance)
         tooFar_.add(related.point,
                     [&] { return warping_.moreThanClaimed(related.point, name(related), warping) + "."; });
@@ -471,7 +472,8 @@ void RelatedCheck::checkOutside(const Related& related)
                                        warping_.claimed(related.point) / related.weight + warping_.allowance);
         error = std::min(error, leastErrorWithin(related, radius));
     }
-    largestError_.add(error);
+    ++outside_;
+    inside_.residuals.raise(related.point, error);
     if (error > claimed + error_.allowance)
         tooLarge_.add(related.point, [&] {
             return error_.moreThanClaimed(related.point, name(related) + ", outside the mesh,", error) + ".";
@@ -529,8 +531,11 @@ void RelatedCheck::checkOwn(const Related& related, bool covered)
 
 void RelatedCheck::moveTo(LevelReport& verdict)
 {
-    verdict.largestError = std::max(verdict.largestError, error_.percent(largestError_.ofAll()));
-    verdict.largestWarping = warping_.percent(largestWarping_.ofAll());
+    verdict.measured.error = inside_.residuals.statistics(error_.percent(1));
+    verdict.measured.errorInSpace = {verdict.measured.error, outside_};
+    verdict.measured.warping = warpings_.statistics(warping_.percent(1), [this](std::size_t point) {
+        return original_.isOnBoundary(static_cast<std::uint32_t>(point));
+    });
     for (Findings* findings : {&tooLarge_, &tooFar_, &beyondOwn_})
         findings->moveTo(verdict.failures);
 }
@@ -540,8 +545,8 @@ void verifyTwoSides(const MeshToVerify& mesh, const MeshBoundary& boundary, Leve
 {
     const BoundaryDistances distances = distancesToOriginal(*mesh.original.irregular, boundary.triangles);
     const double percent = 100 / mesh.original.diagonal;
-    verdict.twoSidedWarping = std::max(verdict.largestWarping, percent * distances.found);
-    verdict.twoSidedBound = std::max(verdict.largestWarping, percent * distances.bound);
+    verdict.twoSidedWarping = std::max(verdict.measured.warping.largest, percent * distances.found);
+    verdict.twoSidedBound = std::max(verdict.measured.warping.largest, percent * distances.bound);
     const double claimed = mesh.bounds.areUniform() ? mesh.bounds.warping(0) : std::numeric_limits<double>::infinity();
     if (claimsTwoSides(mesh.model) && mesh.weights.empty() &&
         distances.found > claimed + mesh.original.warpingAllowance)

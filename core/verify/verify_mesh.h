@@ -16,10 +16,9 @@ TAN_INTERNAL Accuracy keptEverywhere(const MeshQuery& query, double scale);
 /// conforming, exact cover of the domain without flat or inverted cells, its vertices are points of the dataset with
 /// the dataset's values, and at each original sample its error and its warping are at most query.error and
 /// query.warping there, at mesh.scale (keptPercent()). `asked` is what it must keep everywhere, and
-/// `largestError` the largest one found. Shares no code with
-/// extraction. The query has no values and no window. What it needs of the model are its sites, their running keys
-/// and, of scattered data, that its first mesh fills the domain, which verify() proves. An Error only if checking
-/// itself was impossible.
+/// `measured` what was found. Shares no code with extraction. The query has no values and no window. What it needs of
+/// the model are its sites, their running keys and, of scattered data, that its first mesh fills the domain, which
+/// verify() proves. An Error only if checking itself was impossible.
 TAN_INTERNAL Result<LevelReport> verifyMesh(const Model& model, const Dataset& original, const MeshQuery& query,
                                             const ExtractedMesh& mesh, const Progress& progress = {});
 

@@ -162,6 +162,36 @@ private slots:
         QVERIFY(run.json()["levels"].toArray()[0].toObject()["largest_warping"].toDouble() > 0);
     }
 
+    /// C12, C15: errors on the whole, in the grid and in space: the same figures from all that measure them.
+    void errorsAreMeasuredOnTheWhole()
+    {
+        const QStringList keys = {"error_statistics", "error_in_space", "warping_statistics"};
+        const Run verified = tan({"verify", "body.tan", "--against", "body.xyz", "--lod", "4,0", "--json"});
+        const Run known = tan({"info", "body.tan", "--against", "body.xyz", "--lod", "4,0", "--json"});
+        const Run made =
+            tan({"extract", "body.tan", "--error", "4", "--against", "body.xyz", "-o", "four.vtu", "--json"});
+        QVERIFY2(verified.exitCode == 0 && known.exitCode == 0 && made.exitCode == 0, made.messages);
+        const QJsonArray levels = verified.json()["levels"].toArray();
+        for (const QString& key : keys) {
+            const QJsonObject four = levels[0].toObject()[key].toObject();
+            for (const char* number : {"largest", "mean", "percentile_99", "root_mean_square"})
+                QVERIFY2(four[number].toDouble() > 0, qPrintable(key));
+            QVERIFY(four["mean"].toDouble() < four["root_mean_square"].toDouble());
+            QVERIFY(four["percentile_99"].toDouble() <= four["largest"].toDouble());
+            QCOMPARE(levels[1].toObject()[key].toObject()["largest"].toDouble(-1), 0.0);
+            QCOMPARE(known.json()["levels"].toArray()[0].toObject()[key].toObject(), four);
+            QCOMPARE(made.json()[key].toObject(), four);
+        }
+        const QJsonObject level = levels[0].toObject();
+        QCOMPARE(level["error_statistics"].toObject()["largest"], level["largest_error"]);
+        QVERIFY(level["error_in_space"].toObject()["outside"].toInt() > 0);
+        QVERIFY(level["error_in_space"].toObject()["largest"].toDouble() > level["largest_error"].toDouble());
+        const Run text = tan({"verify", "body.tan", "--against", "body.xyz", "--lod", "4"});
+        QVERIFY(text.output.contains("error in the grid") && text.output.contains("error in space"));
+        QCOMPARE(tan({"extract", "body.tan", "--against", "body.xyz", "--values", "0,1", "-o", "no.vtu"}).exitCode, 2);
+        QCOMPARE(tan({"info", "body.xyz", "--against", "body.xyz"}).exitCode, 2);
+    }
+
     void surfacesAndPicturesAreMade()
     {
         const Run surface = tan(

@@ -32,6 +32,30 @@
 
 namespace tetra {
 
+/// How large the error, or the warping, is at the points of the dataset (C15), weighted (R6), in % of the value range,
+/// or of the diagonal. Vertices of the mesh count with none.
+struct ResidualStatistics {
+    double largest = 0;
+    double mean = 0;
+    double percentile99 = 0; ///< at 99 of 100 points it is at most this
+    double rootMeanSquare = 0;
+};
+
+/// The error that is seen (C12): at each point's place in space, the tetrahedron there, its linear value against the
+/// sample. Where several tetrahedra hold a place, which are folded there or share a face, the one that comes closest
+/// counts; where none does, the nearest place on the mesh's boundary (R5). The same as the error but for curvilinear
+/// data, whose error has the weights of computational space.
+struct ErrorInSpace : ResidualStatistics {
+    std::uint64_t outside = 0; ///< how many points lie in no tetrahedron
+};
+
+/// What is measured of a mesh at every point of the dataset.
+struct ErrorStatistics {
+    ResidualStatistics error;   ///< that of the claim (R5)
+    ResidualStatistics warping; ///< likewise (R4); of irregular data over the boundary's vertices alone
+    ErrorInSpace errorInSpace;
+};
+
 /// What the checker found of one level (B3).
 struct LevelReport {
     Accuracy asked;
@@ -44,8 +68,7 @@ struct LevelReport {
     std::uint64_t inverted = 0;
     std::uint64_t invertedInData = 0; ///< of these, the ones that the grid itself makes, which are no failures (S5)
     std::uint64_t degenerate = 0;     ///< cells of curvilinear data without volume in physical space (S6)
-    double largestError = 0;          ///< recomputed at every original sample, weighted (R6), % of the value range
-    double largestWarping = 0;        ///< likewise, % of the diagonal; of irregular data at the boundary's vertices
+    ErrorStatistics measured{};       ///< recomputed at every original sample
     /// Of irregular data the distance between the two boundaries, either way (S13), not weighted, % of the diagonal:
     /// the largest that was found, and in `twoSidedBound` what no place exceeds.
     std::optional<double> twoSidedWarping{};

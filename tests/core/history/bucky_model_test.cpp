@@ -48,7 +48,7 @@ private slots:
                 qWarning("%g %%: %s", level.asked.error, failure.c_str());
         QVERIFY(verdict->ok());
         for (const LevelReport& level : verdict->levels)
-            QVERIFY(level.largestError <= level.asked.error + 1e-9);
+            QVERIFY(level.measured.error.largest <= level.asked.error + 1e-9);
     }
 
 private:

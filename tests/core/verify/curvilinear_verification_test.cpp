@@ -11,8 +11,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <Eigen/Dense>
+
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <random>
 
 using namespace tetra;
@@ -43,6 +49,98 @@ Dataset moved(const Dataset& dataset, const std::function<Eigen::Vector3d(std::u
     return result;
 }
 
+/// How far the place is from the triangle, and the linear value at the place of it that is next.
+std::pair<double, double> nextOn(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& values,
+                                 const Eigen::Vector3d& place)
+{
+    std::pair<double, double> best = {std::numeric_limits<double>::infinity(), 0};
+    const auto offer = [&](const Eigen::Vector3d& weights) {
+        const Eigen::Vector3d there = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+        if (const double distance = (there - place).norm(); distance < best.first)
+            best = {distance, weights.dot(values)};
+    };
+    Eigen::Matrix<double, 3, 2> edges;
+    edges << corners[1] - corners[0], corners[2] - corners[0];
+    const Eigen::Vector2d inside = edges.colPivHouseholderQr().solve(place - corners[0]);
+    if (inside.minCoeff() >= 0 && inside.sum() <= 1)
+        offer({1 - inside.sum(), inside[0], inside[1]});
+    for (int corner = 0; corner < 3; ++corner) {
+        const Eigen::Vector3d from = corners[static_cast<std::size_t>(corner)];
+        const Eigen::Vector3d edge = corners[static_cast<std::size_t>((corner + 1) % 3)] - from;
+        const double along = std::clamp(edge.dot(place - from) / edge.squaredNorm(), 0.0, 1.0);
+        Eigen::Vector3d weights(0, 0, 0);
+        weights[corner] = 1 - along;
+        weights[(corner + 1) % 3] = along;
+        offer(weights);
+    }
+    return best;
+}
+
+/// The error of each point at its place in space, in % of the range, found by looking at every tetrahedron of the mesh
+/// and, for points outside, at every face of its boundary.
+struct SlowErrors {
+    std::vector<double> percents;
+    std::uint64_t outside = 0;
+    std::uint64_t twice = 0; ///< points that lie inside several tetrahedra
+
+    SlowErrors(const Dataset& dataset, const Model& model, std::uint32_t sites)
+    {
+        const auto mesh = extractPrefix(model, sites).value();
+        const auto place = [&](std::uint32_t v) { return dataset.position(model.points()[v]); };
+        const auto value = [&](std::uint32_t v) { return dataset.values.at(model.points()[v]); };
+        std::map<std::array<std::uint32_t, 3>, int> faces;
+        for (const auto& t : mesh.tetrahedra)
+            for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+                std::array face = {t[(opposite + 1) % 4], t[(opposite + 2) % 4], t[(opposite + 3) % 4]};
+                std::ranges::sort(face);
+                ++faces[face];
+            }
+        for (std::uint64_t point = 0; point < dataset.pointCount(); ++point) {
+            const Eigen::Vector3d at = dataset.position(point);
+            double least = std::numeric_limits<double>::infinity();
+            int holding = 0;
+            for (const auto& t : mesh.tetrahedra) {
+                Eigen::Matrix4d corners;
+                Eigen::Vector4d values;
+                for (int corner = 0; corner < 4; ++corner) {
+                    corners.col(corner) << place(t[static_cast<std::size_t>(corner)]), 1;
+                    values[corner] = value(t[static_cast<std::size_t>(corner)]);
+                }
+                const Eigen::Vector4d weights =
+                    corners.fullPivLu().solve(Eigen::Vector4d(at[0], at[1], at[2], 1)); // no tetrahedron is flat
+                if (weights.minCoeff() < -1e-9)
+                    continue;
+                least = std::min(least, std::abs(weights.dot(values) - dataset.values.at(point)));
+                holding += weights.minCoeff() > 1e-9 ? 1 : 0;
+            }
+            twice += holding > 1 ? 1 : 0;
+            if (std::isinf(least)) {
+                ++outside;
+                std::pair<double, double> best = {std::numeric_limits<double>::infinity(), 0};
+                for (const auto& [face, count] : faces)
+                    if (const auto& [a, b, c] = face; count == 1)
+                        best =
+                            std::min(best, nextOn({place(a), place(b), place(c)}, {value(a), value(b), value(c)}, at));
+                least = std::abs(best.second - dataset.values.at(point));
+            }
+            percents.push_back(100 * least / dataset.values.range().extent());
+        }
+    }
+};
+
+/// The same to the last digits but a few.
+bool areSame(const ResidualStatistics& found, std::vector<double> percents)
+{
+    const auto near = [](double one, double other) { return std::abs(one - other) <= 1e-9 * (1 + other); };
+    std::ranges::sort(percents);
+    const auto count = static_cast<double>(percents.size());
+    const double squares = std::inner_product(percents.begin(), percents.end(), percents.begin(), 0.0);
+    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * count));
+    return near(found.largest, percents.back()) && near(found.percentile99, percents[rank - 1]) &&
+           near(found.mean, std::accumulate(percents.begin(), percents.end(), 0.0) / count) &&
+           near(found.rootMeanSquare, std::sqrt(squares / count));
+}
+
 } // namespace
 
 class CurvilinearVerificationTest : public QObject {
@@ -69,10 +167,10 @@ private slots:
         writeModel(path(), dataset);
         const VerificationReport verdict = verdictOf(dataset);
         QVERIFY2(verdict.ok(), qPrintable(textOf(verdict)));
-        QVERIFY(verdict.levels[0].largestWarping > 0);
+        QVERIFY(verdict.levels[0].measured.warping.largest > 0);
         for (const LevelReport& level : verdict.levels) {
-            QVERIFY(level.largestError <= level.asked.error + 1e-9);
-            QVERIFY(level.largestWarping <= level.asked.warping + 1e-9);
+            QVERIFY(level.measured.error.largest <= level.asked.error + 1e-9);
+            QVERIFY(level.measured.warping.largest <= level.asked.warping + 1e-9);
             QVERIFY(level.conforming && level.covers && level.inverted == 0 && level.degenerate == 0);
         }
         QVERIFY(verdict.levels.front().sites < verdict.levels.back().sites);
@@ -91,8 +189,78 @@ private slots:
         // With the corners alone, points on the edge from (0,0,0) to (4,0,0) warp from the straight line.
         const Eigen::Vector3d chord = 0.5 * (dataset.position(0) + dataset.position(4));
         const double warping = 100 * (dataset.position(2) - chord).norm() / dataset.bounds().diagonal().norm();
-        QVERIFY(verdict->levels[0].largestWarping >= warping);
-        QVERIFY(verdict->levels[0].largestWarping < 4 * warping);
+        QVERIFY(verdict->levels[0].measured.warping.largest >= warping);
+        QVERIFY(verdict->levels[0].measured.warping.largest < 4 * warping);
+    }
+
+    /// C12: the error in space is what looking at every tetrahedron for every point finds: on grids moved at random,
+    /// gently or until cells fold, and on one that is wrapped around a hole.
+    void theErrorInSpaceIsMeasured_data()
+    {
+        QTest::addColumn<double>("noise");
+        QTest::addColumn<double>("turn");
+        QTest::addColumn<bool>("mirrored");
+        QTest::newRow("gentle") << 0.1 << 0.0 << false;
+        QTest::newRow("left-handed") << 0.1 << 0.0 << true;
+        QTest::newRow("folded") << 0.9 << 0.0 << false;
+        QTest::newRow("wrapped") << 0.05 << 0.8 << false;
+    }
+    void theErrorInSpaceIsMeasured()
+    {
+        QFETCH(double, noise);
+        QFETCH(double, turn);
+        QFETCH(bool, mirrored);
+        std::mt19937 random(12);
+        std::uniform_real_distribution<double> anywhere(-noise, noise);
+        const Dataset dataset = moved(
+            bentBumps(SampleType::Float32, {5, 8, 4}, true, mirrored), [&](std::uint64_t point, Eigen::Vector3d place) {
+                if (turn > 0) {
+                    const double angle = turn * static_cast<double>(point / 5 % 8);
+                    const double radius = 2 + static_cast<double>(point % 5);
+                    place = {radius * std::cos(angle), radius * std::sin(angle),
+                             static_cast<double>(point / 40)}; // NOLINT(bugprone-integer-division)
+                }
+                return Eigen::Vector3d(place + Eigen::Vector3d(anywhere(random), anywhere(random), anywhere(random)));
+            });
+        writeModel(path(), dataset);
+        const auto model = Model::open(path());
+        QVERIFY(model.ok());
+        const VerificationReport verdict = verdictOf(dataset);
+        bool twice = false, differs = false;
+        for (const LevelReport& level : verdict.levels) {
+            const SlowErrors slow(dataset, **model, level.sites);
+            const ErrorInSpace& inSpace = level.measured.errorInSpace;
+            QVERIFY2(areSame(inSpace, slow.percents), qPrintable(QString::number(level.asked.error)));
+            QCOMPARE(inSpace.outside, slow.outside);
+            twice = twice || slow.twice > 0;
+            differs = differs || inSpace.largest > 1.5 * level.measured.error.largest;
+        }
+        QVERIFY(verdict.levels.front().measured.errorInSpace.outside > 0);
+        QCOMPARE(twice, noise > 0.5 || turn > 0);
+        QVERIFY(differs);
+        QCOMPARE(verdict.levels.back().measured.errorInSpace.largest, 0.0);
+    }
+
+    /// C12: where the grid is a lattice under a linear map there is one error only.
+    void inSpaceAndInTheGridAreOneWithoutWarping()
+    {
+        const Dataset bent = bentBumps(SampleType::Float32, {5, 4, 6});
+        const Dataset dataset = moved(bent, [&](std::uint64_t point, const Eigen::Vector3d&) {
+            const auto [i, j, k] = bent.lattice.coordinates(point);
+            return Eigen::Vector3d(3.0 * i + j, 2.0 * j - 1.0 * k, 4.0 * k + 1.0 * i);
+        });
+        writeModel(path(), dataset);
+        const VerificationReport verdict = verdictOf(dataset);
+        QVERIFY2(verdict.ok(), qPrintable(textOf(verdict)));
+        for (const LevelReport& level : verdict.levels) {
+            const ResidualStatistics& inGrid = level.measured.error;
+            const ErrorInSpace& inSpace = level.measured.errorInSpace;
+            QCOMPARE(inSpace.outside, std::uint64_t(0));
+            for (const auto number : {&ResidualStatistics::largest, &ResidualStatistics::mean,
+                                      &ResidualStatistics::percentile99, &ResidualStatistics::rootMeanSquare})
+                QVERIFY(std::abs(inSpace.*number - inGrid.*number) < 1e-9);
+        }
+        QVERIFY(verdict.levels.front().measured.error.mean > 1);
     }
 
     /// Points that fall together make cells without volume, which are counted and no failure (S6).

@@ -138,12 +138,12 @@ private slots:
             for (const LevelReport& level : verdict->levels) {
                 QVERIFY(level.conforming && level.covers && level.inverted == 0);
                 QVERIFY(level.twoSidedWarping && *level.twoSidedWarping <= level.twoSidedBound);
-                QVERIFY(*level.twoSidedWarping >= level.largestWarping);
-                coarser += level.largestWarping > 0 ? 1 : 0;
+                QVERIFY(*level.twoSidedWarping >= level.measured.warping.largest);
+                coarser += level.measured.warping.largest > 0 ? 1 : 0;
             }
             const LevelReport& finest = verdict->levels.back();
-            QCOMPARE(finest.largestError, 0.0);
-            QCOMPARE(finest.largestWarping, 0.0);
+            QCOMPARE(finest.measured.error.largest, 0.0);
+            QCOMPARE(finest.measured.warping.largest, 0.0);
             QCOMPARE(finest.twoSidedBound, 0.0);
         }
         QVERIFY(coarser > 40);

@@ -83,9 +83,47 @@ private slots:
             QCOMPARE(proved->asked.warping, same.asked.warping);
             QCOMPARE(proved->sites, same.sites);
             QCOMPARE(proved->tetrahedra, same.tetrahedra);
-            QCOMPARE(proved->largestError, same.largestError);
-            QCOMPARE(proved->largestWarping, same.largestWarping);
+            QCOMPARE(proved->measured.error.largest, same.measured.error.largest);
+            QCOMPARE(proved->measured.warping.largest, same.measured.warping.largest);
             QVERIFY(proved->conforming && proved->covers && proved->inverted == 0);
+        }
+    }
+
+    /// C15: mean, percentile and root mean square are those of the errors at all samples; without a grid that is
+    /// bent they are the error in space, too (C12).
+    void statisticsAreOfAllSamples_data()
+    {
+        QTest::addColumn<QString>("kind");
+        for (const char* kind : {"integers", "floats", "scattered"})
+            QTest::newRow(kind) << QString(kind);
+    }
+    void statisticsAreOfAllSamples()
+    {
+        QFETCH(QString, kind);
+        const Dataset dataset = datasetOf(kind);
+        const auto model = modelOf(path(), dataset);
+        for (const double percent : {30, 8, 2}) {
+            const Case made = uniform(*model, {percent, anyWarping});
+            const auto proved = verifyMesh(*model, dataset, made.query, made.mesh);
+            QVERIFY2(proved.ok() && proved->ok(), qPrintable(textOf(proved)));
+            std::vector<double> errors = errorsOf(dataset, made.mesh.mesh);
+            std::ranges::sort(errors);
+            const auto count = static_cast<double>(errors.size());
+            double sum = 0, squares = 0;
+            for (const double error : errors) {
+                sum += error;
+                squares += error * error;
+            }
+            const ResidualStatistics& found = proved->measured.error;
+            const auto near = [](double one, double other) { return std::abs(one - other) < 1e-4; }; // mesh of floats
+            QVERIFY(near(found.largest, errors.back()));
+            QVERIFY(near(found.mean, sum / count));
+            QVERIFY(near(found.rootMeanSquare, std::sqrt(squares / count)));
+            QVERIFY(near(found.percentile99, errors[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1]));
+            QVERIFY(found.mean > 0 && found.mean < found.rootMeanSquare && found.rootMeanSquare < found.largest);
+            QCOMPARE(proved->measured.errorInSpace.largest, found.largest);
+            QCOMPARE(proved->measured.errorInSpace.mean, found.mean);
+            QCOMPARE(proved->measured.errorInSpace.outside, std::uint64_t(0));
         }
     }
 

@@ -85,10 +85,10 @@ private slots:
             QCOMPARE(level.sites, size.sites);
             QCOMPARE(level.tetrahedra, size.tetrahedra);
             QVERIFY(level.conforming && level.covers && level.inverted == 0);
-            QVERIFY(level.largestError <= size.error + 1e-9);
-            QVERIFY(i == 0 || level.largestError <= verdict->levels[i - 1].largestError + 1e-9);
+            QVERIFY(level.measured.error.largest <= size.error + 1e-9);
+            QVERIFY(i == 0 || level.measured.error.largest <= verdict->levels[i - 1].measured.error.largest + 1e-9);
         }
-        QVERIFY(verdict->levels[0].largestError > 5);
+        QVERIFY(verdict->levels[0].measured.error.largest > 5);
     }
 
     /// Whatever bit of the file changes, the model is not opened or not found right.

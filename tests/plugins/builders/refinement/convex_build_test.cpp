@@ -169,7 +169,7 @@ private slots:
         const auto verdict = verify(*model, dataset, levels);
         QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
         QVERIFY(verdict->levels[0].sites < verdict->levels.back().sites);
-        QVERIFY(verdict->levels.back().largestError < 1e-9);
+        QVERIFY(verdict->levels.back().measured.error.largest < 1e-9);
     }
 
     /// One row for each thing that makes a domain not convex.

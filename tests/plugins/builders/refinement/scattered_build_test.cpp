@@ -129,7 +129,7 @@ private slots:
         QVERIFY(model != nullptr);
         const auto verdict = verify(*model, *dataset, levels);
         QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
-        QVERIFY(verdict->levels.back().largestError < 1e-9);
+        QVERIFY(verdict->levels.back().measured.error.largest < 1e-9);
     }
 
     void damageIsFound_data()

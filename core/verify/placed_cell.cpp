@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/verify/placed_cell.h"
+
+#include "core/mesh/topology.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace tetra {
+
+TetrahedronPlanes::TetrahedronPlanes(const PlacedCell& corners)
+{
+    for (std::size_t face = 0; face < 4; ++face) {
+        const auto& [first, second, third] = cornersOfFace[face];
+        const Eigen::Vector3d& origin = corners[first];
+        const Eigen::Vector3d a = corners[third] - origin; // inwards
+        const Eigen::Vector3d b = corners[second] - origin;
+        origins_[face] = origin;
+        normals_[face] = a.cross(b);
+        const Eigen::Vector3d p = a.cwiseAbs(), q = b.cwiseAbs();
+        magnitudes_[face] = {p[1] * q[2] + p[2] * q[1], p[2] * q[0] + p[0] * q[2], p[0] * q[1] + p[1] * q[0]};
+        box_.extend(corners[face]);
+    }
+}
+
+bool TetrahedronPlanes::mayMeet(const Eigen::AlignedBox3d& box) const
+{
+    constexpr double margin = 32 * 0x1p-53;
+    if (!box_.intersects(box))
+        return false;
+    for (std::size_t face = 0; face < 4; ++face) {
+        double farthest = 0;
+        double doubt = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box.min()[axis] - origins_[face][axis];
+            const double high = box.max()[axis] - origins_[face][axis];
+            farthest += std::max(normals_[face][axis] * low, normals_[face][axis] * high);
+            doubt += magnitudes_[face][axis] * std::max(std::abs(low), std::abs(high));
+        }
+        if (farthest < -margin * doubt)
+            return false;
+    }
+    return true;
+}
+
+namespace {
+
+__extension__ using Quadruple = __float128;
+
+/// Cramer's rule from corner 0: the interpolation's gradient times the volume, along the way to the place.
+template <class Real> struct Interpolation {
+    Real numerator = 0; ///< of value - interpolation
+    Real volume = 0;
+    Real magnitude = 0; ///< what the numerator's rounding error is relative to
+    Real volumeMagnitude = 0;
+
+    Interpolation(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
+                  double value)
+    {
+        const auto from0 = [&](const Eigen::Vector3d& to) {
+            std::array<Real, 3> way{};
+            for (std::size_t x = 0; x < 3; ++x)
+                way[x] = static_cast<Real>(to[static_cast<int>(x)]) - static_cast<Real>(cell[0][static_cast<int>(x)]);
+            return way;
+        };
+        const std::array<Real, 3> way = from0(place);
+        const std::array<std::array<Real, 3>, 3> edges = {from0(cell[1]), from0(cell[2]), from0(cell[3])};
+        const auto size = [](Real number) { return number < 0 ? -number : number; };
+        const Real start = static_cast<Real>(value) - static_cast<Real>(values[0]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::array<Real, 3>& b = edges[(i + 1) % 3];
+            const std::array<Real, 3>& c = edges[(i + 2) % 3];
+            const Real rise = static_cast<Real>(values[i + 1]) - static_cast<Real>(values[0]);
+            for (std::size_t x = 0; x < 3; ++x) {
+                const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+                const Real first = b[y] * c[z], second = b[z] * c[y];
+                numerator -= rise * way[x] * (first - second);
+                magnitude += size(rise * way[x]) * (size(first) + size(second));
+                if (i == 0) {
+                    volume += edges[0][x] * (first - second);
+                    volumeMagnitude += size(edges[0][x]) * (size(first) + size(second));
+                }
+            }
+        }
+        numerator += start * volume;
+        magnitude += size(start) * volumeMagnitude;
+    }
+};
+
+} // namespace
+
+CellError quickError(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
+                     double value)
+{
+    constexpr double unit = 32 * 0x1p-53;
+    const Interpolation<double> at(cell, values, place, value);
+    const double volume = std::abs(at.volume) - unit * at.volumeMagnitude;
+    if (!(volume > 0))
+        return {0, std::numeric_limits<double>::infinity()};
+    const double error = std::abs(at.numerator) / std::abs(at.volume);
+    return {error, unit * (at.magnitude + error * at.volumeMagnitude) / volume};
+}
+
+double preciseError(const PlacedCell& cell, const std::array<double, 4>& values, const Eigen::Vector3d& place,
+                    double value)
+{
+    const Interpolation<Quadruple> at(cell, values, place, value);
+    return std::abs(static_cast<double>(at.numerator / at.volume));
+}
+
+} // namespace tetra
