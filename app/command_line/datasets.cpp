@@ -125,7 +125,8 @@ DatasetSummary summaryOf(const Dataset& dataset)
             dataset.bounds(),
             dataset.values.type(),
             dataset.values.range(),
-            cellsOf(dataset.domain, dataset.lattice, dataset.tetrahedra ? dataset.tetrahedra->size() : 0)};
+            cellsOf(dataset.domain, dataset.lattice, dataset.tetrahedra ? dataset.tetrahedra->size() : 0),
+            canWarp(dataset.domain) ? std::optional(dataset.convex) : std::nullopt};
 }
 
 DatasetSummary summaryOf(const Model& model)
@@ -153,6 +154,8 @@ QJsonObject datasetFigures(const DatasetSummary& summary)
         figures["spacing"] = toJson(lattice.spacing);
         figures["origin"] = toJson(lattice.origin);
     }
+    if (summary.convex)
+        figures["convex"] = *summary.convex;
     return figures;
 }
 
@@ -162,12 +165,14 @@ std::string datasetText(const DatasetSummary& summary)
     const std::string type = "(" + std::string(sampleTypeName(summary.type)) + ")";
     std::string text;
     if (summary.domain == DomainClass::Irregular)
-        text = "mesh of " + std::to_string(lattice.pointCount()) + " points " + type + " in " +
-               std::to_string(summary.cells) + " tetrahedra";
+        text = (summary.convex.value_or(false) ? "convex mesh of " : "mesh of ") +
+               std::to_string(lattice.pointCount()) + " points " + type + " in " + std::to_string(summary.cells) +
+               " tetrahedra";
     else if (summary.domain == DomainClass::Scattered)
         text = "set of " + std::to_string(lattice.pointCount()) + " scattered points " + type;
     else if (summary.domain == DomainClass::Curvilinear)
-        text = "curvilinear grid of " + sizeText(lattice) + " points " + type;
+        text = (summary.convex.value_or(false) ? "rectilinear grid of " : "curvilinear grid of ") + sizeText(lattice) +
+               " points " + type;
     else
         text = "lattice of " + sizeText(lattice) + " points " + type + ", spacing " + rounded(lattice.spacing[0]) +
                " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]);

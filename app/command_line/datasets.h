@@ -8,6 +8,7 @@
 #include <tan/model.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace tetra {
 
@@ -26,13 +27,15 @@ struct DatasetSummary {
     Eigen::AlignedBox3d bounds;
     SampleType type = SampleType::UInt8;
     ValueRange range;
-    std::uint64_t cells = 0; ///< of grids their cells, of irregular data the tetrahedra
+    std::uint64_t cells = 0;      ///< of grids their cells, of irregular data the tetrahedra
+    std::optional<bool> convex{}; ///< Dataset::convex, of a dataset that is a grid or a mesh
 };
 
 DatasetSummary summaryOf(const Dataset& dataset);
 DatasetSummary summaryOf(const Model& model);
 
-/// "kind", "points", "cells", "range", "type" and "bounds"; of grids also "size", of lattices "spacing" and "origin".
+/// "kind", "points", "cells", "range", "type" and "bounds"; of grids also "size", of lattices "spacing" and "origin";
+/// of other grids and meshes "convex".
 QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);

@@ -144,6 +144,9 @@ private slots:
     /// C6: what is not convex is no points' hull.
     void nonconvexMeshesAreNotRefined()
     {
+        for (const auto& [input, isConvex] : {std::pair("box.xyz", true), {"grid.xyz", false}, {"mesh.vtu", false}})
+            QCOMPARE(tan({"info", input, "--json"}).json()["convex"].toBool(!isConvex), isConvex);
+        QVERIFY(tan({"info", "box.xyz"}).output.contains("rectilinear grid of 10 x 10 x 10 points"));
         const Run run = tan({"build", "mesh.vtu", "--builder", "refinement", "-o", "refused.tan"});
         QVERIFY(run.exitCode != 0);
         QVERIFY2(run.messages.contains("not convex") && run.messages.contains("Decimation"), run.messages);

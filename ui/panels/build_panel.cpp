@@ -74,6 +74,9 @@ QString shapeOf(const Dataset& dataset)
     if (dataset.domain == DomainClass::Irregular)
         return BuildPanel::tr("irregular mesh of %1 points, %2 tetrahedra")
             .arg(countText(dataset.pointCount()), countText(dataset.tetrahedra ? dataset.tetrahedra->size() : 0));
+    if (dataset.domain == DomainClass::Curvilinear && dataset.convex)
+        return BuildPanel::tr("rectilinear grid of %1 points, %2 cells")
+            .arg(sizes, countText(dataset.lattice.cellCount()));
     if (dataset.domain == DomainClass::Curvilinear)
         return BuildPanel::tr("curvilinear grid of %1 points, %2 cells")
             .arg(sizes, countText(dataset.lattice.cellCount()));
