@@ -128,7 +128,7 @@ ImportOptions toKeep(ImportOptions imported, const Arguments& arguments)
 Option buildThreadsOption()
 {
     Option option = threadsOption();
-    option.explanation += " Only the refinement of lattices in blocks has work for more than one.";
+    option.explanation += " Only refinement in blocks has work for more than one.";
     return option;
 }
 

@@ -8,12 +8,12 @@
 
 namespace tetra {
 
-DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept
+DiskNeed diskNeed(const RunTotals& expected, SampleType type, DomainClass domain) noexcept
 {
     constexpr std::uint64_t mostSites = std::numeric_limits<std::uint32_t>::max();
     const FixedCounts counts{static_cast<std::uint32_t>(std::min(expected.sites, mostSites)), expected.tetrahedra};
     const std::uint64_t siteNumbers = expected.sites * sizeof(std::uint32_t);
-    return {ModelFileWriter::expectedBytes(counts, type, expected.points), expected.fileBytes + siteNumbers};
+    return {ModelFileWriter::expectedBytes(counts, type, domain, expected.points), expected.fileBytes + siteNumbers};
 }
 
 Message textOf(const DiskNeed& need)

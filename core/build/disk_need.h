@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/block_runs.h"
 
 #include <tan/base.h>
 #include <tan/data.h>
@@ -20,7 +20,7 @@ struct DiskNeed {
 };
 
 /// As it seems from what the blocks' runs are expected to come to.
-DiskNeed diskNeed(const RunTotals& expected, SampleType type) noexcept;
+DiskNeed diskNeed(const RunTotals& expected, SampleType type, DomainClass domain) noexcept;
 
 /// "model about 1.5 GB, work files 2.3 GB".
 Message textOf(const DiskNeed& need);

@@ -6,7 +6,7 @@
 #include "core/base/work_folder.h"
 #include "core/build/disk_need.h"
 #include "core/build/thresholds.h"
-#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/block_runs.h"
 #include "core/history/blocks/merged_model.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"
 #include "core/refine/free/scattered_refinement.h"
@@ -14,6 +14,7 @@
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,44 +41,47 @@ Result<BuildReport> refineAsWhole(const Dataset& dataset, double stopError, std:
     return BuildReport{result->sites, result->tetrahedra, 0, 0};
 }
 
-// And in blocks, out of core (R10, B6): the blocks are refined one by one, and merged into one model.
+// And in blocks, out of core (R10, B6, C7): the blocks are refined one by one, and merged into one model.
 
 /// What is to be built.
-struct LatticeBlocks {
-    double stopError = 0;           ///< in units of the values
+struct BlockedBuild {
     std::uint32_t cells = 0;        ///< along an edge of a block
     std::span<const float> weights; ///< one a point, or none
+    HistoryTraits traits;
 };
 
 /// Refining takes most of the time, merging the rest.
 constexpr double refinedShare = 0.7;
 
-/// Stands for all that a run depends on, so that one of another build is not taken for one of this.
-std::uint64_t fingerprintOf(const Dataset& dataset, const LatticeBoxOptions& box, const LatticeBlocks& blocks)
+/// Stands for all that a run depends on, so that one of another build is not taken for one of this. `numbers`: what the
+/// domain's refinement is given besides.
+std::uint64_t fingerprintOf(const Dataset& dataset, const BlockedBuild& build, std::initializer_list<double> numbers)
 {
-    std::string text = "TAn " TAN_VERSION " lattice runs\n";
+    std::string text = "TAn " TAN_VERSION " runs\n";
     const auto add = [&text](const std::string& value) { text += value + '\n'; };
     add(std::to_string(dataset.source.hash));
+    add(std::string(domainClassName(dataset.domain)));
     add(std::string(sampleTypeName(dataset.values.type())));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        add(std::to_string(box.latticeSize[axis]));
-        add(std::to_string(box.metric[axis]));
-    }
-    add(formatNumber(box.valueExtent));
-    add(formatNumber(box.stopError));
-    add(std::to_string(blocks.cells));
-    add(std::to_string(checksum(std::as_bytes(blocks.weights))));
+    for (const std::uint32_t size : dataset.lattice.size)
+        add(std::to_string(size));
+    for (const double number : numbers)
+        add(formatNumber(number));
+    add(std::to_string(build.cells));
+    add(std::to_string(checksum(std::as_bytes(build.weights))));
     return checksum(std::as_bytes(std::span(text)));
 }
 
 /// Tells what the build will take on the disk as soon as that shows, and refuses it if there is no room.
 class DiskCheck {
 public:
-    DiskCheck(std::filesystem::path workFolder, SampleType type) : workFolder_(std::move(workFolder)), type_(type) {}
+    DiskCheck(std::filesystem::path workFolder, const Dataset& dataset)
+        : workFolder_(std::move(workFolder)), type_(dataset.values.type()), domain_(dataset.domain)
+    {
+    }
 
     Status check(const RunTotals& soFar, const RunTotals& expected)
     {
-        const DiskNeed need = diskNeed(expected, type_);
+        const DiskNeed need = diskNeed(expected, type_, domain_);
         told_ = textOf(need);
         const std::uint64_t free = freeDiskBytes(workFolder_);
         if (free == 0) // not known
@@ -96,75 +100,131 @@ public:
 private:
     std::filesystem::path workFolder_;
     SampleType type_;
+    DomainClass domain_;
     Message told_;
 };
 
-Result<FixedCounts> makeAndMerge(const Dataset& dataset, LatticeRunsOptions options, const LatticeBlocks& blocks,
-                                 const BuildTarget& target, const Progress& progress)
+/// `make(runs, options, progress)` makes the runs. `options` want no more than what the blocks of both kinds of grids
+/// have in common.
+template <class Options, class Make>
+Result<BuildReport> makeAndMerge(const Dataset& dataset, const BlockedBuild& build, std::uint64_t fingerprint,
+                                 Options options, const BuildTarget& target, const Progress& progress, const Make& make)
 {
-    DiskCheck disk(target.workFolder, dataset.values.type());
+    DiskCheck disk(target.workFolder, dataset);
+    options.division = BlockDivision(dataset.lattice.size, build.cells);
+    options.reuseIntact = target.resume;
+    options.samplesIntact = [&dataset] { return dataset.checkIntact(); };
     options.check = [&](const RunTotals& soFar, const RunTotals& expected) { return disk.check(soFar, expected); };
-    const Progress refining = disk.telling(progress.part(0, refinedShare));
-    RunFiles runs(target.workFolder, fingerprintOf(dataset, options.box, blocks), options.division.count());
-    const Status made = visitSampleType(dataset.values.type(), [&]<class T>() {
-        return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>(), blocks.weights), runs, refining);
-    });
-    if (!made)
+    RunFiles runs(target.workFolder, fingerprint, options.division.count());
+    if (const Status made = make(runs, options, disk.telling(progress.part(0, refinedShare))); !made)
         return made.error();
+    HistoryTraits traits = build.traits;
+    traits.blockCells = options.division.blockCells();
     const ModelFileOpener open = [&](const FixedCounts& counts) {
-        auto writer = target.ofFixedSize(counts, {{"block", std::to_string(blocks.cells)}});
+        auto writer = target.ofFixedSize(counts, {{"block", std::to_string(build.cells)}});
         if (writer)
-            (*writer)->setBlocks(options.division.blockCells());
+            (*writer)->setTraits(traits);
         return writer;
     };
-    return mergeRuns(runs, target.workFolder, open, progress.part(refinedShare, 1));
+    const Result<FixedCounts> counts = mergeRuns(runs, target.workFolder, open, progress.part(refinedShare, 1));
+    if (!counts)
+        return counts.error();
+    BuildReport report{counts->sites, counts->tetrahedra, 0, 0};
+    for (std::uint32_t block = 0; block < runs.blockCount(); ++block) {
+        report.inverted += runs.header(block).inverted;
+        report.degenerate += runs.header(block).degenerate;
+    }
+    return report;
 }
 
-Result<BuildReport> refineInBlocks(const Dataset& dataset, const LatticeBlocks& blocks, BuildTarget& target,
-                                   const Progress& progress)
+Result<BuildReport> refineInBlocks(const Dataset& dataset, double stopError, const BlockedBuild& build,
+                                   BuildTarget& target, const Progress& progress)
 {
     LatticeRunsOptions options;
-    options.division = BlockDivision(dataset.lattice.size, blocks.cells);
-    const auto metric = latticeMetric(options.division.box(0).size, dataset.lattice.spacing);
+    const auto metric =
+        latticeMetric(BlockDivision(dataset.lattice.size, build.cells).box(0).size, dataset.lattice.spacing);
     if (!metric)
         return metric.error();
     options.box.latticeSize = dataset.lattice.size;
     options.box.metric = *metric;
     options.box.valueExtent = dataset.values.range().extent();
-    options.box.stopError = blocks.stopError;
-    options.reuseIntact = target.resume;
-    options.samplesIntact = [&dataset] { return dataset.checkIntact(); };
-    const Result<FixedCounts> counts = makeAndMerge(dataset, options, blocks, target, progress);
-    if (!counts)
-        return counts.error();
-    return BuildReport{counts->sites, counts->tetrahedra, 0, 0};
+    options.box.stopError = stopError;
+    const auto& weights = options.box.metric;
+    const std::uint64_t fingerprint =
+        fingerprintOf(dataset, build,
+                      {double(weights[0]), double(weights[1]), double(weights[2]), options.box.valueExtent, stopError});
+    const auto make = [&](RunFiles& runs, const LatticeRunsOptions& given, const Progress& refining) {
+        return visitSampleType(dataset.values.type(), [&]<class T>() {
+            return makeLatticeRuns(given, LatticeSamples(dataset.values.as<T>(), build.weights), runs, refining);
+        });
+    };
+    return makeAndMerge(dataset, build, fingerprint, options, target, progress, make);
+}
+
+/// The cells along an edge of a block, 0 for none, of what is chosen.
+Result<std::uint32_t> blocksFor(const Dataset& dataset, const Refinement& refinement, const BuildTarget& target)
+{
+    if (refinement.paperSelection && dataset.domain == DomainClass::Curvilinear) {
+        // Which of error and warping comes next is decided for the mesh as a whole.
+        if (!refinement.block || *refinement.block == 0)
+            return 0u;
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The paper's selection of points does not go with blocks: blocks that are refined "
+                                  "independently could not agree about their faces. Set the block to \"none\".")};
+    }
+    const auto cells = chooseBlocks(refinement.block, dataset.lattice, usableBytes());
+    if (cells && *cells > 0 && !target.ofFixedSize)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Blocks cannot be built into this target. Set the block to \"none\".")};
+    return cells;
 }
 
 Result<BuildReport> buildLattice(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
                                  const Progress& progress)
 {
     const double stopError = refinement.error / 100 * dataset.values.range().extent();
-    const auto cells = chooseBlocks(refinement.block, dataset.lattice, usableBytes());
+    const auto cells = blocksFor(dataset, refinement, target);
     if (!cells)
         return cells.error();
-    if (*cells > 0 && !target.ofFixedSize)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Blocks cannot be built into this target. Set the block to \"none\".")};
     const Result<std::vector<float>> weights = pointWeights(refinement.weighting, dataset, progress);
     if (!weights)
         return weights.error();
     if (*cells == 0)
         return refineAsWhole(dataset, stopError, *weights, target, progress);
-    return refineInBlocks(dataset, {stopError, *cells, *weights}, target, progress);
+    return refineInBlocks(dataset, stopError, {*cells, *weights, {}}, target, progress);
+}
+
+Result<BuildReport> refineCurvilinearInBlocks(const Dataset& dataset, const ThresholdKey& key,
+                                              const BlockedBuild& build, BuildTarget& target, const Progress& progress)
+{
+    CurvilinearRunsOptions options;
+    options.box.size = dataset.lattice.size;
+    options.box.warpingWeight = key.warpingWeight;
+    options.box.stopKey = key.stopKey.value_or(key.leastKey);
+    options.box.valueExtent = key.valueExtent;
+    options.box.positionExtent = key.positionExtent;
+    const std::uint64_t fingerprint =
+        fingerprintOf(dataset, build, {key.warpingWeight, options.box.stopKey, key.valueExtent, key.positionExtent});
+    const auto make = [&](RunFiles& runs, CurvilinearRunsOptions& given, const Progress& refining) {
+        return visitSampleType(dataset.values.type(), [&]<class T>() {
+            const LatticeSamples samples(dataset.values.as<T>(), build.weights);
+            refining.report(0, Message::marked("Looking at the cells"));
+            given.box.facts = factsOf(dataset.lattice.size, *dataset.positions, samples);
+            return makeCurvilinearRuns(given, *dataset.positions, samples, runs, refining);
+        });
+    };
+    return makeAndMerge(dataset, build, fingerprint, options, target, progress, make);
 }
 
 Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
                                      const Progress& progress)
 {
+    const auto cells = blocksFor(dataset, refinement, target);
+    if (!cells)
+        return cells.error();
     const Result<std::vector<float>> weights = pointWeights(refinement.weighting, dataset, progress);
     if (!weights)
         return weights.error();
-    CurvilinearRefinementOptions options;
     const BuildThresholds thresholds{refinement.error, refinement.warping, refinement.orderedBy};
     if (const Status possible = checkThresholds(thresholds, dataset); !possible)
         return possible.error();
@@ -173,12 +233,14 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
                      Message::say("The paper's selection compares error and warping, so a build cannot be ordered by "
                                   "one of them alone. Take the normalised selection, or order by both.")};
     const ThresholdKey key = thresholdKey(thresholds, dataset);
+    if (*cells > 0)
+        return refineCurvilinearInBlocks(dataset, key, {*cells, *weights, {key.warpingWeight}}, target, progress);
+    CurvilinearRefinementOptions options;
     options.valueExtent = key.valueExtent;
     options.positionExtent = key.positionExtent;
     options.warpingWeight = key.warpingWeight;
     options.stopKey = key.stopKey.value_or(key.leastKey);
     options.selection = refinement.paperSelection ? CurvilinearSelection::Paper : CurvilinearSelection::Normalised;
-    options.blockEdge = refinement.block.value_or(0);
     const Result<CurvilinearRefinementResult> result =
         visitSampleType(dataset.values.type(), [&]<class T>() -> Result<CurvilinearRefinementResult> {
             return refineCurvilinear(dataset.lattice.size, *dataset.positions,
@@ -253,16 +315,13 @@ Status checkRefinement(const Dataset& dataset)
     constexpr std::uint64_t mostPoints = 1ull << 32;
     switch (dataset.domain) {
     case DomainClass::RegularLattice:
+    case DomainClass::Curvilinear:
         if (dataset.lattice.pointCount() <= mostPoints)
             return {};
         return Error{
             ErrorKind::BadInput,
             Message::say("A lattice of %1 points is too large: a model holds at most 4294967296. Crop or subsample it.",
                          latticeSizeText(dataset.lattice))};
-    case DomainClass::Curvilinear:
-        if (const auto metric = latticeMetric(dataset.lattice.size, {1, 1, 1}); !metric)
-            return Error{ErrorKind::BadInput, metric.error().message};
-        return {};
     case DomainClass::Scattered:
         if (dataset.pointCount() >= 4)
             return {};

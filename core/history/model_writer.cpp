@@ -257,12 +257,17 @@ Status ModelFileWriter::finish(float finalKey)
     return sections_.finish(header);
 }
 
-std::uint64_t ModelFileWriter::expectedBytes(const FixedCounts& counts, SampleType type, std::uint64_t points) noexcept
+std::uint64_t ModelFileWriter::expectedBytes(const FixedCounts& counts, SampleType type, DomainClass domain,
+                                             std::uint64_t points) noexcept
 {
     constexpr std::uint64_t frontAndText = 4096 + format::mostLevels * sizeof(format::LevelEntry);
-    const bool samples = keepsSamplesOf(DomainClass::RegularLattice, type, 0, points, counts);
-    const std::uint64_t batchEnds = counts.sites * sizeof(std::uint32_t); // at most
-    const std::uint64_t content = arrayBytes(counts, type) + batchEnds + (samples ? points * sampleSize(type) : 0);
+    const bool warps = canWarp(domain);
+    const std::size_t positionBytes = warps ? sizeof(Eigen::Vector3d) : 0; // at most, as the following
+    const std::uint64_t batches = counts.sites * (sizeof(std::uint32_t) + (warps ? 2 * sizeof(float) : 0));
+    const std::uint64_t ownWarpings = warps ? counts.tetrahedra * sizeof(std::uint16_t) : 0;
+    const bool samples = keepsSamplesOf(domain, type, positionBytes, points, counts);
+    const std::uint64_t content = arrayBytes(counts, type) + counts.sites * positionBytes + ownWarpings + batches +
+                                  (samples ? points * (sampleSize(type) + positionBytes) : 0);
     return content + format::chunkCount(content) * sizeof(std::uint64_t) + frontAndText;
 }
 

@@ -62,8 +62,9 @@ public:
     /// changed meanwhile, an Error (BadInput) if there was more or less of anything than was announced.
     Status finish(float finalKey);
 
-    /// Bytes of a model of this size, of a lattice of so many points, as well as is known beforehand.
-    static std::uint64_t expectedBytes(const FixedCounts& counts, SampleType type, std::uint64_t points) noexcept;
+    /// Bytes of a model of this size, of a lattice or grid of so many points, as well as is known beforehand.
+    static std::uint64_t expectedBytes(const FixedCounts& counts, SampleType type, DomainClass domain,
+                                       std::uint64_t points) noexcept;
 
 private:
     ModelFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description);

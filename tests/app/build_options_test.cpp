@@ -51,8 +51,11 @@ private slots:
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
             "'--warping' is for curvilinear or rectilinear or irregular or scattered data only");
         row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
-        row("grid, resume", "grid.xyz", {"--resume"}, "Leave '--resume' out");
-        row("grid in blocks, resume", "grid.xyz", {"--resume", "--block", "4"}, "Leave '--resume' out");
+        row("grid, resume", "grid.xyz", {"--resume"}, "build in blocks with '--block 32'");
+        row("grid, paper's selection, resume", "grid.xyz", {"--resume", "--selection", "paper"},
+            "Leave '--resume' out.");
+        row("grid, paper's selection in blocks", "grid.xyz", {"--selection", "paper", "--block", "4"},
+            "The paper's selection of points does not go with blocks");
         row("points, block", "points.csv", {"--block", "4"}, "'--block' is for regular or curvilinear data");
         row("points, no block", "points.csv", {"--block", "none"}, "'--block' is for regular or curvilinear");
         row("points, warping", "points.csv", {"--warping", "2"}, warping);
@@ -96,7 +99,8 @@ private slots:
         };
         row("blocks are resumed", "lattice.nrrd", {"--block", "6", "--resume"});
         row("a whole is kept", "lattice.nrrd", {"--keep"});
-        row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper", "--block", "4"});
+        row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper"});
+        row("blocks of a grid are resumed, C7", "grid.xyz", {"--block", "4", "--resume"});
         row("a decimated grid warps", "grid.xyz", {"--builder", "decimation", "--warping", "2"});
         row("a mesh warps", "mesh.vtu", {"--warping", "2"});
         row("C6: a rectilinear grid as a curvilinear one", "box.xyz",
@@ -174,6 +178,7 @@ private slots:
         row("whole", "lattice.nrrd", {}, 1);
         row("decimation", "lattice.nrrd", {"--builder", "decimation"}, 1);
         row("grid", "grid.xyz", {}, 1);
+        row("blocks of a grid, C7", "grid.xyz", {"--block", "4"}, 2);
         row("points", "points.csv", {}, 1);
         row("mesh", "mesh.vtu", {}, 1);
     }
@@ -188,7 +193,8 @@ private slots:
         QCOMPARE(json.json()["threads"].toInt(), threads);
         const Run text = tan(words);
         QCOMPARE(text.output.contains("One thread was used"), threads == 1);
-        QCOMPARE(text.output.contains("'--block 32'"), threads == 1 && input == "lattice.nrrd" && options.isEmpty());
+        QCOMPARE(text.output.contains("'--block 32'"),
+                 threads == 1 && (input == "lattice.nrrd" || input == "grid.xyz") && options.isEmpty());
         QVERIFY(!tan(QStringList{"build", input, "-o", "threads.tan"} + options).output.contains("One thread"));
     }
 

@@ -3,7 +3,7 @@
 // that allocation failing. The case must say so, as an error or an exception, or be right without it; nothing may leak
 // (3 runs in a row say so: caches grow once) and no file be left.
 #include "core/base/work_folder.h"
-#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/block_runs.h"
 #include "core/history/blocks/merged_model.h"
 #include "core/history/model_writer.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"

@@ -25,6 +25,7 @@ void BlockRunRecorder::start()
     siteCount_ = 0;
     words_.clear();
     tetrahedra_.clear();
+    setFindings({}, 0, 0);
 }
 
 Status BlockRunRecorder::add(const HistoryStep& step)
@@ -44,7 +45,8 @@ Status BlockRunRecorder::finish(float finalKey)
 Status BlockRunRecorder::add(const Batch& batch)
 {
     for (const Batch::Tetrahedron& made : batch.tetrahedra)
-        tetrahedra_.push_back({made.sites, WideTetrahedron::never, halfBound(made.error, valueExtent_)});
+        tetrahedra_.push_back({made.sites, WideTetrahedron::never, halfBound(made.error, valueExtent_),
+                               diagonal_ > 0 ? halfBound(made.warping, diagonal_) : std::uint16_t(0)});
     destroyed_.assign(batch.points.size(), 0);
     for (const Batch::Destruction& destruction : batch.destructions) {
         tetrahedra_[destruction.tetrahedron].destroyer = destruction.destroyer;
@@ -74,43 +76,72 @@ void BlockRunRecorder::addGroup(const Batch& batch, std::size_t first, std::size
         words_.push_back(static_cast<std::uint32_t>(batch.points[place]));
 }
 
-void BlockRunRecorder::narrow()
+/// The tetrahedra with numbers of 16 bits.
+std::span<const std::byte> BlockRunRecorder::narrowed()
 {
+    const auto narrow = []<class Record>(const WideTetrahedron& wide, Record& record) {
+        std::ranges::transform(wide.sites, record.sites.begin(),
+                               [](std::uint32_t site) { return static_cast<std::uint16_t>(site); });
+        record.destroyer = static_cast<std::uint16_t>(wide.destroyer);
+        record.ownError = wide.ownError;
+    };
+    if (diagonal_ > 0) {
+        warped_.resize(tetrahedra_.size());
+        for (std::size_t i = 0; i < warped_.size(); ++i) {
+            narrow(tetrahedra_[i], warped_[i]);
+            warped_[i].ownWarping = tetrahedra_[i].ownWarping;
+        }
+        return std::as_bytes(std::span(warped_));
+    }
     narrow_.resize(tetrahedra_.size());
-    const auto narrowed = [](std::uint32_t number) { return static_cast<std::uint16_t>(number); };
-    std::ranges::transform(tetrahedra_, narrow_.begin(), [&](const WideTetrahedron& wide) {
-        const auto& s = wide.sites;
-        return NarrowTetrahedron{
-            {narrowed(s[0]), narrowed(s[1]), narrowed(s[2]), narrowed(s[3])}, narrowed(wide.destroyer), wide.ownError};
-    });
+    for (std::size_t i = 0; i < narrow_.size(); ++i)
+        narrow(tetrahedra_[i], narrow_[i]);
+    return std::as_bytes(std::span(narrow_));
+}
+
+void BlockRunRecorder::setFindings(std::vector<FaceCure> cures, std::uint64_t inverted, std::uint64_t degenerate)
+{
+    cures_ = std::move(cures);
+    inverted_ = static_cast<std::uint32_t>(inverted);
+    degenerate_ = static_cast<std::uint32_t>(degenerate);
 }
 
 Status BlockRunRecorder::write(const std::filesystem::path& path, std::uint64_t fingerprint, std::uint32_t block)
 {
+    if (!cures_.empty()) { // nobody will read the rest
+        siteCount_ = 0;
+        livingCount_ = 0;
+        words_.clear();
+        tetrahedra_.clear();
+    }
     BlockRunHeader header;
     header.fingerprint = fingerprint;
     header.block = block;
+    header.cureCount = cures_.size();
+    header.inverted = inverted_;
+    header.degenerate = degenerate_;
     header.siteCount = siteCount_;
     header.wordCount = words_.size();
     header.tetrahedronCount = tetrahedra_.size();
     header.finalKey = finalKey_;
     header.livingCount = livingCount_;
     const bool isNarrow = siteCount_ <= NarrowTetrahedron::never;
-    header.recordBytes = isNarrow ? sizeof(NarrowTetrahedron) : sizeof(WideTetrahedron);
-    if (isNarrow)
-        narrow();
-    const auto records = isNarrow ? std::as_bytes(std::span(narrow_)) : std::as_bytes(std::span(tetrahedra_));
+    header.recordBytes = !isNarrow       ? sizeof(WideTetrahedron)
+                         : diagonal_ > 0 ? sizeof(WarpedTetrahedron)
+                                         : sizeof(NarrowTetrahedron);
+    const auto records = isNarrow ? narrowed() : std::as_bytes(std::span(tetrahedra_));
     const auto words = std::as_bytes(std::span(words_));
+    const auto cures = std::as_bytes(std::span(cures_));
     Checksum checksum;
     checksum.add(std::as_bytes(std::span(&header, 1)).first(offsetof(BlockRunHeader, checksum)));
-    checksum.add(words);
-    checksum.add(records);
+    for (const std::span<const std::byte> part : {words, records, cures})
+        checksum.add(part);
     header.checksum = checksum.value();
 
     Result<FileWriter> file = FileWriter::create(path, 1, path.parent_path());
     if (!file)
         return file.error();
-    for (const std::span<const std::byte> part : {std::as_bytes(std::span(&header, 1)), words, records})
+    for (const std::span<const std::byte> part : {std::as_bytes(std::span(&header, 1)), words, records, cures})
         if (const Status written = file->write(part); !written)
             return written;
     return file->commit(FileWriter::Durability::Process);
@@ -147,8 +178,10 @@ bool belongs(const BlockRunHeader& header, std::uint64_t fingerprint, std::uint3
 {
     const std::uint32_t most = 1u << 31;
     return header.magic == BlockRunHeader().magic && header.fingerprint == fingerprint && header.block == block &&
-           (header.recordBytes == sizeof(NarrowTetrahedron) || header.recordBytes == sizeof(WideTetrahedron)) &&
-           header.wordCount < most && header.tetrahedronCount < 2ull * most && fileBytes == runBytes(header);
+           (header.recordBytes == sizeof(NarrowTetrahedron) || header.recordBytes == sizeof(WarpedTetrahedron) ||
+            header.recordBytes == sizeof(WideTetrahedron)) &&
+           header.wordCount < most && header.tetrahedronCount < 2ull * most && header.cureCount < most &&
+           fileBytes == runBytes(header);
 }
 
 std::uint64_t fileSize(int descriptor)
@@ -180,7 +213,8 @@ private:
 
 std::uint64_t runBytes(const BlockRunHeader& header) noexcept
 {
-    return sizeof header + header.wordCount * sizeof(std::uint32_t) + header.tetrahedronCount * header.recordBytes;
+    return sizeof header + header.wordCount * sizeof(std::uint32_t) + header.tetrahedronCount * header.recordBytes +
+           header.cureCount * sizeof(FaceCure);
 }
 
 Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected)
@@ -196,8 +230,14 @@ Status checkMeshSize(std::uint64_t tetrahedra, std::uint64_t expected)
 }
 
 RunFiles::RunFiles(std::filesystem::path folder, std::uint64_t fingerprint, std::uint32_t blockCount)
-    : folder_(std::move(folder)), fingerprint_(fingerprint), headers_(blockCount)
+    : folder_(std::move(folder)), fingerprint_(fingerprint), fingerprints_(blockCount, fingerprint),
+      headers_(blockCount)
 {
+}
+
+void RunFiles::setCures(std::uint32_t block, std::span<const FaceCure> cures)
+{
+    fingerprints_[block] = cures.empty() ? fingerprint_ : fingerprint_ ^ checksum(std::as_bytes(cures));
 }
 
 RunFiles::~RunFiles()
@@ -245,9 +285,22 @@ Result<BlockRunHeader> RunFiles::readHeader(const OpenFile& file, std::uint32_t 
     if (file.descriptor() < 0)
         return unreadable(block, errno);
     if (readAll(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
-        !belongs(header, fingerprint_, block, fileSize(file.descriptor())))
+        !belongs(header, fingerprints_[block], block, fileSize(file.descriptor())))
         return damaged(block);
     return header;
+}
+
+Result<std::vector<FaceCure>> RunFiles::readCures(std::uint32_t block) const
+{
+    const OpenFile file(path(block));
+    const Result<BlockRunHeader> header = readHeader(file, block);
+    if (!header)
+        return header.error();
+    std::vector<FaceCure> cures(header->cureCount);
+    const std::span<std::byte> bytes = std::as_writable_bytes(std::span(cures));
+    if (const int problem = readAll(file.descriptor(), runBytes(*header) - bytes.size(), bytes); problem != 0)
+        return unreadable(block, problem);
+    return cures;
 }
 
 Status RunFiles::open()

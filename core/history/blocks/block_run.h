@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/history/batch_builder.h"
+#include "core/refine/curvilinear/curvilinear_refinement.h"
 
 #include <tan/base.h>
 
@@ -21,12 +22,14 @@ namespace tetra {
 
 /// The history of one block on its way to a model, sorted and complete: a *run*. In a file it is a header, the words
 /// that tell its batches, and its tetrahedra, group by group. Files are read by the program that wrote them only.
+/// Instead of all that a run of a curvilinear grid may have cures on faces that its block needs of the others: then it
+/// has to be made again.
 ///
 /// Words, for each batch: the running key's bits, the number of groups; for each group: its numbers of sites, of
 /// tetrahedra that it made and of those that it destroyed, and the points of its sites. Sites are numbered in this
 /// order.
 struct BlockRunHeader {
-    std::array<char, 8> magic{'T', 'A', 'N', 'R', 'U', 'N', '0', '2'};
+    std::array<char, 8> magic{'T', 'A', 'N', 'R', 'U', 'N', '0', '3'};
     std::uint64_t fingerprint = 0; ///< of all that the run depends on
     std::uint32_t block = 0;
     std::uint32_t siteCount = 0;
@@ -35,28 +38,46 @@ struct BlockRunHeader {
     float finalKey = 0;
     std::uint32_t recordBytes = 0; ///< of a tetrahedron
     std::uint64_t livingCount = 0; ///< tetrahedra of the mesh of all sites
-    std::uint64_t checksum = 0;    ///< of the header up to here and of all that follows
+    std::uint64_t cureCount = 0;
+    std::uint32_t inverted = 0;   ///< tetrahedra of the mesh of all sites that stay so
+    std::uint32_t degenerate = 0; ///< and those without volume
+    std::uint64_t checksum = 0;   ///< of the header up to here and of all that follows
 };
-static_assert(sizeof(BlockRunHeader) == 64);
+static_assert(sizeof(BlockRunHeader) == 80);
 
 /// A tetrahedron in a run: its sites, positive, and its destroyer, `never` if there is none. Blocks of fewer than
-/// 65,535 sites do with 16 bits.
-template <class Number> struct BlockRunTetrahedron {
-    static constexpr Number never = static_cast<Number>(-1);
+/// 65,535 sites do with 16 bits, and where nothing can warp without the warping.
+struct NarrowTetrahedron {
+    static constexpr std::uint16_t never = 0xffff;
 
-    std::array<Number, 4> sites{};
-    Number destroyer = never;
+    std::array<std::uint16_t, 4> sites{};
+    std::uint16_t destroyer = never;
     std::uint16_t ownError = 0;
 };
-using NarrowTetrahedron = BlockRunTetrahedron<std::uint16_t>;
-using WideTetrahedron = BlockRunTetrahedron<std::uint32_t>;
-static_assert(sizeof(NarrowTetrahedron) == 12 && sizeof(WideTetrahedron) == 24);
+struct WarpedTetrahedron {
+    static constexpr std::uint16_t never = 0xffff;
+
+    std::array<std::uint16_t, 4> sites{};
+    std::uint16_t destroyer = never;
+    std::uint16_t ownError = 0;
+    std::uint16_t ownWarping = 0;
+};
+struct WideTetrahedron {
+    static constexpr std::uint32_t never = 0xffffffff;
+
+    std::array<std::uint32_t, 4> sites{};
+    std::uint32_t destroyer = never;
+    std::uint16_t ownError = 0;
+    std::uint16_t ownWarping = 0;
+};
+static_assert(sizeof(NarrowTetrahedron) == 12 && sizeof(WarpedTetrahedron) == 14 && sizeof(WideTetrahedron) == 24);
 
 /// Takes the history of one block after another, in memory used again.
 class BlockRunRecorder final : public HistorySink, private BatchSink {
 public:
-    /// `pointCount` and `valueExtent` of the whole dataset.
-    BlockRunRecorder(std::uint64_t pointCount, double valueExtent) : pointCount_(pointCount), valueExtent_(valueExtent)
+    /// All of the whole dataset; `diagonal` of the box around it, 0 where there is no warping.
+    BlockRunRecorder(std::uint64_t pointCount, double valueExtent, double diagonal)
+        : pointCount_(pointCount), valueExtent_(valueExtent), diagonal_(diagonal)
     {
     }
 
@@ -64,6 +85,8 @@ public:
     void start();
     Status add(const HistoryStep& step) override;
     Status finish(float finalKey) override;
+    /// What else is known of a block of a curvilinear grid; before write().
+    void setFindings(std::vector<FaceCure> cures, std::uint64_t inverted, std::uint64_t degenerate);
     /// Writes the finished run; the file is there whole or not at all. Its bytes are not synced: after a power failure
     /// the checksum tells.
     Status write(const std::filesystem::path& path, std::uint64_t fingerprint, std::uint32_t block);
@@ -74,10 +97,11 @@ public:
 private:
     Status add(const Batch& batch) override;
     void addGroup(const Batch& batch, std::size_t first, std::size_t end);
-    void narrow();
+    std::span<const std::byte> narrowed();
 
     std::uint64_t pointCount_;
     double valueExtent_;
+    double diagonal_;
     std::unique_ptr<BatchBuilder> builder_;
     float finalKey_ = 0;
     std::uint64_t livingCount_ = 0;
@@ -86,6 +110,10 @@ private:
     std::vector<WideTetrahedron> tetrahedra_;
     std::vector<std::uint32_t> destroyed_; ///< by each site of a batch
     std::vector<NarrowTetrahedron> narrow_;
+    std::vector<WarpedTetrahedron> warped_;
+    std::vector<FaceCure> cures_;
+    std::uint32_t inverted_ = 0;
+    std::uint32_t degenerate_ = 0;
 };
 
 /// Of its file, in all.
@@ -100,19 +128,26 @@ class RunFiles {
 public:
     /// Runs of `blockCount` blocks that depend on what `fingerprint` stands for.
     RunFiles(std::filesystem::path folder, std::uint64_t fingerprint, std::uint32_t blockCount);
+    /// The run of a block depends on the cures on its faces, too.
+    void setCures(std::uint32_t block, std::span<const FaceCure> cures);
     ~RunFiles();
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
 
     std::uint32_t blockCount() const noexcept { return static_cast<std::uint32_t>(headers_.size()); }
+    const std::filesystem::path& folder() const noexcept { return folder_; }
     std::filesystem::path path(std::uint32_t block) const;
     std::uint64_t fingerprint() const noexcept { return fingerprint_; }
+    std::uint64_t fingerprint(std::uint32_t block) const noexcept { return fingerprints_[block]; }
 
     /// Whether the run of the block is there, whole and of this build: reads all of it.
     bool intact(std::uint32_t block) const;
 
     /// Of a run that is there; for building.
     Result<BlockRunHeader> readHeader(std::uint32_t block) const;
+
+    /// The cures that the block needs; none if its run is complete.
+    Result<std::vector<FaceCure>> readCures(std::uint32_t block) const;
 
     /// Reads the headers; comes before the members below, when all runs are there.
     Status open();
@@ -131,6 +166,7 @@ private:
 
     std::filesystem::path folder_;
     std::uint64_t fingerprint_;
+    std::vector<std::uint64_t> fingerprints_;
     std::vector<BlockRunHeader> headers_;
     std::vector<int> descriptors_; ///< none if there are too many to keep them open
 };

@@ -52,6 +52,7 @@ struct TranslatedStars {
     std::vector<std::array<std::uint32_t, 3>> otherSites;
     std::vector<std::uint32_t> destroyers;
     std::vector<std::uint16_t> ownErrors;
+    std::vector<std::uint16_t> ownWarpings; ///< of data that can warp
 };
 
 constexpr std::uint64_t sitesBetweenReports = 1 << 16;
@@ -168,6 +169,7 @@ struct Translated {
     std::array<std::uint32_t, 4> sites;
     std::uint32_t destroyer;
     std::uint16_t ownError;
+    std::uint16_t ownWarping;
 };
 
 Error unfitStars()
@@ -192,7 +194,10 @@ template <class Record> bool translatePart(const std::byte* bytes, std::uint32_t
             {numbers[record.sites[0]], numbers[record.sites[1]], numbers[record.sites[2]], numbers[record.sites[3]]});
         if (chunk.slice && sites[0] - chunk.firstSite >= chunk.points.size())
             continue;
-        out.push_back({sites, dies ? numbers[record.destroyer] : Model::never, record.ownError});
+        std::uint16_t ownWarping = 0;
+        if constexpr (requires { record.ownWarping; })
+            ownWarping = record.ownWarping;
+        out.push_back({sites, dies ? numbers[record.destroyer] : Model::never, record.ownError, ownWarping});
     }
     return true;
 }
@@ -212,11 +217,13 @@ Status sortIntoStars(const std::vector<Translated>& tetrahedra, const MergedChun
     stars.otherSites.resize(tetrahedra.size());
     stars.destroyers.resize(tetrahedra.size());
     stars.ownErrors.resize(tetrahedra.size());
-    for (const auto& [sites, destroyer, ownError] : tetrahedra) {
+    stars.ownWarpings.resize(tetrahedra.size());
+    for (const auto& [sites, destroyer, ownError, ownWarping] : tetrahedra) {
         const std::uint32_t at = next[sites[0] - chunk.firstSite]++;
         stars.otherSites[at] = {sites[1], sites[2], sites[3]};
         stars.destroyers[at] = destroyer;
         stars.ownErrors[at] = ownError;
+        stars.ownWarpings[at] = ownWarping;
     }
     return {};
 }
@@ -331,10 +338,12 @@ Result<TranslatedStars> translateStars(const MergedChunk& chunk, const RunFiles&
     tetrahedra.reserve(chunk.tetrahedronCount);
     for (std::size_t number = 0; number < chunk.parts.size(); ++number) {
         const MergedBatch::Part& part = chunk.parts[number];
-        const bool isNarrow = runs.header(part.block).recordBytes == sizeof(NarrowTetrahedron);
-        const bool right = (isNarrow ? translatePart<NarrowTetrahedron>
-                                     : translatePart<WideTetrahedron>)(reader.of(number), part.tetrahedronCount,
-                                                                       numbers.ofBlock(part.block), chunk, tetrahedra);
+        const std::uint32_t bytes = runs.header(part.block).recordBytes;
+        const auto translate = bytes == sizeof(NarrowTetrahedron)   ? translatePart<NarrowTetrahedron>
+                               : bytes == sizeof(WarpedTetrahedron) ? translatePart<WarpedTetrahedron>
+                                                                    : translatePart<WideTetrahedron>;
+        const bool right =
+            translate(reader.of(number), part.tetrahedronCount, numbers.ofBlock(part.block), chunk, tetrahedra);
         if (!right)
             return unfitStars();
     }
@@ -438,7 +447,9 @@ void StarPipeline::write(const SectionPiece& piece)
           writer_.add<std::uint8_t>(SectionId::SiteGroups, chunk.groupGoesOn),
           writer_.add<std::uint32_t>(SectionId::MeshSizes, chunk.meshSizes), writer_.addOtherSites(stars.otherSites),
           writer_.add<std::uint32_t>(SectionId::Destroyers, stars.destroyers),
-          writer_.add<std::uint16_t>(SectionId::OwnErrors, stars.ownErrors)})
+          writer_.add<std::uint16_t>(SectionId::OwnErrors, stars.ownErrors),
+          canWarp(writer_.description().domain) ? writer_.add<std::uint16_t>(SectionId::OwnWarpings, stars.ownWarpings)
+                                                : Status()})
         if (!written)
             return fail(written.error());
     const auto sites = static_cast<double>(chunk.firstSite) + static_cast<double>(chunk.points.size());

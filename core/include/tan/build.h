@@ -63,11 +63,11 @@ struct Refinement {
     /// Of curvilinear grids likewise, % of the diagonal of the data's bounding box. If only one of error and warping is
     /// given, it holds for both.
     double warping = 0;
-    /// Cells along an edge of a block; 0: no blocks. Blocks of a regular lattice are refined independently, with only a
-    /// few in memory (R10), those of a curvilinear grid together. Unset: grids are built whole; for lattices the size
-    /// and the memory that this process may use decide, so the model may differ between machines.
+    /// Cells along an edge of a block of a lattice or grid; 0: no blocks. Blocks are refined independently, with only a
+    /// few in memory (R10, C7). Unset: the size and the memory that this process may use decide, so the model may
+    /// differ between machines.
     std::optional<std::uint32_t> block{};
-    /// Of curvilinear grids: compare error and warping in the units of the data, as the paper did.
+    /// Of curvilinear grids: compare error and warping in the units of the data, as the paper did. Not in blocks.
     bool paperSelection = false;
     OrderedBy orderedBy = OrderedBy::Both; ///< of curvilinear grids; a threshold of the other one is refused
     /// Rectilinear grids as other curvilinear ones, in computational space: in less memory and time, but with a
@@ -105,9 +105,9 @@ TAN_API BuildMethod suitableMethod(const Dataset& dataset);
 /// Builds a model of `dataset` into `output`, atomically: a model that was there is replaced at the end, any other file
 /// is not (WrongUsage). Temporary files lie beside it meanwhile, and go with a cancelled or failed build. Errors: what
 /// the method does not take and why, no room on the disk, not enough memory, cancelled. Returns when the model is
-/// complete, so call it from a worker thread; builds of different outputs may run at once. Blocks of a lattice are
-/// refined on all threads, everything else on one. Takes some 600 bytes a point of memory at most, of lattices in
-/// blocks some 45; decimation about 1.5 kB a point.
+/// complete, so call it from a worker thread; builds of different outputs may run at once. Blocks are
+/// refined on all threads, everything else on one. Takes some 600 bytes a point of memory at most, in blocks some 45;
+/// decimation about 1.5 kB a point.
 TAN_API Result<BuildReport> buildModel(const Dataset& dataset, const std::filesystem::path& output,
                                        const BuildMethod& method, const Progress& progress = {});
 /// The same by the suitableMethod(), without progress.
@@ -240,17 +240,17 @@ TAN_API Result<Dataset> takenFor(const Decimation& decimation, const Dataset& da
 /// Why the dataset cannot be refined, for the user; success if it can.
 TAN_API Status checkRefinement(const Dataset& dataset);
 
-/// Whether a lattice of so many points is refined in blocks, as far as that can be known of their number. `block`:
-/// Refinement::block; `usableBytes`: of memory, 0 if unknown.
+/// Whether a lattice or grid of so many points is refined in blocks, as far as that can be known of their number.
+/// `block`: Refinement::block; `usableBytes`: of memory, 0 if unknown.
 TAN_API bool takesBlocks(const std::optional<std::uint32_t>& block, std::uint64_t points, std::uint64_t usableBytes);
 
-/// The cells along an edge of the blocks of a regular lattice, 0 to refine it as a whole. Error: WrongUsage, so small
-/// blocks would be too many.
+/// The cells along an edge of the blocks of a lattice or curvilinear grid, 0 to refine it as a whole. Error:
+/// WrongUsage, so small blocks would be too many.
 TAN_API Result<std::uint32_t> chooseBlocks(const std::optional<std::uint32_t>& block, const Lattice& lattice,
                                            std::uint64_t usableBytes);
 
 /// Greedy Delaunay refinement of lattices, curvilinear grids and scattered points into a target (R8, R9, R10, R12), of
-/// what takenFor() gives. In blocks a lattice is refined out of core, which needs BuildTarget::ofFixedSize.
+/// what takenFor() gives. Blocks are refined out of core, which needs BuildTarget::ofFixedSize.
 TAN_API Result<BuildReport> buildInto(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
                                       const Progress& progress);
 

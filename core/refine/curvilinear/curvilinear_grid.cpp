@@ -5,9 +5,13 @@
 
 #include <Eigen/Geometry>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace tetra {
@@ -258,83 +262,129 @@ int cornerSignOf(const CellPositions& corners, unsigned corner)
     return turnOfCorner(corner) * orientationSign(at(corner), at(corner ^ 1), at(corner ^ 2), at(corner ^ 4));
 }
 
+/// Calls visit(positions of the corners, number of the first) for each cell between two planes of points.
+template <class Visit> void forEachCellOfLayer(const std::array<std::uint32_t, 3>& size, std::uint32_t z,
+                                               const auto& positionOf, const Visit& visit)
+{
+    const std::array<std::uint32_t, 8> offsets = cornerOffsets(size);
+    for (std::uint32_t y = 0; y + 1 < size[1]; ++y) {
+        std::uint64_t first = (std::uint64_t(z) * size[1] + y) * size[0];
+        for (std::uint32_t x = 0; x + 1 < size[0]; ++x, ++first) {
+            CellPositions corners;
+            for (unsigned corner = 0; corner < 8; ++corner)
+                corners[corner] = positionOf(first + offsets[corner]);
+            visit(corners, FoldedCells::Place{std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+        }
+    }
+}
+
+/// What is summed up of a grid's planes.
+struct GridSums {
+    std::int64_t balance = 0; ///< of positive and negative corners of cells, for which signs in doubles will do
+    double largestValue = 0;
+    double largestCoordinate = 0;
+
+    GridSums operator+(const GridSums& other) const
+    {
+        return {balance + other.balance, std::max(largestValue, other.largestValue),
+                std::max(largestCoordinate, other.largestCoordinate)};
+    }
+};
+
 } // namespace
+
+CurvilinearFacts factsOf(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
+                         const LatticeSamples& samples)
+{
+    const auto sumsOf = [&](std::uint32_t z) {
+        GridSums sums;
+        const std::uint64_t layer = std::uint64_t(size[0]) * size[1];
+        samples.visit([&](const auto* values) {
+            for (std::uint64_t point = z * layer; point < (z + 1) * layer; ++point) {
+                sums.largestValue = std::max(sums.largestValue, std::abs(static_cast<double>(values[point])));
+                sums.largestCoordinate = std::max(sums.largestCoordinate, positions[point].cwiseAbs().maxCoeff());
+            }
+        });
+        if (z + 1 == size[2])
+            return sums;
+        const auto positionOf = [&](std::uint64_t point) { return positions[point]; };
+        forEachCellOfLayer(size, z, positionOf, [&](const CellPositions& corners, const FoldedCells::Place&) {
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                const double six = cornerVolumeOf(corners, corner).six;
+                sums.balance += six > 0 ? 1 : six < 0 ? -1 : 0;
+            }
+        });
+        return sums;
+    };
+    const GridSums sums = tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, size[2]), GridSums(),
+        [&](const tbb::blocked_range<std::uint32_t>& layers, GridSums of) {
+            for (std::uint32_t z = layers.begin(); z < layers.end(); ++z)
+                of = of + sumsOf(z);
+            return of;
+        },
+        std::plus());
+    return {sums.balance < 0 ? -1 : 1, roundingOf(sums.largestValue), roundingOf(2 * sums.largestCoordinate)};
+}
 
 CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
                                  const LatticeSamples& samples)
-    : lattice_(size)
+    : CurvilinearGrid(size, {{0, 0, 0}, size}, positions, samples, factsOf(size, positions, samples))
 {
-    points_.resize(positions.size());
-    weights_.resize(samples.weighted() ? positions.size() : 0);
-    std::vector<PackedPoint> row(size[0]);
-    std::vector<double> values(size[0]);
-    double largestValue = 0;
-    double largestCoordinate = 0;
+}
+
+CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, const LatticeBox& box,
+                                 std::span<const Eigen::Vector3d> positions, const LatticeSamples& samples,
+                                 const CurvilinearFacts& facts)
+    : lattice_(box.size), facts_(facts)
+{
+    points_.resize(box.pointCount());
+    weights_.resize(samples.weighted() ? box.pointCount() : 0);
+    std::vector<PackedPoint> row(box.size[0]);
+    std::vector<double> values(box.size[0]);
     std::size_t index = 0;
-    for (std::uint32_t z = 0; z < size[2]; ++z)
-        for (std::uint32_t y = 0; y < size[1]; ++y) {
-            for (std::uint32_t x = 0; x < size[0]; ++x)
+    for (std::uint32_t z = 0; z < box.size[2]; ++z)
+        for (std::uint32_t y = 0; y < box.size[1]; ++y) {
+            for (std::uint32_t x = 0; x < box.size[0]; ++x)
                 row[x] = lattice_.pack(x, y, z);
             samples.gather(lattice_, row, values.data());
-            for (std::uint32_t x = 0; x < size[0]; ++x, ++index) {
-                const Eigen::Vector3d& position = positions[index];
+            const std::uint64_t first =
+                (std::uint64_t(box.origin[2] + z) * size[1] + box.origin[1] + y) * size[0] + box.origin[0];
+            for (std::uint32_t x = 0; x < box.size[0]; ++x, ++index) {
+                const Eigen::Vector3d& position = positions[first + x];
                 points_[index].components = {position.x(), position.y(), position.z(), values[x]};
                 if (samples.weighted())
                     weights_[index] = samples.weight(lattice_, row[x]);
-                largestValue = std::max(largestValue, std::abs(values[x]));
-                largestCoordinate = std::max(largestCoordinate, position.cwiseAbs().maxCoeff());
             }
         }
-    leastError_ = roundingOf(largestValue);
-    leastWarping_ = roundingOf(2 * largestCoordinate);
-    lookAtCells();
+    findFoldedCells();
 }
 
-/// Finds the handedness, for which signs in doubles will do, and the folded cells, which are looked for only if not all
-/// corners of cells are of that hand without doubt.
-void CurvilinearGrid::lookAtCells()
+/// Exact signs are found only of cells of which not all corners are of the grid's hand without doubt.
+void CurvilinearGrid::findFoldedCells()
 {
     const auto& size = lattice_.size();
-    const auto forEachCell = [&](const auto& visit) {
-        const std::array<std::uint32_t, 8> offsets = cornerOffsets(size);
-        for (std::uint32_t z = 0; z + 1 < size[2]; ++z)
-            for (std::uint32_t y = 0; y + 1 < size[1]; ++y) {
-                std::uint32_t first = (z * size[1] + y) * size[0];
-                for (std::uint32_t x = 0; x + 1 < size[0]; ++x, ++first) {
-                    CellPositions corners;
-                    for (unsigned corner = 0; corner < 8; ++corner)
-                        corners[corner] = Eigen::Vector3d(points_[first + offsets[corner]].components.data());
-                    visit(corners, FoldedCells::Place{std::int32_t(x), std::int32_t(y), std::int32_t(z)});
-                }
-            }
-    };
-    std::int64_t balance = 0;
-    std::array<bool, 2> anyDoubt{}; ///< that all corners are negative, and that all are positive
-    forEachCell([&](const CellPositions& corners, const FoldedCells::Place&) {
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const CornerVolume volume = cornerVolumeOf(corners, corner);
-            balance += volume.six > 0 ? 1 : volume.six < 0 ? -1 : 0;
-            anyDoubt[0] |= volume.sign() >= 0;
-            anyDoubt[1] |= volume.sign() <= 0;
-        }
-    });
-    handedness_ = balance < 0 ? -1 : 1;
-    if (!anyDoubt[handedness_ > 0 ? 1 : 0])
-        return;
     std::vector<FoldedCells::Place> folded;
-    forEachCell([&](const CellPositions& corners, const FoldedCells::Place& place) {
-        for (unsigned corner = 0; corner < 8; ++corner)
-            if (handedness_ * cornerSignOf(corners, corner) < 0) {
-                folded.push_back(place);
+    const auto positionOf = [&](std::uint64_t point) { return Eigen::Vector3d(points_[point].components.data()); };
+    for (std::uint32_t z = 0; z + 1 < size[2]; ++z)
+        forEachCellOfLayer(size, z, positionOf, [&](const CellPositions& corners, const FoldedCells::Place& place) {
+            bool doubtful = false;
+            for (unsigned corner = 0; corner < 8; ++corner)
+                doubtful |= facts_.handedness * cornerVolumeOf(corners, corner).sign() <= 0;
+            if (!doubtful)
                 return;
-            }
-    });
+            for (unsigned corner = 0; corner < 8; ++corner)
+                if (facts_.handedness * cornerSignOf(corners, corner) < 0) {
+                    folded.push_back(place);
+                    return;
+                }
+        });
     foldedCells_ = FoldedCells(std::move(folded));
 }
 
 int CurvilinearGrid::orientation(const std::array<PackedPoint, 4>& vertices) const
 {
-    return handedness_ *
+    return facts_.handedness *
            orientationSign(position(vertices[0]), position(vertices[1]), position(vertices[2]), position(vertices[3]));
 }
 

@@ -58,14 +58,34 @@ struct alignas(32) PhysicalPoint {
     std::array<double, 3> position() const noexcept { return {components[0], components[1], components[2]}; }
 };
 
-/// A curvilinear grid in computational space (a lattice of unit spacing) with what lies in physical space at each
-/// point. 32 bytes a point. Immutable.
+/// What holds for a whole curvilinear grid, and for each of its blocks.
+struct CurvilinearFacts {
+    /// 1 if most of the corners of the grid's cells are positive in physical space, -1 if most are negative: a physical
+    /// tetrahedron of the other sign is flipped (S5).
+    int handedness = 1;
+    /// Errors and warpings up to these cannot be told from none: rounding makes as much.
+    double leastError = 0;
+    double leastWarping = 0;
+};
+
+/// Looks at every point and every cell, on all threads; the result does not depend on how many. `positions` are all
+/// finite.
+CurvilinearFacts factsOf(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
+                         const LatticeSamples& samples);
+
+/// A curvilinear grid, or a box of one, in computational space (a lattice of unit spacing) with what lies in physical
+/// space at each point. 32 bytes a point. Immutable.
 class CurvilinearGrid {
 public:
     /// `positions` holds one a point, all finite, in the lattice's order; values and weights come from `samples`.
     /// Nothing is referred to afterwards. Allocations throw std::bad_alloc.
     CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
                     const LatticeSamples& samples);
+    /// The box of such a grid, its points counted in the box; `samples` are those of the box alone, `facts` those of
+    /// the whole grid.
+    CurvilinearGrid(const std::array<std::uint32_t, 3>& size, const LatticeBox& box,
+                    std::span<const Eigen::Vector3d> positions, const LatticeSamples& samples,
+                    const CurvilinearFacts& facts);
 
     const PackedLattice& lattice() const noexcept { return lattice_; }
     const PhysicalPoint& operator[](std::uint32_t index) const noexcept { return points_[index]; }
@@ -76,9 +96,7 @@ public:
     bool weighted() const noexcept { return !weights_.empty(); }
     double weight(PackedPoint point) const noexcept { return weights_[lattice_.index(point)]; }
 
-    /// 1 if most of the corners of the grid's cells are positive in physical space, -1 if most are negative: a physical
-    /// tetrahedron of the other sign is flipped (S5).
-    int handedness() const noexcept { return handedness_; }
+    int handedness() const noexcept { return facts_.handedness; }
     /// The sign of a tetrahedron's volume in physical space, relative to the handedness; exact. 1 is consistent, 0
     /// degenerate (S6), -1 flipped. `vertices` must be positive in computational space.
     int orientation(const std::array<PackedPoint, 4>& vertices) const;
@@ -88,20 +106,17 @@ public:
     /// folded cell, or all of its vertices belong to one cell, so that no point of the grid could cure it. Exact.
     bool allowsInverted(const std::array<PackedPoint, 4>& vertices) const;
 
-    /// Errors and warpings below these cannot be told from none: rounding makes as much.
-    double leastError() const noexcept { return leastError_; }
-    double leastWarping() const noexcept { return leastWarping_; }
+    double leastError() const noexcept { return facts_.leastError; }
+    double leastWarping() const noexcept { return facts_.leastWarping; }
 
 private:
-    void lookAtCells();
+    void findFoldedCells();
 
     PackedLattice lattice_;
     Buffer<PhysicalPoint> points_;
     Buffer<float> weights_;
-    int handedness_ = 1;
+    CurvilinearFacts facts_;
     FoldedCells foldedCells_;
-    double leastError_ = 0;
-    double leastWarping_ = 0;
 };
 
 /// Of the lattice points in `box` strictly inside the circumsphere of `tetrahedron`, the one nearest to its centre

@@ -3,7 +3,6 @@
 
 #include "core/base/rounding.h"
 #include "core/base/simd.h"
-#include "core/base/sort_unique.h"
 #include "core/mesh/topology.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/refine/greedy.h"
@@ -164,14 +163,25 @@ struct Worst {
     }
 };
 
-} // namespace
-
-CurvilinearMesh::CurvilinearMesh(const CurvilinearGrid& grid, const BlockDivision& blocks, const Options& options)
-    : grid_(grid), blocks_(blocks), options_(options)
+/// An error or a warping as a float, not rounded down; 0 if it cannot be told from none.
+float boundOf(double value, double least)
 {
-    queue_.start(roundedUp(std::max(options.largestError, options.warpingWeight * options.largestWarping)));
-    warpingQueue_.start(roundedUp(options.largestWarping));
+    return value <= least ? 0.0f : roundedUp(value);
 }
+
+/// Of the tetrahedron with `point` in place of the first vertex; an integer.
+double sixfoldVolume(const PackedLattice& lattice, PackedPoint point, const std::array<PackedPoint, 4>& vertices)
+{
+    const auto from = [&](PackedPoint to) {
+        return std::array<std::int64_t, 3>{lattice.x(to) - lattice.x(point), lattice.y(to) - lattice.y(point),
+                                           lattice.z(to) - lattice.z(point)};
+    };
+    const auto a = from(vertices[1]), b = from(vertices[2]), c = from(vertices[3]);
+    return static_cast<double>(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                               a[2] * (b[0] * c[1] - b[1] * c[0]));
+}
+
+} // namespace
 
 float CurvilinearMesh::keyOf(float error, float warping) const
 {
@@ -193,34 +203,47 @@ std::uint32_t CurvilinearMesh::takeBucketNumber()
 
 Status CurvilinearMesh::reserve()
 {
-    const auto& size = grid_.lattice().size();
-    std::uint64_t blockPoints = 0;
-    for (std::uint32_t block = 0; block < blocks_.count(); ++block)
-        blockPoints += blocks_.box(block).pointCount();
+    const std::uint64_t pointCount = options_.box.pointCount();
     // Six to seven tetrahedra a vertex are alive at once; room to spare.
-    const std::uint64_t slots =
-        std::min<std::uint64_t>(10 * blockPoints + 64 * std::uint64_t(blocks_.count()) + 4096, 0xfffffff0);
-    if (Status status = delaunay_.prepare(size, {1, 1, 1}, slots); !status)
+    const std::uint64_t slots = std::min<std::uint64_t>(10 * pointCount + 64 + 4096, 0xfffffff0);
+    if (Status status = delaunay_.prepare(options_.box.size, {1, 1, 1}, slots); !status)
         return status;
-    if (Status status = pool_.reserve(blockPoints); !status)
+    if (Status status = pool_.reserve(pointCount); !status)
         return status;
     if (Status status =
-            slots_.reserve(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra"));
+            slots_.ensure(delaunay_.capacity(), Message::marked("the state of the refinement's tetrahedra"));
         !status)
         return status;
-    if (Status status = startStar_.attach(grid_.lattice()); !status)
-        return status;
-    const std::uint64_t pointCount = std::uint64_t(size[0]) * size[1] * size[2];
-    return siteOfPoint_.reserve(pointCount, Message::marked("the numbers of the sites"));
+    return startStar_.attach(grid_->lattice());
 }
 
-Status CurvilinearMesh::start(HistorySink& sink)
+Status CurvilinearMesh::start(const CurvilinearGrid& grid, const Options& options, HistorySink& sink)
 {
+    grid_ = &grid;
+    options_ = options;
+    anyShared_ = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        shared_[axis] = {options.box.origin[axis] > 0, options.box.last(axis) + 1 < options.size[axis]};
+        anyShared_ = anyShared_ || shared_[axis][0] || shared_[axis][1];
+    }
+    queue_.start(roundedUp(std::max(options.largestError, options.warpingWeight * options.largestWarping)));
+    warpingQueue_.start(roundedUp(options.largestWarping));
+    buckets_.clear();
+    warpingBuckets_.clear();
+    freeBuckets_.clear();
+    flips_.clear();
+    inverted_ = 0;
+    degenerate_ = 0;
+    pointsAboveStop_ = 0;
+    points_.clear();
     if (Status status = reserve(); !status)
         return status;
-    for (std::uint32_t block = 0; block < blocks_.count(); ++block) {
-        hints_.push_back(delaunay_.addBox(blocks_.box(block), !blocks_.odd(block)));
-        distribute(block, hints_.back());
+    const LatticeBox whole{{0, 0, 0}, options.box.size};
+    hint_ = delaunay_.addBox(whole, options.centreAtOrigin);
+    auto inside = pointsOfStart(delaunay_, whole, hint_);
+    for (std::uint32_t slot = 0; slot < LatticeDelaunay::startCount; ++slot) {
+        distribute(slot, inside[slot]);
+        std::vector<PackedPoint>().swap(inside[slot]);
     }
     if (Status status = addCorners(sink); !status)
         return status;
@@ -229,49 +252,146 @@ Status CurvilinearMesh::start(HistorySink& sink)
     return {};
 }
 
-/// Gives every point of the block but its corners to one of the five tetrahedra of its start.
-void CurvilinearMesh::distribute(std::uint32_t block, std::uint32_t firstSlot)
+/// Gives the points to a tetrahedron of the start that they lie in.
+void CurvilinearMesh::distribute(std::uint32_t slot, std::span<const PackedPoint> points)
 {
-    auto inside = pointsOfStart(delaunay_, blocks_.box(block), firstSlot);
-    for (std::uint32_t number = 0; number < LatticeDelaunay::startCount; ++number) {
-        const std::uint32_t slot = firstSlot + number;
-        const auto& vertices = delaunay_[slot].vertices;
-        startStar_.set(vertices[0], {{{vertices[1], vertices[2], vertices[3]}}}, {1, 1, 1});
-        redistribution_.run(grid_, startStar_, inside[number]);
-        slots_[slot] = {none, none, block, 1};
-        startAccuracies_.push_back(fillBucket(slot, 0, delaunay_[slot].determinant()));
-        std::vector<PackedPoint>().swap(inside[number]);
-    }
+    const auto& vertices = delaunay_[slot].vertices;
+    startStar_.set(vertices[0], {{{vertices[1], vertices[2], vertices[3]}}}, {1, 1, 1});
+    redistribution_.run(*grid_, startStar_, points);
+    slots_[slot] = {};
+    startAccuracies_[slot] = fillBucket(slot, 0, delaunay_[slot].determinant());
 }
 
-/// The corners of all blocks, each once, are the first sites.
+/// The corners are the first sites.
 Status CurvilinearMesh::addCorners(HistorySink& sink)
 {
-    std::vector<std::uint64_t> corners;
-    for (std::uint32_t block = 0; block < blocks_.count(); ++block)
-        for (std::uint32_t number = 0; number < 8; ++number) {
-            const auto corner = blocks_.box(block).corner(number);
-            corners.push_back(index(grid_.lattice().pack(corner[0], corner[1], corner[2])));
-        }
-    sortUnique(corners);
-    for (std::uint32_t site = 0; site < corners.size(); ++site)
-        siteOfPoint_[corners[site]] = site + 1;
-
-    std::vector<StartTetrahedron> tetrahedra(delaunay_.slotCount());
+    std::array<PackedPoint, 8> corners{};
+    std::array<std::uint64_t, 8> points{};
+    for (std::uint32_t number = 0; number < corners.size(); ++number) {
+        const auto corner = LatticeBox{{0, 0, 0}, options_.box.size}.corner(number);
+        corners[number] = grid_->lattice().pack(corner[0], corner[1], corner[2]);
+        points[number] = wholeIndex(corners[number]);
+        delaunay_.label(corners[number], number);
+    }
+    std::array<StartTetrahedron, LatticeDelaunay::startCount> tetrahedra;
     for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot) {
         tetrahedra[slot].error = startAccuracies_[slot].error;
         tetrahedra[slot].warping = startAccuracies_[slot].warping;
         for (std::size_t i = 0; i < 4; ++i)
-            tetrahedra[slot].sites[i] = siteOfPoint_[index(delaunay_[slot].vertices[i])] - 1;
+            tetrahedra[slot].sites[i] =
+                static_cast<std::uint32_t>(std::ranges::find(corners, delaunay_[slot].vertices[i]) - corners.begin());
     }
-    const auto numbers = addStart(corners, tetrahedra, sink);
+    const auto numbers = addStart(points, tetrahedra, sink);
     if (!numbers)
         return numbers.error();
     for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot)
         slots_[slot].history = (*numbers)[slot];
-    siteCount_ = static_cast<std::uint32_t>(corners.size());
+    siteCount_ = points.size();
     tetrahedronCount_ = tetrahedra.size();
     return {};
+}
+
+std::uint64_t CurvilinearMesh::wholeIndex(PackedPoint point) const noexcept
+{
+    const PackedLattice& lattice = grid_->lattice();
+    const auto& origin = options_.box.origin;
+    const std::uint64_t x = origin[0] + static_cast<std::uint32_t>(lattice.x(point));
+    const std::uint64_t y = origin[1] + static_cast<std::uint32_t>(lattice.y(point));
+    const std::uint64_t z = origin[2] + static_cast<std::uint32_t>(lattice.z(point));
+    return (z * options_.size[1] + y) * options_.size[0] + x;
+}
+
+bool CurvilinearMesh::isShared(PackedPoint point) const noexcept
+{
+    if (!anyShared_)
+        return false;
+    const PackedLattice& lattice = grid_->lattice();
+    const std::array<std::int32_t, 3> at{lattice.x(point), lattice.y(point), lattice.z(point)};
+    bool shared = false;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        shared |= (shared_[axis][0] && at[axis] == 0) ||
+                  (shared_[axis][1] && at[axis] + 1 == static_cast<std::int32_t>(options_.box.size[axis]));
+    return shared;
+}
+
+/// The accuracy of a point on a face that other blocks have too, the same bits in all of them: of the vertices only
+/// those count whose weight is not 0, which are on the face, in the order of the grid; and weights are quotients of
+/// integers, correctly rounded whatever they were reduced by.
+CurvilinearMesh::Accuracy CurvilinearMesh::accuracyOnFace(std::uint32_t slot, PackedPoint point) const
+{
+    const PackedLattice& lattice = grid_->lattice();
+    std::array<PackedPoint, 4> vertices = delaunay_[slot].vertices;
+    const double whole = delaunay_[slot].determinant();
+    std::array<std::pair<PackedPoint, double>, 4> weights;
+    for (std::size_t i = 0; i < 4; ++i)
+        weights[i] = {vertices[i], sixfoldVolume(lattice, point, withCornerFirst(vertices, i)) / whole};
+    std::ranges::sort(weights);
+    const PhysicalPoint& at = grid_->at(point);
+    std::array<double, 4> residual{};
+    for (const auto& [vertex, weight] : weights) {
+        if (weight == 0)
+            continue;
+        const PhysicalPoint& corner = grid_->at(vertex);
+        for (std::size_t i = 0; i < 4; ++i)
+            residual[i] += weight * (corner.components[i] - at.components[i]);
+    }
+    const double weight = grid_->weighted() ? grid_->weight(point) : 1.0;
+    Accuracy accuracy;
+    accuracy.error = boundOf(weight * std::abs(residual[3]), grid_->leastError());
+    accuracy.warping =
+        boundOf(weight * std::sqrt(residual[0] * residual[0] + residual[1] * residual[1] + residual[2] * residual[2]),
+                grid_->leastWarping());
+    accuracy.key = keyOf(accuracy.error, accuracy.warping);
+    return accuracy;
+}
+
+/// What is worst of what the relocation placed into `face` of the star: the tetrahedron of `slot`.
+CurvilinearMesh::WorstPoints CurvilinearMesh::worstOf(std::uint32_t slot, std::size_t face, double determinant) const
+{
+    const std::uint32_t first = redistribution_.offsets()[face];
+    const std::uint32_t count = redistribution_.offsets()[face + 1] - first;
+    const std::span<const PackedPoint> points = redistribution_.placed().subspan(first, count);
+    const double* const errors = redistribution_.scaledSquaredErrors().data() + first;
+    const double* const warpings = redistribution_.scaledSquaredWarpings().data() + first;
+    const double squaredWeight = options_.warpingWeight * options_.warpingWeight;
+    Worst error, warping, key;
+    WorstPoints onFaces;
+    bool anyOnFaces = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (isShared(points[i])) {
+            const Accuracy own = accuracyOnFace(slot, points[i]);
+            if (!anyOnFaces || own.key > onFaces.accuracy.key ||
+                (own.key == onFaces.accuracy.key && points[i] < onFaces.byKey)) {
+                onFaces.accuracy.key = own.key;
+                onFaces.byKey = points[i];
+            }
+            onFaces.accuracy.error = std::max(onFaces.accuracy.error, own.error);
+            onFaces.accuracy.warping = std::max(onFaces.accuracy.warping, own.warping);
+            anyOnFaces = true;
+            continue;
+        }
+        error.take(errors[i], points[i]);
+        warping.take(warpings[i], points[i]);
+        key.take(std::max(errors[i], squaredWeight * warpings[i]), points[i]);
+    }
+    if (key.measure < 0)
+        return onFaces;
+    const auto bound = [determinant](double scaledSquare, double least) {
+        return boundOf(std::sqrt(scaledSquare) / determinant, least);
+    };
+    WorstPoints worst{{bound(error.measure, grid_->leastError()), bound(warping.measure, grid_->leastWarping()), 0},
+                      key.point,
+                      error.point,
+                      warping.point};
+    worst.accuracy.key = keyOf(worst.accuracy.error, worst.accuracy.warping);
+    if (anyOnFaces) {
+        const float inside = worst.accuracy.key, onFace = onFaces.accuracy.key;
+        if (onFace > inside || (onFace == inside && onFaces.byKey < worst.byKey))
+            worst.byKey = onFaces.byKey;
+        worst.accuracy = {std::max(worst.accuracy.error, onFaces.accuracy.error),
+                          std::max(worst.accuracy.warping, onFaces.accuracy.warping), std::max(inside, onFace)};
+    }
+    return worst;
 }
 
 /// Makes the bucket of `slot` out of what the relocation placed into `face` of its star.
@@ -282,26 +402,13 @@ CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::s
     if (count == 0)
         return {};
     const std::span<const PackedPoint> points = redistribution_.placed().subspan(first, count);
-    const double* const errors = redistribution_.scaledSquaredErrors().data() + first;
-    const double* const warpings = redistribution_.scaledSquaredWarpings().data() + first;
-    const double squaredWeight = options_.warpingWeight * options_.warpingWeight;
-    Worst error, warping, key;
-    for (std::size_t i = 0; i < count; ++i) {
-        error.take(errors[i], points[i]);
-        warping.take(warpings[i], points[i]);
-        key.take(std::max(errors[i], squaredWeight * warpings[i]), points[i]);
-    }
-    const auto bound = [determinant](double scaledSquare, double least) {
-        const double value = std::sqrt(scaledSquare) / determinant;
-        return value <= least ? 0.0f : roundedUp(value);
-    };
-    Accuracy accuracy{bound(error.measure, grid_.leastError()), bound(warping.measure, grid_.leastWarping()), 0};
-    accuracy.key = keyOf(accuracy.error, accuracy.warping);
+    const WorstPoints worst = worstOf(slot, face, determinant);
+    const Accuracy& accuracy = worst.accuracy;
 
     const std::uint32_t number = takeBucketNumber();
     slots_[slot].bucket = number;
     PointBucket& bucket = buckets_[number];
-    bucket = {count, 0, key.point, accuracy.key, slot};
+    bucket = {count, 0, worst.byKey, accuracy.key, slot};
     if (count > 1) {
         bucket.place = pool_.allocate(count);
         std::ranges::copy(points, pool_.points(bucket.place, count).begin());
@@ -309,10 +416,10 @@ CurvilinearMesh::Accuracy CurvilinearMesh::fillBucket(std::uint32_t slot, std::s
     if (accuracy.key > options_.stopKey)
         pointsAboveStop_ += count;
     if (options_.selection == CurvilinearSelection::Paper) {
-        warpingBuckets_[number] = {count, bucket.place, warping.point, accuracy.warping, slot};
+        warpingBuckets_[number] = {count, bucket.place, worst.byWarping, accuracy.warping, slot};
         if (accuracy.warping > 0)
             warpingQueue_.push(number, warpingBuckets_[number]);
-        bucket.worst = error.point;
+        bucket.worst = worst.byError;
         bucket.error = accuracy.error;
     }
     if (bucket.error > 0)
@@ -325,12 +432,12 @@ void CurvilinearMesh::noteOrientation(std::uint32_t slot)
 {
     SlotState& state = slots_[slot];
     const DelaunayTetrahedron& tetrahedron = delaunay_[slot];
-    state.orientation = grid_.orientation(tetrahedron.vertices);
+    state.orientation = grid_->orientation(tetrahedron.vertices);
     degenerate_ += state.orientation == 0;
     if (state.orientation >= 0)
         return;
     ++inverted_;
-    if (!grid_.allowsInverted(tetrahedron.vertices))
+    if (!grid_->allowsInverted(tetrahedron.vertices))
         flips_.push(fatness(tetrahedron), tetrahedron.vertices[0], slot, state.history);
 }
 
@@ -367,35 +474,6 @@ void CurvilinearMesh::collectDestroyed()
     }
 }
 
-bool CurvilinearMesh::insertIntoBlock(PackedPoint point, std::uint32_t slot, std::uint32_t block)
-{
-    if (!delaunay_.insert(point, slot))
-        return false;
-    for (const std::uint32_t destroyed : delaunay_.destroyed())
-        __builtin_prefetch(&slots_[destroyed]);
-    delaunay_.prefetchNeighbours(nextSlot_);
-    collectDestroyed();
-    pointsMoved_ += points_.size();
-    const Star& star = delaunay_.star();
-    rimSites_.resize(star.link().size());
-    for (std::size_t i = 0; i < rimSites_.size(); ++i)
-        rimSites_[i] = siteOfPoint_[index(star.link()[i])] - 1;
-    const bool hasPoints = points_.size() > 1;
-    if (hasPoints)
-        redistribution_.run(grid_, star, points_);
-    for (std::size_t face = 0; face < star.faceCount(); ++face) {
-        const std::uint32_t created = delaunay_.created()[face];
-        slots_[created] = {static_cast<std::uint32_t>(tetrahedronCount_++), none, block, 1};
-        const Accuracy accuracy = hasPoints ? fillBucket(created, face, star.faces()[face].determinant()) : Accuracy{};
-        noteOrientation(created);
-        const std::array<std::uint32_t, 3>& corners = star.corners()[face];
-        starHistory_.push_back(
-            {{rimSites_[corners[0]], rimSites_[corners[1]], rimSites_[corners[2]]}, accuracy.error, accuracy.warping});
-    }
-    hints_[block] = delaunay_.created()[0];
-    return true;
-}
-
 /// Fetches what the next insertion will probably need.
 void CurvilinearMesh::prefetchNext()
 {
@@ -407,22 +485,32 @@ void CurvilinearMesh::prefetchNext()
 Status CurvilinearMesh::insert(const Candidate& candidate, float keyBefore, HistorySink& sink)
 {
     prefetchNext();
-    const PackedLattice& lattice = grid_.lattice();
     const PackedPoint point = candidate.point;
-    const std::uint32_t home = slots_[candidate.slot].block;
     starHistory_.clear();
     destroyedHistory_.clear();
-    pointsMoved_ = 0;
-    siteOfPoint_[index(point)] = ++siteCount_;
-    blocks_.blocksOf({static_cast<std::uint32_t>(lattice.x(point)), static_cast<std::uint32_t>(lattice.y(point)),
-                      static_cast<std::uint32_t>(lattice.z(point))},
-                     pointBlocks_);
-    for (const std::uint32_t block : pointBlocks_) {
-        const std::uint32_t slot = block == home ? candidate.slot : walkTo(delaunay_, point, hints_[block]);
-        if (!insertIntoBlock(point, slot, block))
-            return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+    if (!delaunay_.insert(point, candidate.slot))
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+    for (const std::uint32_t destroyed : delaunay_.destroyed())
+        __builtin_prefetch(&slots_[destroyed]);
+    delaunay_.prefetchNeighbours(nextSlot_);
+    collectDestroyed();
+    const Star& star = delaunay_.star();
+    const std::span<const std::uint32_t> rimSites = star.labels();
+    delaunay_.label(point, siteCount_++);
+    const bool hasPoints = points_.size() > 1;
+    if (hasPoints)
+        redistribution_.run(*grid_, star, points_);
+    for (std::size_t face = 0; face < star.faceCount(); ++face) {
+        const std::uint32_t created = delaunay_.created()[face];
+        slots_[created] = {static_cast<std::uint32_t>(tetrahedronCount_++), none, 1};
+        const Accuracy accuracy = hasPoints ? fillBucket(created, face, star.faces()[face].determinant()) : Accuracy{};
+        noteOrientation(created);
+        const std::array<std::uint32_t, 3>& corners = star.corners()[face];
+        starHistory_.push_back(
+            {{rimSites[corners[0]], rimSites[corners[1]], rimSites[corners[2]]}, accuracy.error, accuracy.warping});
     }
-    return sink.add({index(point), keyBefore, starHistory_, destroyedHistory_});
+    hint_ = delaunay_.created()[0];
+    return sink.add({wholeIndex(point), keyBefore, starHistory_, destroyedHistory_});
 }
 
 CurvilinearMesh::Candidate CurvilinearMesh::worst()
@@ -449,9 +537,37 @@ CurvilinearMesh::Candidate CurvilinearMesh::flipped()
     const std::uint32_t slot = flips_.top(alive);
     if (slot == FlipQueue::none)
         return {};
-    const auto cure = deepestPointInSphere(grid_.lattice(), delaunay_[slot], blocks_.box(slots_[slot].block));
+    const PackedLattice& lattice = grid_->lattice();
+    // A point that no other block has needs nobody's consent.
+    LatticeBox own{{0, 0, 0}, options_.box.size};
+    bool ownAny = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t taken = (shared_[axis][0] ? 1u : 0u) + (shared_[axis][1] ? 1u : 0u);
+        ownAny = ownAny && own.size[axis] > taken;
+        own.origin[axis] = shared_[axis][0] ? 1 : 0;
+        own.size[axis] -= taken;
+    }
+    std::optional<PackedPoint> cure;
+    if (ownAny)
+        cure = deepestPointInSphere(lattice, delaunay_[slot], own);
+    if (!cure && anyShared_)
+        cure = deepestPointInSphere(lattice, delaunay_[slot], {{0, 0, 0}, options_.box.size});
     assert(cure); // it is not of one cell
     return {*cure, slot, 0};
+}
+
+CurvilinearMesh::Candidate CurvilinearMesh::at(std::uint64_t wholePoint)
+{
+    const std::uint64_t row = wholePoint / options_.size[0];
+    const auto& origin = options_.box.origin;
+    const PackedPoint point =
+        grid_->lattice().pack(static_cast<std::uint32_t>(wholePoint % options_.size[0]) - origin[0],
+                              static_cast<std::uint32_t>(row % options_.size[1]) - origin[1],
+                              static_cast<std::uint32_t>(row / options_.size[1]) - origin[2]);
+    const std::uint32_t slot = walkTo(delaunay_, point, hint_);
+    if (std::ranges::find(delaunay_[slot].vertices, point) != delaunay_[slot].vertices.end())
+        return {};
+    return {point, slot, 0};
 }
 
 void CurvilinearMesh::sweep()

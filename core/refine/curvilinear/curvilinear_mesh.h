@@ -3,7 +3,6 @@
 
 #include "core/base/reserved_array.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
-#include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/error_queue.h"
 #include "core/refine/lattice/lattice_delaunay.h"
 #include "core/refine/lattice/point_pool.h"
@@ -45,6 +44,7 @@ public:
 
     static constexpr std::uint32_t none = 0xffffffff;
     /// The slot of the foremost tetrahedron that `alive(slot, history)` says lives, or none. It stays in the queue.
+    void clear() { entries_ = {}; }
     template <class Alive> std::uint32_t top(const Alive& alive)
     {
         while (!entries_.empty() && !alive(entries_.top().slot, entries_.top().history))
@@ -122,9 +122,14 @@ enum class CurvilinearSelection {
     Paper       ///< errors and warpings apart, each in its own units (3.1)
 };
 
-/// A refinable mesh of a curvilinear grid: Delaunay in computational space, block by block, each tetrahedron with the
-/// points inside it, their accuracies, and whether lifting flips it. Keeps what is worst; what to insert is the
-/// caller's choice. One thread. Memory is that of the whole grid, whatever the blocks: some 600 bytes a site.
+/// A refinable mesh of a curvilinear grid or of a block of one: Delaunay in computational space, each tetrahedron with
+/// the points inside it, their accuracies, and whether lifting flips it. Keeps what is worst; what to insert is the
+/// caller's choice. One thread; some 600 bytes a site. Allocations throw std::bad_alloc.
+///
+/// Blocks that share a face agree about it (S4) if they insert a point of it only as the worst() one or at a place in
+/// the order that the caller fixes for all of them: the triangles on a face depend on nothing but the points on it and
+/// their order, the accuracy of a point on it on nothing but the vertices of the triangle, edge or vertex that it lies
+/// in, of which it is the same float in every block; and of points of equal keys the first comes first.
 class CurvilinearMesh {
 public:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -135,14 +140,15 @@ public:
         double largestWarping = 1; ///< the extent of the positions; likewise
         double stopKey = 0;        ///< points of larger keys are what is left to do
         CurvilinearSelection selection = CurvilinearSelection::Normalised;
+        std::array<std::uint32_t, 3> size{2, 2, 2}; ///< of the whole grid, in whose order the history names points
+        LatticeBox box;                             ///< of it the part that the grid given to start() has
+        bool centreAtOrigin = true;                 ///< LatticeBoxOptions
     };
 
-    /// `grid` must outlive the mesh.
-    CurvilinearMesh(const CurvilinearGrid& grid, const BlockDivision& blocks, const Options& options);
-
-    /// Makes the corners of the blocks the first sites and hands them to `sink`. Errors: too large a grid, refused
-    /// memory, the sink's.
-    Status start(HistorySink& sink);
+    /// Makes the corners of the grid the first sites and hands them to `sink`. May be called again with another grid,
+    /// in the same memory; `grid` must outlive what is done with it. Errors: too large a grid, refused memory, the
+    /// sink's.
+    Status start(const CurvilinearGrid& grid, const Options& options, HistorySink& sink);
 
     /// A point and a tetrahedron whose circumsphere has it strictly inside.
     struct Candidate {
@@ -155,12 +161,19 @@ public:
     Candidate worst();
     /// With the paper's selection: the point of the largest warping.
     Candidate worstWarping();
-    /// The cure of the foremost flipped tetrahedron that may not stay so, the deepest point in its circumsphere (S5).
-    /// None if there is no such tetrahedron: then all of inverted() are those that the grid itself makes
-    /// (CurvilinearGrid::allowsInverted()).
+    /// The cure of the foremost flipped tetrahedron that may not stay so, the deepest point in its circumsphere (S5);
+    /// of a block the deepest that no other block has, if there is one. None if there is no such tetrahedron: then all
+    /// of inverted() are those that the grid itself makes (CurvilinearGrid::allowsInverted()).
     Candidate flipped();
+    /// The point of the whole grid, which is one of the block. Does not exist if it is a site already.
+    Candidate at(std::uint64_t wholePoint);
 
-    /// Inserts the candidate's point into every block that has it and hands the step to `sink`.
+    /// Whether another block has the point too.
+    bool isShared(PackedPoint point) const noexcept;
+    /// The point's number in the whole grid.
+    std::uint64_t wholeIndex(PackedPoint point) const noexcept;
+
+    /// Inserts the candidate's point and hands the step to `sink`.
     Status insert(const Candidate& candidate, float keyBefore, HistorySink& sink);
 
     std::uint32_t siteCount() const noexcept { return siteCount_; }
@@ -170,7 +183,7 @@ public:
     /// Points in tetrahedra of keys above the stop.
     std::uint64_t pointsAboveStop() const noexcept { return pointsAboveStop_; }
     /// How many points the last insertion moved.
-    std::uint64_t pointsMoved() const noexcept { return pointsMoved_; }
+    std::uint64_t pointsMoved() const noexcept { return points_.size(); }
     /// Drops what is stale from the queues; worth calling now and then.
     void sweep();
     /// The key of a mesh or tetrahedron of that error and warping: a bound, as they are.
@@ -181,7 +194,6 @@ private:
     struct SlotState {
         std::uint32_t history = none; ///< its tetrahedron's number in the history; none while it has none
         std::uint32_t bucket = none;  ///< none if no point is inside
-        std::uint32_t block = 0;
         std::int32_t orientation = 1; ///< of the tetrahedron in physical space, relative to the grid's
     };
     /// Bounds on a tetrahedron's own error, warping and key.
@@ -190,21 +202,29 @@ private:
         float warping = 0;
         float key = 0;
     };
+    /// Of the points in a tetrahedron.
+    struct WorstPoints {
+        Accuracy accuracy;
+        PackedPoint byKey = 0;
+        PackedPoint byError = 0;   ///< of no meaning but with the paper's selection
+        PackedPoint byWarping = 0; ///< likewise
+    };
 
     Status reserve();
-    void distribute(std::uint32_t block, std::uint32_t firstSlot);
+    void distribute(std::uint32_t slot, std::span<const PackedPoint> points);
     Status addCorners(HistorySink& sink);
-    [[nodiscard]] bool insertIntoBlock(PackedPoint point, std::uint32_t slot, std::uint32_t block);
     void collectDestroyed();
     Accuracy fillBucket(std::uint32_t slot, std::size_t face, double determinant);
+    WorstPoints worstOf(std::uint32_t slot, std::size_t face, double determinant) const;
+    Accuracy accuracyOnFace(std::uint32_t slot, PackedPoint point) const;
     void prefetchNext();
     void noteOrientation(std::uint32_t slot);
     std::uint32_t takeBucketNumber();
-    std::uint32_t index(PackedPoint point) const { return grid_.lattice().index(point); }
 
-    const CurvilinearGrid& grid_;
-    const BlockDivision blocks_;
-    const Options options_;
+    const CurvilinearGrid* grid_ = nullptr;
+    Options options_;
+    std::array<std::array<bool, 2>, 3> shared_{}; ///< whether other blocks lie before and behind along each axis
+    bool anyShared_ = false;
     LatticeDelaunay delaunay_;
     PointPool pool_;
     std::vector<PointBucket> buckets_;        ///< with the worst point by key or error
@@ -214,8 +234,6 @@ private:
     ErrorQueue warpingQueue_;
     FlipQueue flips_;
     ReservedArray<SlotState> slots_;
-    ReservedArray<std::uint32_t> siteOfPoint_; ///< plus one; 0 while it is none
-    std::vector<std::uint32_t> hints_;         ///< a live slot of each block
     CurvilinearRedistribution redistribution_;
     Star startStar_;
 
@@ -224,15 +242,13 @@ private:
     std::uint64_t inverted_ = 0;
     std::uint64_t degenerate_ = 0;
     std::uint64_t pointsAboveStop_ = 0;
-    std::uint64_t pointsMoved_ = 0;
 
+    std::uint32_t hint_ = 0; ///< a live slot
     std::uint32_t nextSlot_ = 0;
-    std::vector<std::uint32_t> pointBlocks_;
-    std::vector<PackedPoint> points_;
+    std::vector<PackedPoint> points_; ///< of the last insertion's cavity
     std::vector<std::uint32_t> destroyedHistory_;
-    std::vector<std::uint32_t> rimSites_;
     std::vector<HistoryTetrahedron> starHistory_;
-    std::vector<Accuracy> startAccuracies_;
+    std::array<Accuracy, LatticeDelaunay::startCount> startAccuracies_{};
 };
 
 } // namespace tetra

@@ -3,20 +3,30 @@
 
 #include "core/base/guarded.h"
 #include "core/refine/greedy.h"
+#include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/point_pool.h"
 
+#include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace tetra {
 
 namespace {
+
+constexpr float infiniteKey = std::numeric_limits<float>::infinity();
 
 /// The space of a curvilinear grid (core/refine/greedy.h): what the selection takes first, and cures (S5) before that.
 class CurvilinearSpace {
 public:
     CurvilinearSpace(CurvilinearMesh& mesh, CurvilinearSelection selection, HistorySink& sink)
         : mesh_(mesh), selection_(selection), sink_(sink)
+    {
+    }
+    CurvilinearSpace(CurvilinearMesh& mesh, HistorySink& sink, std::span<const FaceCure> known,
+                     std::vector<FaceCure>& found)
+        : mesh_(mesh), selection_(CurvilinearSelection::Normalised), sink_(sink), known_(known), found_(&found)
     {
     }
 
@@ -27,62 +37,101 @@ public:
     };
     Next next()
     {
-        if (const CurvilinearMesh::Candidate flipped = mesh_.flipped(); flipped.exists())
-            return {flipped, std::numeric_limits<float>::infinity(), false};
+        // All that are known of one key, with nothing in between.
+        if (const Next cure = nextKnown(runningKey_); cure.candidate.exists())
+            return cure;
+        if (const CurvilinearMesh::Candidate flipped = mesh_.flipped(); flipped.exists()) {
+            if (mesh_.isShared(flipped.point))
+                found_->push_back({mesh_.wholeIndex(flipped.point), runningKey_});
+            return {flipped, infiniteKey, false};
+        }
+        const Next worst = nextWorst();
+        const Next cure = nextKnown(worst.key);
+        return cure.candidate.exists() ? cure : worst;
+    }
+    Status insert(const Next& next)
+    {
+        runningKey_ = std::min(runningKey_, next.key);
+        return mesh_.insert(next.candidate, next.key, sink_);
+    }
+    std::uint64_t work() const { return 200 + mesh_.pointsMoved(); }
+    std::uint64_t pointsAboveStop() const { return mesh_.pointsAboveStop(); }
+    void sweep() { mesh_.sweep(); }
+
+private:
+    /// The next known cure if its key is not less than `key` and it is not a site already.
+    Next nextKnown(float key)
+    {
+        while (!known_.empty() && known_.front().key >= key) {
+            const FaceCure cure = known_.front();
+            known_ = known_.subspan(1);
+            if (const CurvilinearMesh::Candidate candidate = mesh_.at(cure.point); candidate.exists())
+                return {candidate, cure.key, false};
+        }
+        return {};
+    }
+    Next nextWorst()
+    {
         const CurvilinearMesh::Candidate worst = mesh_.worst();
         if (selection_ == CurvilinearSelection::Normalised)
             return {worst, worst.measure};
         const CurvilinearMesh::Candidate warping = mesh_.worstWarping();
         return {warping.measure > worst.measure ? warping : worst, mesh_.keyOf(worst.measure, warping.measure)};
     }
-    Status insert(const Next& next) { return mesh_.insert(next.candidate, next.key, sink_); }
-    std::uint64_t work() const { return 200 + mesh_.pointsMoved(); }
-    std::uint64_t pointsAboveStop() const { return mesh_.pointsAboveStop(); }
-    void sweep() { mesh_.sweep(); }
 
-private:
     CurvilinearMesh& mesh_;
     CurvilinearSelection selection_;
     HistorySink& sink_;
+    std::span<const FaceCure> known_;
+    std::vector<FaceCure>* found_ = nullptr; ///< there are no others without other blocks
+    float runningKey_ = infiniteKey;
 };
 
-/// Whether the arithmetic of computational space is exact in every block, and the points, those on faces as often as
-/// blocks have them, can be numbered.
-Status checkSize(const std::array<std::uint32_t, 3>& size, const BlockDivision& blocks)
+/// Whether the arithmetic of computational space is exact, and the points can be numbered.
+Status checkSize(const std::array<std::uint32_t, 3>& size)
 {
     if (!PackedLattice::fits(size))
         return Error{ErrorKind::OutOfResource, Message::say("The grid has too many points to be refined: coordinates "
                                                             "take more than 32 bits. Crop or subsample it.")};
-    if (const auto metric = latticeMetric(blocks.box(0).size, {1, 1, 1}); !metric)
+    if (const auto metric = latticeMetric(size, {1, 1, 1}); !metric)
         return metric.error();
-    std::uint64_t points = 0;
-    for (std::uint32_t block = 0; block < blocks.count(); ++block)
-        points += blocks.box(block).pointCount();
-    return PointPool::checkSize(points);
+    return PointPool::checkSize(std::uint64_t(size[0]) * size[1] * size[2]);
 }
 
-Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const BlockDivision& blocks,
-                                           const CurvilinearRefinementOptions& options, HistorySink& sink,
-                                           const Progress& progress)
+Result<CurvilinearRefinementResult> finishedBy(CurvilinearSpace& space, const CurvilinearMesh& mesh, double stopKey,
+                                               HistorySink& sink, const Progress& progress)
 {
-    CurvilinearMesh mesh(grid, blocks,
-                         {.warpingWeight = options.warpingWeight,
-                          .largestError = options.valueExtent,
-                          .largestWarping = options.positionExtent,
-                          .stopKey = options.stopKey,
-                          .selection = options.selection});
-    if (Status status = sink.begin({options.warpingWeight, true, blocks.blockCells()}); !status)
-        return status.error();
-    progress.report(0, Message::marked("Distributing the points"));
-    if (Status status = mesh.start(sink); !status)
-        return status.error();
-    CurvilinearSpace space(mesh, options.selection, sink);
-    const Result<float> key = refineWorstFirst(space, options.stopKey, sink, progress);
+    const Result<float> key = refineWorstFirst(space, stopKey, sink, progress);
     if (!key)
         return key.error();
     return CurvilinearRefinementResult{mesh.siteCount(), mesh.tetrahedronCount(), *key, mesh.inverted(),
                                        mesh.degenerate()};
 }
+
+Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const CurvilinearRefinementOptions& options,
+                                           HistorySink& sink, const Progress& progress)
+{
+    const std::array<std::uint32_t, 3>& size = grid.lattice().size();
+    const CurvilinearMesh::Options meshOptions{.warpingWeight = options.warpingWeight,
+                                               .largestError = options.valueExtent,
+                                               .largestWarping = options.positionExtent,
+                                               .stopKey = options.stopKey,
+                                               .selection = options.selection,
+                                               .size = size,
+                                               .box = {{0, 0, 0}, size}};
+    if (Status status = sink.begin({options.warpingWeight}); !status)
+        return status.error();
+    progress.report(0, Message::marked("Distributing the points"));
+    CurvilinearMesh mesh;
+    if (Status status = mesh.start(grid, meshOptions, sink); !status)
+        return status.error();
+    CurvilinearSpace space(mesh, options.selection, sink);
+    return finishedBy(space, mesh, options.stopKey, sink, progress);
+}
+
+constexpr MarkedText noMemoryForGrid = Message::marked(
+    "Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop "
+    "or subsample the data.");
 
 } // namespace
 
@@ -92,14 +141,130 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
                                                       const CurvilinearRefinementOptions& options, HistorySink& sink,
                                                       const Progress& progress)
 {
-    const BlockDivision blocks(size, options.blockEdge);
-    if (Status status = checkSize(size, blocks); !status)
+    if (Status status = checkSize(size); !status)
         return status.error();
-    return guarded(
-        Message::marked(
-            "Not enough memory to refine this grid. Close other programs, use a machine with more memory, or crop "
-            "or subsample the data."),
-        [&] { return refine(CurvilinearGrid(size, positions, samples), blocks, options, sink, progress); });
+    return guarded(noMemoryForGrid,
+                   [&] { return refine(CurvilinearGrid(size, positions, samples), options, sink, progress); });
+}
+
+namespace {
+
+bool comesBefore(const FaceCure& one, const FaceCure& other)
+{
+    return std::tuple(-one.key, one.point) < std::tuple(-other.key, other.point);
+}
+
+} // namespace
+
+std::vector<std::uint32_t> FaceCures::add(std::span<const FaceCure> found)
+{
+    std::vector<bool> changed(ofBlocks_.size());
+    std::vector<std::uint32_t> blocks;
+    for (const FaceCure& cure : found) {
+        const auto& size = division_.size();
+        const std::uint64_t row = cure.point / size[0];
+        division_.blocksOf({static_cast<std::uint32_t>(cure.point % size[0]), static_cast<std::uint32_t>(row % size[1]),
+                            static_cast<std::uint32_t>(row / size[1])},
+                           blocks);
+        for (const std::uint32_t block : blocks) {
+            std::vector<FaceCure>& known = ofBlocks_[block];
+            const auto same = std::ranges::find(known, cure.point, &FaceCure::point);
+            if (same == known.end())
+                known.push_back(cure);
+            else if (same->key < cure.key)
+                same->key = cure.key;
+            else
+                continue;
+            changed[block] = true;
+        }
+    }
+    blocks.clear();
+    for (std::uint32_t block = 0; block < changed.size(); ++block)
+        if (changed[block]) {
+            std::ranges::sort(ofBlocks_[block], comesBefore);
+            blocks.push_back(block);
+        }
+    return blocks;
+}
+
+std::vector<FaceCure> FaceCures::wholeFacesOf(std::span<const FaceCure> found) const
+{
+    std::vector<FaceCure> whole;
+    const auto& size = division_.size();
+    for (const FaceCure& cure : found) {
+        const std::uint64_t row = cure.point / size[0];
+        const std::array<std::uint32_t, 3> at{static_cast<std::uint32_t>(cure.point % size[0]),
+                                              static_cast<std::uint32_t>(row % size[1]),
+                                              static_cast<std::uint32_t>(row / size[1])};
+        std::vector<std::uint32_t> blocks;
+        division_.blocksOf(at, blocks);
+        for (const std::uint32_t block : blocks)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                LatticeBox face = division_.box(block);
+                if ((at[axis] != face.origin[axis] && at[axis] != face.last(axis)) || at[axis] == 0 ||
+                    at[axis] + 1 == size[axis])
+                    continue;
+                face.origin[axis] = at[axis];
+                face.size[axis] = 1;
+                for (std::uint64_t z = face.origin[2]; z <= face.last(2); ++z)
+                    for (std::uint64_t y = face.origin[1]; y <= face.last(1); ++y)
+                        for (std::uint64_t x = face.origin[0]; x <= face.last(0); ++x)
+                            whole.push_back({(z * size[1] + y) * size[0] + x, infiniteKey});
+            }
+    }
+    std::ranges::sort(whole, {}, &FaceCure::point);
+    const auto repeated = std::ranges::unique(whole, {}, &FaceCure::point);
+    whole.erase(repeated.begin(), repeated.end());
+    return whole;
+}
+
+std::vector<FaceCure> FaceCures::all() const
+{
+    std::vector<FaceCure> cures;
+    for (const std::vector<FaceCure>& ofBlock : ofBlocks_)
+        cures.insert(cures.end(), ofBlock.begin(), ofBlock.end());
+    std::ranges::sort(cures, {}, &FaceCure::point);
+    const auto repeated = std::ranges::unique(cures, {}, &FaceCure::point);
+    cures.erase(repeated.begin(), repeated.end());
+    return cures;
+}
+
+struct CurvilinearRefiner::State {
+    CurvilinearMesh mesh;
+    Buffer<std::byte> boxSamples;
+};
+
+CurvilinearRefiner::CurvilinearRefiner() = default;
+CurvilinearRefiner::~CurvilinearRefiner() = default;
+CurvilinearRefiner::CurvilinearRefiner(CurvilinearRefiner&&) noexcept = default;
+CurvilinearRefiner& CurvilinearRefiner::operator=(CurvilinearRefiner&&) noexcept = default;
+
+Result<CurvilinearRefinementResult>
+CurvilinearRefiner::refine(const CurvilinearBoxOptions& options, std::span<const Eigen::Vector3d> positions,
+                           const LatticeSamples& samples, std::span<const FaceCure> known, std::vector<FaceCure>& found,
+                           HistorySink& sink, const Progress& progress)
+{
+    if (Status status = checkSize(options.box.size); !status)
+        return status.error();
+    const auto refineBox = [&]() -> Result<CurvilinearRefinementResult> {
+        if (!state_)
+            state_ = std::make_unique<State>();
+        const CurvilinearGrid grid(options.size, options.box, positions,
+                                   samples.copyBox(options.size, options.box, state_->boxSamples), options.facts);
+        const CurvilinearMesh::Options meshOptions{.warpingWeight = options.warpingWeight,
+                                                   .largestError = options.valueExtent,
+                                                   .largestWarping = options.positionExtent,
+                                                   .stopKey = options.stopKey,
+                                                   .size = options.size,
+                                                   .box = options.box,
+                                                   .centreAtOrigin = options.centreAtOrigin};
+        progress.report(0, Message::marked("Distributing the points"));
+        if (Status status = state_->mesh.start(grid, meshOptions, sink); !status)
+            return status.error();
+        CurvilinearSpace space(state_->mesh, sink, known, found);
+        return finishedBy(space, state_->mesh, options.stopKey, sink, progress);
+    };
+    return guarded(noMemoryForGrid, refineBox);
 }
 
 } // namespace tetra

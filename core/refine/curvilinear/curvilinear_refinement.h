@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/refine/curvilinear/curvilinear_mesh.h"
+#include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/lattice_samples.h"
 
 #include <tan/base.h>
@@ -11,7 +12,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace tetra {
 
@@ -23,7 +26,6 @@ struct CurvilinearRefinementOptions {
     double valueExtent = 1;    ///< largest minus smallest value; only the speed depends on it
     double positionExtent = 1; ///< the diagonal of the positions' bounding box; likewise
     CurvilinearSelection selection = CurvilinearSelection::Normalised;
-    std::uint32_t blockEdge = 0; ///< cells along an edge of a block, or 0 for no blocks
 };
 
 struct CurvilinearRefinementResult {
@@ -43,10 +45,6 @@ struct CurvilinearRefinementResult {
 /// With the paper's selection the mesh's warping against its error, both in their own units, decides whether the point
 /// of the largest warping or of the largest error comes next.
 ///
-/// Blocks are coupled: all are in memory and refined in one order, and a point on a shared face enters all that have
-/// it at once, so that the faces are the same at every accuracy (S4). Memory is that of the whole grid. The
-/// tetrahedrization is Delaunay in each block; small blocks keep stars small and memory near.
-///
 /// Ties go to the first point of the grid, so the history depends on nothing but the data. The history goes to `sink`
 /// while it is made, then sink.finish(). One thread; about 600 bytes a point. Errors: too large a grid, refused memory,
 /// the sink's, cancelled.
@@ -58,5 +56,78 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
                                                       const LatticeSamples& samples,
                                                       const CurvilinearRefinementOptions& options, HistorySink& sink,
                                                       const Progress& progress = {});
+
+/// A site on a face between blocks that is inserted for no error of its own: one of the blocks needed it to cure a
+/// flipped tetrahedron, when its running key was `key`. All blocks that have the point insert it at this key.
+struct FaceCure {
+    std::uint64_t point = 0; ///< of the whole grid
+    float key = 0;
+    std::uint32_t unused = 0; ///< so that all bytes have a value
+};
+
+/// The cures on the faces of each block, which grow from round to round until no block needs another (C7, S4).
+class FaceCures {
+public:
+    explicit FaceCures(const BlockDivision& division) : division_(division), ofBlocks_(division.count()) {}
+
+    /// By falling keys, then by points: the order of their insertion.
+    std::span<const FaceCure> of(std::uint32_t block) const { return ofBlocks_[block]; }
+    /// Tells all blocks that have the points. Of two keys for one point the larger one stays. The blocks that did not
+    /// know all that already, in rising order.
+    std::vector<std::uint32_t> add(std::span<const FaceCure> found);
+    /// All points of the faces between blocks that these are on, from the first mesh on: of such a face no block can
+    /// need a further one, so that the rounds come to an end.
+    std::vector<FaceCure> wholeFacesOf(std::span<const FaceCure> found) const;
+    /// Each once, by points.
+    std::vector<FaceCure> all() const;
+
+private:
+    BlockDivision division_;
+    std::vector<std::vector<FaceCure>> ofBlocks_;
+};
+
+/// One block of a curvilinear grid, to be refined by itself.
+struct CurvilinearBoxOptions {
+    std::array<std::uint32_t, 3> size{2, 2, 2}; ///< of the whole grid
+    LatticeBox box;                             ///< at least two points along each axis
+    bool centreAtOrigin = true;                 ///< LatticeBoxOptions
+    CurvilinearFacts facts;                     ///< of the whole grid, as the following
+    double warpingWeight = 1;
+    double stopKey = 0;
+    double valueExtent = 1;
+    double positionExtent = 1;
+};
+
+/// Refines blocks of a curvilinear grid one after another in the same memory, each as refineCurvilinear() does with the
+/// normalised key. Blocks that share a face have the same sites on it, each with the same running key, and the same
+/// triangles at every running key (R10, S4), if all of them are given the same cures on it and find no others.
+///
+/// That is because which point of a face comes next depends on the face alone: a block inserts one if it is the worst
+/// of the block, and so the worst of the face, with the same key in every block (CurvilinearMesh); or if it is a cure
+/// that is known, before the first mesh that is better than the cure's key. Flipped tetrahedra are cured by points that
+/// no other block has, which does not change the face, as long as there is one in the circumsphere.
+///
+/// An object belongs to one thread; several work on one grid at once. Memory as for the largest block so far.
+class CurvilinearRefiner {
+public:
+    CurvilinearRefiner();
+    ~CurvilinearRefiner();
+    CurvilinearRefiner(CurvilinearRefiner&&) noexcept;
+    CurvilinearRefiner& operator=(CurvilinearRefiner&&) noexcept;
+
+    /// `positions` and `samples` are those of the whole grid; of them only the box is read. `known`: FaceCures::of()
+    /// the block. To `found` cures on faces are appended that were not known but needed; if there are any, the history
+    /// does not fit those of other blocks. HistoryStep::point counts in the whole grid, sites and tetrahedra are
+    /// numbered in the block. Errors: as refineCurvilinear().
+    Result<CurvilinearRefinementResult> refine(const CurvilinearBoxOptions& options,
+                                               std::span<const Eigen::Vector3d> positions,
+                                               const LatticeSamples& samples, std::span<const FaceCure> known,
+                                               std::vector<FaceCure>& found, HistorySink& sink,
+                                               const Progress& progress = {});
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 } // namespace tetra

@@ -64,8 +64,7 @@ Parameter blockParameter()
     block.label = Message::marked("Block");
     block.explanation = Message::marked(
         "The cells along an edge of the blocks that are refined independently, in memory for a few of them; 'none' "
-        "refines the dataset as a whole; 'automatic' takes blocks where a lattice is large. The blocks of a "
-        "curvilinear grid are refined together, all in memory.");
+        "refines the dataset as a whole; 'automatic' takes blocks where a lattice or grid is large.");
     block.unit = Message::marked("cells");
     block.defaultValue = std::string("automatic");
     block.words = {Message::marked("automatic"), Message::marked("none")};
@@ -124,8 +123,17 @@ Costs costsOf(const BuildSize& size, bool inBlocks)
     const auto points = static_cast<double>(size.points);
     if (size.domain == DomainClass::Scattered)
         return {.pointBytes = 60, .siteBytes = 700, .modelSiteBytes = 440, .siteSeconds = 25e-6};
-    if (size.domain == DomainClass::Curvilinear)
+    if (size.domain == DomainClass::Curvilinear && !inBlocks)
         return {.pointBytes = 60, .siteBytes = 600, .modelSiteBytes = 340, .siteSeconds = 7e-6};
+    if (size.domain == DomainClass::Curvilinear)
+        return {.fixedBytes = 100e6,
+                .pointBytes = 24,
+                .siteBytes = 45,
+                .modelSiteBytes = 345,
+                .diskFactor = 1.65,
+                .siteSeconds = 12e-6,
+                .pointSeconds = 0.3e-6,
+                .usesThreads = true};
     if (inBlocks)
         return {.fixedBytes = 100e6,
                 .siteBytes = 45,
@@ -143,7 +151,7 @@ Costs costsOf(const BuildSize& size, bool inBlocks)
 }
 
 /// What refining data of this size takes, down to an error that is a share of the range (and the diagonal); not of
-/// irregular ones. `inBlocks`: of regular lattices.
+/// irregular ones. `inBlocks`: of lattices and grids.
 BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlocks, unsigned threads)
 {
     const Costs costs = costsOf(size, inBlocks);
@@ -191,12 +199,16 @@ ParameterValues RefinementBuilder::detail(double percent, DomainClass domain) co
     return values;
 }
 
-/// Only blocks of a regular lattice are independent of each other, each with a file of its own.
+/// Blocks are independent of each other, each with a file of its own.
 BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const ParameterValues& values) const
 {
     const auto block = blockOf(parameterValue<std::string>(parameters(), values, "block"));
-    if (dataset.domain != DomainClass::RegularLattice || !block)
+    if (!isOnLattice(dataset.domain) || !block)
         return {};
+    const auto chosen = [&](const char* id) { return parameterValue<std::string>(parameters(), values, id); };
+    if (dataset.domain == DomainClass::Curvilinear &&
+        (chosen("selection") == paper || (dataset.convex && chosen("space") != computational)))
+        return {}; // these take no blocks
     const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
     const bool inBlocks = cells && *cells > 0;
     return {.usesThreads = inBlocks, .resumes = inBlocks, .keeps = !inBlocks};

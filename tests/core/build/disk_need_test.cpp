@@ -18,17 +18,20 @@ private slots:
 
     void growsWithWhatIsExpected()
     {
-        const DiskNeed bytes = diskNeed({1000, 1000, 6000, 80'000}, SampleType::UInt8);
+        const DiskNeed bytes = diskNeed({1000, 1000, 6000, 80'000}, SampleType::UInt8, DomainClass::RegularLattice);
         QVERIFY(bytes.model > 6000 * 12);
         QVERIFY(bytes.workFiles >= 80'000 + 1000 * sizeof(std::uint32_t));
-        QCOMPARE(diskNeed({1000, 1000, 6000, 80'000}, SampleType::Float64).model, bytes.model + 2 * 1000 * 7);
+        QCOMPARE(diskNeed({1000, 1000, 6000, 80'000}, SampleType::Float64, DomainClass::RegularLattice).model,
+                 bytes.model + 2 * 1000 * 7);
         // Samples beyond an eighth of the rest are left out of a model.
-        QCOMPARE(diskNeed({1'000'000, 1000, 6000, 80'000}, SampleType::Float64).model, bytes.model - 1000 + 1000 * 7);
-        QVERIFY(diskNeed({1000, 1000, 12'000, 80'000}, SampleType::UInt8).model > bytes.model);
+        QCOMPARE(diskNeed({1'000'000, 1000, 6000, 80'000}, SampleType::Float64, DomainClass::RegularLattice).model,
+                 bytes.model - 1000 + 1000 * 7);
+        QVERIFY(diskNeed({1000, 1000, 12'000, 80'000}, SampleType::UInt8, DomainClass::RegularLattice).model >
+                bytes.model);
         // More sites than a model can have are refused elsewhere; here the number must only not wrap around.
         const std::uint64_t most = 0xffffffff;
-        QCOMPARE(diskNeed({0, most + 1, 0, 0}, SampleType::UInt8).model,
-                 diskNeed({0, most, 0, 0}, SampleType::UInt8).model);
+        QCOMPARE(diskNeed({0, most + 1, 0, 0}, SampleType::UInt8, DomainClass::RegularLattice).model,
+                 diskNeed({0, most, 0, 0}, SampleType::UInt8, DomainClass::RegularLattice).model);
     }
 
     void refusesWhatHasNoRoom_data()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Groups too large to be held as a whole are merged in slices (B6): the model is the same. A block that fails ends all.
 #include "core/base/checksum.h"
-#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/block_runs.h"
 #include "core/history/blocks/merged_model.h"
 #include "core/refine/lattice/packed_lattice.h"
 

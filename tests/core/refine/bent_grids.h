@@ -46,13 +46,12 @@ struct BentGrid {
         return refineCurvilinear(size, positions, LatticeSamples(std::span<const double>(values), weights), options,
                                  sink, progress);
     }
-    CurvilinearRefinementOptions options(std::uint32_t blockEdge = 0) const
+    CurvilinearRefinementOptions options() const
     {
         CurvilinearRefinementOptions result;
         result.warpingWeight = valueExtent() / diagonal();
         result.valueExtent = valueExtent();
         result.positionExtent = diagonal();
-        result.blockEdge = blockEdge;
         return result;
     }
 };
@@ -112,6 +111,54 @@ inline BentGrid shakenGrid(const std::array<std::uint32_t, 3>& size, double amou
     for (double& value : grid.values)
         value += shift(random);
     return grid;
+}
+
+/// A C-grid: its lines along x lie on one another beside the wake, and turn about a body in between. The layers around
+/// the body are thin.
+inline BentGrid cGrid(const std::array<std::uint32_t, 3>& size, double growth)
+{
+    return bentGrid(size, [&](double x, double y, double z) {
+        const double along = 2 * x / (size[0] - 1) - 1; // the body between -0.5 and 0.5
+        const double away = (std::pow(growth, y) - 1) / (growth - 1) / 4;
+        const double sheared = z + 0.1 * y;
+        if (std::abs(along) <= 0.5)
+            return Eigen::Vector3d(-(2 + away) * std::cos(3.14159265358979 * along),
+                                   (2 + away) * std::sin(3.14159265358979 * along), sheared);
+        const double side = along > 0 ? 1 : -1;
+        return Eigen::Vector3d(12 * (std::abs(along) - 0.5), side * (away + 2 * std::max(0.0, 1.5 - std::abs(along))),
+                               sheared);
+    });
+}
+
+/// An O-grid about a body, closed or with a gap, whose layers grow outwards.
+inline BentGrid oGrid(const std::array<std::uint32_t, 3>& size, double growth, double turn)
+{
+    return bentGrid(size, [&](double x, double y, double z) {
+        const double angle = 2 * 3.14159265358979 * turn * std::fmod(y, size[1] - 1) / (size[1] - 1);
+        const double radius = 1 + (std::pow(growth, x) - 1) / (growth - 1) / 4;
+        return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z + 0.2 * x);
+    });
+}
+
+/// One of the above, at random: even, folded, wrapped, collapsed.
+inline BentGrid randomGrid(std::mt19937& random)
+{
+    const auto count = [&](std::uint32_t least, std::uint32_t most) {
+        return least + static_cast<std::uint32_t>(random() % (most - least + 1));
+    };
+    const double growth = 1.1 + 0.01 * count(0, 60);
+    switch (random() % 6) {
+    case 0: return shakenGrid({count(2, 10), count(2, 10), count(2, 10)}, 0.2, static_cast<unsigned>(random()));
+    case 1: return shakenGrid({count(2, 8), count(2, 8), count(2, 8)}, 0.9, static_cast<unsigned>(random()));
+    case 2: return oGrid({count(3, 10), count(6, 24), count(2, 6)}, growth, 1);
+    case 3: return cGrid({count(9, 24), count(3, 9), count(2, 6)}, growth);
+    case 4: return oGrid({count(3, 10), count(6, 24), count(2, 6)}, growth, 0.05 * count(2, 19));
+    default: break;
+    }
+    const double pitch = 0.02 * count(1, 30);
+    return bentGrid({count(2, 9), count(3, 9), count(2, 9)}, [pitch](double x, double y, double z) {
+        return Eigen::Vector3d(x * std::cos(pitch * y), x * std::sin(pitch * y), z);
+    });
 }
 
 } // namespace tetra

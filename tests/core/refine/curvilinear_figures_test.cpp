@@ -38,15 +38,13 @@ double diagonalOf(const std::vector<Eigen::Vector3d>& positions)
     return (greatest - least).norm();
 }
 
-Result<CurvilinearRefinementResult> refine(const Plot3dData& data, CurvilinearSelection selection,
-                                           std::uint32_t blockEdge, HistorySink& sink)
+Result<CurvilinearRefinementResult> refine(const Plot3dData& data, CurvilinearSelection selection, HistorySink& sink)
 {
     CurvilinearRefinementOptions options;
     options.valueExtent = extentOf(data.values);
     options.positionExtent = diagonalOf(data.positions);
     options.warpingWeight = options.valueExtent / options.positionExtent;
     options.selection = selection;
-    options.blockEdge = blockEdge;
     return refineCurvilinear(data.size, data.positions, LatticeSamples(std::span<const float>(data.values)), options,
                              sink);
 }
@@ -91,21 +89,17 @@ private slots:
     void normalisedKeyNeedsFewerSitesThanThePaper_data()
     {
         QTest::addColumn<QString>("name");
-        QTest::addColumn<quint32>("blockEdge");
-        QTest::newRow("BluntFin") << "bluntfin" << 0u;
-        QTest::newRow("Post") << "post" << 0u;
-        QTest::newRow("BluntFin, blocks") << "bluntfin" << 16u;
-        QTest::newRow("Post, blocks") << "post" << 16u;
+        QTest::newRow("BluntFin") << "bluntfin";
+        QTest::newRow("Post") << "post";
     }
     void normalisedKeyNeedsFewerSitesThanThePaper()
     {
         QFETCH(QString, name);
-        QFETCH(quint32, blockEdge);
         const auto data = readPlot3d(name);
         if (!data)
             QSKIP("skipped: no data");
         RecordedHistory history;
-        const auto result = refine(*data, CurvilinearSelection::Normalised, blockEdge, history);
+        const auto result = refine(*data, CurvilinearSelection::Normalised, history);
         QVERIFY(result.ok());
         const bool bluntFin = name == "bluntfin";
         for (const Level& level : bluntFin ? bluntFinLevels : postLevels) {
@@ -148,7 +142,7 @@ private slots:
         if (!data)
             QSKIP("skipped: no data");
         RecordedHistory history;
-        QVERIFY(refine(*data, CurvilinearSelection::Paper, 0, history).ok());
+        QVERIFY(refine(*data, CurvilinearSelection::Paper, history).ok());
         for (const Level& level : name == "post" ? postLevels : bluntFinLevels) {
             const std::size_t sites = history.sitesAt(level.percent / 100 * extentOf(data->values));
             if (level.percent <= 1)

@@ -55,41 +55,28 @@ class CurvilinearRefinementTest : public QObject {
     Q_OBJECT
 private slots:
     /// Before the positions, which are not there, are looked at.
-    void refusesMorePointsThanCanBeNumbered_data()
-    {
-        QTest::addColumn<quint32>("blockEdge");
-        QTest::newRow("whole") << 0u;
-        QTest::newRow("blocks") << 64u;
-    }
     void refusesMorePointsThanCanBeNumbered()
     {
-        QFETCH(quint32, blockEdge);
         RecordedHistory history;
-        const auto refused = refineCurvilinear({2048, 2048, 1024}, {}, LatticeSamples(std::span<const float>(), {}),
-                                               {.blockEdge = blockEdge}, history);
+        const auto refused =
+            refineCurvilinear({2048, 2048, 1024}, {}, LatticeSamples(std::span<const float>(), {}), {}, history);
         QVERIFY(!refused.ok());
         QCOMPARE(refused.error().kind, ErrorKind::OutOfResource);
     }
 
-    /// R4, R5, R8, R9, S1, S4, S5, S6: at every level the mesh fills computational space, conforms across blocks too,
-    /// keeps error and warping, and has no flipped tetrahedron that a point could cure; all found by brute force.
+    /// R4, R5, R8, R9, S1, S4, S5, S6: at every level the mesh fills computational space, conforms, keeps error and
+    /// warping, and has no flipped tetrahedron that a point could cure; all found by brute force.
     void keepsItsAccuracyAtEveryLevel_data()
     {
         QTest::addColumn<QString>("name");
-        QTest::addColumn<quint32>("blockEdge");
-        for (const char* name :
-             {"duct", "wrapped", "collapsed", "two points", "flat", "shaken", "folded", "mirrored"}) {
-            QTest::addRow("%s, whole", name) << name << 0u;
-            QTest::addRow("%s, blocks", name) << name << 3u;
-        }
-        QTest::newRow("shaken, blocks of a cell") << "shaken" << 1u;
+        for (const char* name : {"duct", "wrapped", "collapsed", "two points", "flat", "shaken", "folded", "mirrored"})
+            QTest::addRow("%s", name) << name;
     }
     void keepsItsAccuracyAtEveryLevel()
     {
         QFETCH(QString, name);
-        QFETCH(quint32, blockEdge);
         const BentGrid grid = gridNamed(name);
-        const CurvilinearRefinementOptions options = grid.options(blockEdge);
+        const CurvilinearRefinementOptions options = grid.options();
         RecordedHistory history;
         const auto result = grid.refine(options, history);
         QVERIFY(result.ok());
@@ -101,7 +88,7 @@ private slots:
         const MeshCheck check(grid, history);
         for (const double percent : {100.0, 20.0, 5.0, 1.0, 0.0}) {
             const double level = percent / 100 * grid.valueExtent();
-            const MeshFindings findings = check.look(history.sitesAt(level), blockEdge == 0);
+            const MeshFindings findings = check.look(history.sitesAt(level), true);
             QVERIFY2(findings.covers && findings.conforming && findings.delaunay && findings.bounded,
                      qPrintable(described(findings)));
             QVERIFY2(findings.error <= level + 1e-12 && findings.warping * options.warpingWeight <= level + 1e-12,
@@ -189,22 +176,20 @@ private slots:
         QVERIFY(findings.error <= level && findings.warping * grid.options().warpingWeight <= level);
     }
 
-    /// The paper's choice of points: the levels hold all the same, and nothing is flipped; with blocks too.
+    /// The paper's choice of points: the levels hold all the same, and nothing is flipped.
     void papersSelectionKeepsTheAccuracy()
     {
         const BentGrid grid = wrappedGrid();
-        for (const std::uint32_t blockEdge : {0u, 3u}) {
-            CurvilinearRefinementOptions options = grid.options(blockEdge);
-            options.selection = CurvilinearSelection::Paper;
-            RecordedHistory history;
-            QVERIFY(grid.refine(options, history).ok());
-            for (const double percent : {20.0, 5.0, 0.0}) {
-                const double level = percent / 100 * grid.valueExtent();
-                const MeshFindings findings = MeshCheck(grid, history).look(history.sitesAt(level), blockEdge == 0);
-                QVERIFY2(findings.covers && findings.conforming && findings.bounded && findings.inverted == 0,
-                         qPrintable(described(findings)));
-                QVERIFY(findings.error <= level + 1e-12 && findings.warping * options.warpingWeight <= level + 1e-12);
-            }
+        CurvilinearRefinementOptions options = grid.options();
+        options.selection = CurvilinearSelection::Paper;
+        RecordedHistory history;
+        QVERIFY(grid.refine(options, history).ok());
+        for (const double percent : {20.0, 5.0, 0.0}) {
+            const double level = percent / 100 * grid.valueExtent();
+            const MeshFindings findings = MeshCheck(grid, history).look(history.sitesAt(level), true);
+            QVERIFY2(findings.covers && findings.conforming && findings.bounded && findings.inverted == 0,
+                     qPrintable(described(findings)));
+            QVERIFY(findings.error <= level + 1e-12 && findings.warping * options.warpingWeight <= level + 1e-12);
         }
     }
 

@@ -2,7 +2,7 @@
 #include "tests/core/history/query/lattice_models.h"
 
 #include "core/base/checksum.h"
-#include "core/history/blocks/lattice_runs.h"
+#include "core/history/blocks/block_runs.h"
 #include "core/history/blocks/merged_model.h"
 #include "core/history/model_writer.h"
 #include "core/refine/lattice/lattice_refinement.h"

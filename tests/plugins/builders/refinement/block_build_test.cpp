@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lattices refined in blocks are models like any others (R10, S3): proved on random ones, the same for any number of
-// threads, complete after an interruption, and refused where they cannot be.
+// Lattices and curvilinear grids refined in blocks are models like any others (R10, S3, C7): proved on random ones, the
+// same for any number of threads, complete after an interruption, and refused where they cannot be.
 #include "core/base/checksum.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "core/history/model_writer.h"
 #include "plugins/builders/refinement/refinement_builder.h"
 #include "plugins/samples/samples.h"
+#include "tests/core/refine/bent_grids.h"
 #include "tests/plugins/builders/refinement/random_dataset.h"
 #include <tan/base.h>
 #include <tan/build.h>
@@ -30,6 +31,13 @@ namespace {
 Dataset smoothDataset(std::uint32_t size)
 {
     return makeSample({"marschner-lobb", size, {}, 1}).value();
+}
+
+/// With flipped tetrahedra on the faces of its blocks.
+Dataset wrappedDataset(std::uint32_t size)
+{
+    const BentGrid grid = oGrid({size / 2, 2 * size, size / 3}, 1.4, 1);
+    return curvilinearDataset(grid.size, grid.positions, ScalarField::of(grid.values), "wrapped").value();
 }
 
 std::vector<char> contentOf(const std::filesystem::path& path)
@@ -75,9 +83,36 @@ private slots:
         }
     }
 
+    /// C7, S4, S5: curvilinear grids at random, folded, wrapped, collapsed and even ones, by blocks and as a whole, at
+    /// the eight accuracies of the paper.
+    void randomGridsAreProved()
+    {
+        std::mt19937 random(3);
+        for (int round = 0; round < 60; ++round) {
+            const BentGrid grid = randomGrid(random);
+            const auto made = curvilinearDataset(grid.size, grid.positions, ScalarField::of(grid.values), "grid");
+            if (!made) // flat as a whole
+                continue;
+            const std::string block = round % 6 == 5 ? "none" : std::to_string(1 + random() % 8);
+            const double stop = round % 7 == 6 ? 3 : 0;
+            const QString name = QString("round %1: %2 x %3 x %4, block %5")
+                                     .arg(round)
+                                     .arg(grid.size[0])
+                                     .arg(grid.size[1])
+                                     .arg(grid.size[2])
+                                     .arg(block.c_str());
+            const Result<BuildReport> report = build(*made, block, stop);
+            QVERIFY2(report.ok(), qPrintable(name + (report.ok() ? "" : report.error().text().c_str())));
+            QVERIFY2(isProved(*made, stop, *report), qPrintable(name));
+            QVERIFY(!std::filesystem::exists(workFolder()));
+        }
+    }
+
+    void oneThreadAndTwoMakeTheSameBytes_data() { bothKinds(); }
     void oneThreadAndTwoMakeTheSameBytes()
     {
-        const Dataset dataset = smoothDataset(30);
+        QFETCH(bool, curvilinear);
+        const Dataset dataset = curvilinear ? wrappedDataset(30) : smoothDataset(30);
         std::vector<std::vector<char>> contents;
         for (const std::size_t threads : {1, 2, 5}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -111,9 +146,11 @@ private slots:
     }
 
     /// Whatever a killed build left: whole runs, damaged ones, those of another dataset.
+    void leftRunsAreUsedIfTheyAreRight_data() { bothKinds(); }
     void leftRunsAreUsedIfTheyAreRight()
     {
-        const Dataset dataset = smoothDataset(20);
+        QFETCH(bool, curvilinear);
+        const Dataset dataset = curvilinear ? wrappedDataset(20) : smoothDataset(20);
         QVERIFY(build(dataset, "6", 0).ok());
         const std::vector<char> right = contentOf(path());
         interrupt(dataset, 0.4);
@@ -133,12 +170,44 @@ private slots:
         QVERIFY(!std::filesystem::exists(workFolder()));
 
         interrupt(dataset, 0.4);
-        const Dataset other = smoothDataset(21);
+        const Dataset other = curvilinear ? wrappedDataset(21) : smoothDataset(21);
         QVERIFY(build(other, "6", 0).ok());
         const std::vector<char> otherRight = contentOf(path());
         interrupt(dataset, 0.4);
         QVERIFY(build(other, "6", 0, true).ok());
         QVERIFY(contentOf(path()) == otherRight);
+    }
+
+    /// C7: wherever a build of a curvilinear grid stops, also between the rounds in which its blocks agree about their
+    /// faces, the rest makes the same model.
+    void roundsGoOnWhereTheyWereLeft()
+    {
+        const Dataset dataset = wrappedDataset(20);
+        QVERIFY(build(dataset, "6", 0).ok());
+        const std::vector<char> right = contentOf(path());
+        for (const double when : {0.1, 0.5, 0.57, 0.6, 0.65, 0.69, 0.8}) {
+            interrupt(dataset, when);
+            QVERIFY(build(dataset, "6", 0, true).ok());
+            QVERIFY(contentOf(path()) == right);
+        }
+        interrupt(dataset, 0.65);
+        const std::filesystem::path cures = workFolder() / "cures";
+        QVERIFY(std::filesystem::exists(cures));
+        std::filesystem::resize_file(cures, std::filesystem::file_size(cures) - 1);
+        QVERIFY(build(dataset, "6", 0, true).ok());
+        QVERIFY(contentOf(path()) == right);
+    }
+
+    /// C7: the paper's selection looks at the mesh as a whole.
+    void thePapersSelectionTakesNoBlocks()
+    {
+        const Dataset dataset = wrappedDataset(12);
+        QCOMPARE(build(dataset, "4", 0, false, 2, nullptr, "paper").error().kind, ErrorKind::WrongUsage);
+        QVERIFY(build(dataset, "automatic", 0, false, 2, nullptr, "paper").ok());
+        const RefinementBuilder builder;
+        QVERIFY(builder.abilities(dataset, {{"block", std::string("4")}}).resumes);
+        QVERIFY(builder.abilities(dataset, {{"block", std::string("4")}}).usesThreads);
+        QVERIFY(!builder.abilities(dataset, {{"block", std::string("none")}}).resumes);
     }
 
     void cancellingLeavesNothing()
@@ -255,6 +324,13 @@ private slots:
     }
 
 private:
+    static void bothKinds()
+    {
+        QTest::addColumn<bool>("curvilinear");
+        QTest::newRow("lattice") << false;
+        QTest::newRow("curvilinear grid, C7") << true;
+    }
+
     std::filesystem::path path() const { return folder_->filePath("model.tan").toStdString(); }
     std::filesystem::path workFolder() const { return folder_->filePath("model.tan.work").toStdString(); }
 
@@ -274,7 +350,8 @@ private:
 
     /// As the host does it; cancelled when the progress reaches `cancelAt`.
     Result<BuildReport> build(const Dataset& dataset, const std::string& block, double stop, bool resume = false,
-                              double cancelAt = 2, const Progress* progress = nullptr) const
+                              double cancelAt = 2, const Progress* progress = nullptr,
+                              const std::string& selection = "normalised") const
     {
         ModelDescription description;
         description.builder = "refinement";
@@ -288,8 +365,9 @@ private:
             if (fraction >= cancelAt)
                 source.request_stop();
         });
-        const auto report = RefinementBuilder().build(dataset, {{"error", stop}, {"block", block}}, target,
-                                                      progress != nullptr ? *progress : cancelling);
+        const ParameterValues values{{"error", stop}, {"block", block}, {"selection", selection}};
+        const auto report =
+            RefinementBuilder().build(dataset, values, target, progress != nullptr ? *progress : cancelling);
         if (!report && resume)
             (*file)->keepWork();
         return report;
@@ -308,11 +386,17 @@ private:
         if (!model || (*model)->siteCount() != report.sites || (*model)->tetrahedronCount() > report.tetrahedra)
             return false;
         std::vector<Accuracy> levels;
-        for (const double percent : {70.0, 50.0, 30.0, 20.0, 10.0})
-            levels.push_back({percent});
-        if (stop == 0)
-            for (const double percent : {5.0, 1.0, 0.0})
+        if (dataset.domain == DomainClass::Curvilinear) {
+            for (const double percent : {4.0, 3.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.0})
+                if (percent >= stop)
+                    levels.push_back({percent, percent});
+        } else {
+            for (const double percent : {70.0, 50.0, 30.0, 20.0, 10.0})
                 levels.push_back({percent});
+            if (stop == 0)
+                for (const double percent : {5.0, 1.0, 0.0})
+                    levels.push_back({percent});
+        }
         const Result<VerificationReport> verdict = verify(**model, dataset, levels);
         if (!verdict)
             return false;

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "core/history/blocks/block_run.h"
+#include "core/refine/curvilinear/curvilinear_refinement.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/lattice_refinement.h"
 
 #include <tan/base.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <functional>
+#include <span>
 
 namespace tetra {
 
@@ -21,9 +25,9 @@ struct RunTotals {
     std::uint64_t living = 0; ///< of the tetrahedra, those of the mesh of all sites
 };
 
-struct LatticeRunsOptions {
+/// What all blocks have in common.
+struct BlockRunsOptions {
     BlockDivision division{{2, 2, 2}, 0};
-    LatticeBoxOptions box;    ///< for every block but for its place: lattice size, metric, value extent, stop
     bool reuseIntact = false; ///< runs that are there already are not made again
     /// Asked before a run is written; an Error ends the work. Called from any thread.
     std::function<Status()> samplesIntact;
@@ -32,9 +36,26 @@ struct LatticeRunsOptions {
     std::function<Status(const RunTotals& soFar, const RunTotals& expected)> check;
 };
 
+struct LatticeRunsOptions : BlockRunsOptions {
+    LatticeBoxOptions box; ///< for every block but for its place: lattice size, metric, value extent, stop
+};
+
 /// Refines every block of a lattice by itself (R10) and leaves its run in `runs`: on all threads that TBB may use, in
 /// memory for one block each. Errors: memory, the disk, check's, cancelled.
 Status makeLatticeRuns(const LatticeRunsOptions& options, const LatticeSamples& samples, const RunFiles& runs,
                        const Progress& progress);
+
+struct CurvilinearRunsOptions : BlockRunsOptions {
+    CurvilinearBoxOptions box; ///< for every block but for its place: size, facts, warping weight, stop, extents
+};
+
+/// Likewise every block of a curvilinear grid (C7, S4). Where a block needs cures on its faces, all blocks that have
+/// these points are refined again, with the cures, in rounds until none needs another. What is known is kept in the
+/// runs' folder after each round, so that a build that is resumed goes on with it. Which blocks a round refines, and
+/// with what, depends on the data alone. The rounds end: after `mostRounds` a face on which a cure is missing gets all
+/// of its points.
+Status makeCurvilinearRuns(const CurvilinearRunsOptions& options, std::span<const Eigen::Vector3d> positions,
+                           const LatticeSamples& samples, RunFiles& runs, const Progress& progress,
+                           std::uint32_t mostRounds = 16);
 
 } // namespace tetra
