@@ -88,10 +88,11 @@ Result<LevelTable> levelTable(const Model& model, const std::vector<Accuracy>& l
         if (model.description().domain == DomainClass::Curvilinear)
             figures["inverted"] = static_cast<qint64>(inverted[number]);
         result.list.append(figures);
-        std::vector<std::string> row = {rounded(level.error), std::to_string(size.sites),
-                                        std::to_string(size.tetrahedra), rounded(size.error)};
+        std::vector<std::string> row = {warps ? limitText(level.error) : rounded(level.error),
+                                        std::to_string(size.sites), std::to_string(size.tetrahedra),
+                                        rounded(size.error)};
         if (warps) {
-            row.insert(row.begin() + 1, rounded(level.warping));
+            row.insert(row.begin() + 1, limitText(level.warping));
             row.push_back(rounded(size.warping));
         }
         if (result.anyInverted)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/option_values.h"
 
+#include "app/command_line/table.h"
 #include "core/base/text.h"
 
 #include <type_traits>
@@ -91,6 +92,17 @@ Result<double> limitOption(const Arguments& arguments, std::string_view name, do
 {
     const auto given = arguments.value(name);
     return given ? parseLimit(name, *given) : byDefault;
+}
+
+std::string limitText(double percent)
+{
+    return percent >= anyError ? "none" : rounded(percent);
+}
+
+std::string levelText(const Accuracy& level)
+{
+    return level.error == level.warping ? limitText(level.error)
+                                        : limitText(level.error) + ":" + limitText(level.warping);
 }
 
 Option errorOption()

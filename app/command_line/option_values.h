@@ -25,6 +25,11 @@ Result<std::vector<double>> parseNumbers(std::string_view option, std::string_vi
 /// A limit on error or warping, in %: anyError (which is anyWarping) for "none".
 Result<double> limitOption(const Arguments& arguments, std::string_view name, double byDefault);
 
+/// The inverse, rounded: "none" for what is no limit.
+std::string limitText(double percent);
+/// One number that limits both, or the pair: "1:5".
+std::string levelText(const Accuracy& level);
+
 /// --error and --warping, the accuracy of a query in % of the value range and of the diagonal.
 Option errorOption();
 Option warpingOption();

@@ -106,8 +106,9 @@ std::vector<Option> fieldOptions()
     options.push_back({.name = "method",
                        .placeholder = "NAME",
                        .explanation =
-                           "How a mesh of varying accuracy is found: closed-set, insertion (into the coarse "
-                           "mesh: one sharp focus in a lattice, any in a grid), or automatic, the smaller one.",
+                           "How a mesh of varying accuracy, or of an error and a warping apart, is found: closed-set, "
+                           "insertion (into the coarse mesh: one sharp focus in a lattice, any in a grid), or "
+                           "automatic, the smaller one.",
                        .byDefault = "automatic"});
     return options;
 }
@@ -281,9 +282,9 @@ Result<MeshQuery> queryOf(const Arguments& arguments, const PresentView& present
     if (!method)
         return method.error();
     query.method = *method;
-    if (arguments.has("method") && query.error.isConstant() && query.warping.isConstant())
+    if (arguments.has("method") && query.error.isConstant() && query.warping == query.error)
         return Error{ErrorKind::WrongUsage, "'--method' is for meshes whose accuracy varies: say where with '--focus' "
-                                            "or '--field'."};
+                                            "or '--field', or give '--error' and '--warping' limits of their own."};
     return query;
 }
 

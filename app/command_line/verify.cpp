@@ -53,10 +53,14 @@ QJsonObject levelFigures(const LevelReport& level, bool warps, DomainClass domai
 std::vector<std::string> levelRow(const LevelReport& level, bool warps, bool twoSided)
 {
     const auto yes = [](bool answer) { return std::string(answer ? "yes" : "NO"); };
-    std::vector<std::string> row = {rounded(level.asked.error),     yes(level.ok()),
-                                    std::to_string(level.sites),    std::to_string(level.tetrahedra),
-                                    yes(level.conforming),          yes(level.covers),
-                                    std::to_string(level.inverted), rounded(level.measured.error.largest)};
+    std::vector<std::string> row = {warps ? levelText(level.asked) : rounded(level.asked.error),
+                                    yes(level.ok()),
+                                    std::to_string(level.sites),
+                                    std::to_string(level.tetrahedra),
+                                    yes(level.conforming),
+                                    yes(level.covers),
+                                    std::to_string(level.inverted),
+                                    rounded(level.measured.error.largest)};
     if (warps) {
         row.push_back(rounded(level.measured.warping.largest));
         row.push_back(std::to_string(level.degenerate));
@@ -67,7 +71,7 @@ std::vector<std::string> levelRow(const LevelReport& level, bool warps, bool two
 }
 
 /// Each failure once, with all levels that it is true of.
-std::string failureText(const VerificationReport& verdict)
+std::string failureText(const VerificationReport& verdict, bool warps)
 {
     std::string text;
     for (const std::string& failure : verdict.failures)
@@ -75,12 +79,13 @@ std::string failureText(const VerificationReport& verdict)
     std::vector<std::pair<std::string, std::string>> levelsOfFailures;
     for (const LevelReport& level : verdict.levels)
         for (const std::string& failure : level.failures) {
+            const std::string name = warps ? levelText(level.asked) : rounded(level.asked.error);
             const auto known =
                 std::ranges::find(levelsOfFailures, failure, [](const auto& entry) { return entry.first; });
             if (known == levelsOfFailures.end())
-                levelsOfFailures.emplace_back(failure, rounded(level.asked.error));
+                levelsOfFailures.emplace_back(failure, name);
             else
-                known->second += ", " + rounded(level.asked.error);
+                known->second += ", " + name;
         }
     for (const auto& [failure, levels] : levelsOfFailures)
         text += "\nat " + levels + " %: " + failure;
@@ -103,8 +108,10 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
     QJsonArray levels;
     std::vector<std::vector<std::string>> rows = {
         {"error %", "ok", "sites", "tetrahedra", "conforming", "covers", "inverted", "largest error %"}};
-    if (warps)
+    if (warps) {
+        rows[0][0] = "level %";
         rows[0].insert(rows[0].end(), {"largest warping %", "degenerate"});
+    }
     const bool twoSided =
         std::ranges::any_of(verdict.levels, [](const auto& level) { return level.twoSidedWarping.has_value(); });
     if (twoSided)
@@ -121,7 +128,7 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
                        {"levels", levels}};
     outcome.text = path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) + "\n" +
-                   statisticsText(measured, description.domain) + remarkOn(verdict) + failureText(verdict);
+                   statisticsText(measured, description.domain) + remarkOn(verdict) + failureText(verdict, warps);
     return outcome;
 }
 

@@ -306,7 +306,8 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
     return {};
 }
 
-/// Two limits of which a prefix keeps one better than asked (C1).
+/// Two limits of which a prefix keeps one better than asked (C1). Closed sets hold what the other one asked for before:
+/// of BluntFin by the warping alone 2.8 times the sites of a build for that, where insertion takes those it needs.
 Status MeshExtractor::Work::extractPair(const MeshQuery& query, const Accuracy& asked, const Progress& progress)
 {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -317,8 +318,16 @@ Status MeshExtractor::Work::extractPair(const MeshQuery& query, const Accuracy& 
     pair.method = query.method;
     if (!isLent() && pair_ == pair)
         return {};
-    const Status found = query.method == VariableMethod::Insertion ? extractByInsertion(pair, progress)
-                                                                   : extractClosedSet(pair, progress);
+    const std::optional<Message> obstacle = obstacleToInsertion(pair);
+    if (query.method == VariableMethod::Insertion && obstacle)
+        return Error{ErrorKind::WrongUsage, Message::say("%1. Use a closed set, or the automatic choice.", *obstacle)};
+    // A budget would take many meshes.
+    const bool inserts =
+        query.method == VariableMethod::Insertion ||
+        (query.method == VariableMethod::Automatic && insertionFitsHistory_ && !obstacle && !query.budget);
+    Status found = inserts ? extractByInsertion(pair, progress) : extractClosedSet(pair, progress);
+    if (!found && query.method == VariableMethod::Automatic && inserts && found.error().kind == ErrorKind::WrongUsage)
+        found = extractClosedSet(pair, progress);
     if (found)
         pair_ = std::move(pair);
     return found;

@@ -226,7 +226,7 @@ struct Window {
     bool operator==(const Window&) const = default;
 };
 
-/// How a mesh of varying accuracy is found.
+/// How a mesh of varying accuracy is found, or of two limits in another ratio than the build's.
 enum class VariableMethod {
     Automatic, ///< of the two, where both are possible, the one that is predicted to give the smaller mesh
     ClosedSet, ///< the smallest closed set of the history's sites: always right, tight for graded fields

@@ -99,10 +99,12 @@ private slots:
             MeshExtractor extractor(one.model);
             for (int round = 0; round < 6; ++round) {
                 MeshQuery query;
-                query.error = between(random, 0, 60);
-                query.warping = between(random, 0, 60);
+                const double percent = between(random, 0, 60);
+                query.error = percent;
+                query.warping = percent;
                 const auto mesh = extractor.extract(query);
                 QVERIFY(mesh.ok());
+                QCOMPARE((*mesh)->wholeSites, meshSizeAt(*one.model, {percent, percent}).sites);
                 const auto expected = extractPrefix(*one.model, (*mesh)->wholeSites);
                 QVERIFY(expected.ok());
                 QVERIFY(byPoints((*mesh)->mesh.tetrahedra, one.model->points()) ==
@@ -110,6 +112,42 @@ private slots:
                 QVERIFY(isProved(*one.model, one.dataset, query, **mesh));
             }
         }
+    }
+
+    /// C1: error and warping apart, of the prefix and of the mesh that is smaller; both are measured.
+    void pairsAreKept()
+    {
+        std::mt19937 random(7);
+        int pairs = 0, smaller = 0;
+        for (const Case& one : cases_) {
+            if (!(one.model->description().warpingWeight > 0))
+                continue;
+            MeshExtractor extractor(one.model);
+            std::vector<Accuracy> asked;
+            for (int round = 0; round < 6; ++round) {
+                asked.push_back({round % 3 == 0 ? anyError : between(random, 0, 40),
+                                 round % 3 == 1 ? anyWarping : between(random, 0, 40)});
+                MeshQuery query;
+                query.error = asked.back().error;
+                query.warping = asked.back().warping;
+                const auto mesh = extractor.extract(query);
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
+                QVERIFY(isProved(*one.model, one.dataset, query, **mesh));
+                const std::uint32_t prefix = meshSizeAt(*one.model, asked.back()).sites;
+                QVERIFY((*mesh)->wholeSites <= prefix);
+                ++pairs;
+                smaller += (*mesh)->wholeSites < prefix ? 1 : 0;
+            }
+            const auto verdict = verify(*one.model, one.dataset, asked);
+            QVERIFY(verdict.ok() && verdict->ok());
+            for (std::size_t i = 0; i < asked.size(); ++i) {
+                QCOMPARE(verdict->levels[i].sites, meshSizeAt(*one.model, asked[i]).sites);
+                QVERIFY(verdict->levels[i].measured.error.largest <= asked[i].error + 1e-9 ||
+                        asked[i].error >= anyError);
+                QVERIFY(verdict->levels[i].measured.warping.largest <= asked[i].warping + 1e-9);
+            }
+        }
+        QVERIFY2(pairs > 200 && smaller > pairs / 4, qPrintable(QString("%1 of %2").arg(smaller).arg(pairs)));
     }
 
     /// Where the boundary of the smallest closed set meets itself, and the judge says so, the answer has more sites and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two hundred random models, whole and in blocks, and random queries of each kind: the mesh is the one that going
 // through the whole history gives, and the independent judge proves it (B1, B3, R14, R17, R25).
+#include "core/history/query/curvilinear_focus.h"
 #include "core/history/query/region_refiner.h"
 #include "plugins/samples/samples.h"
 #include "tests/core/history/model_fixture.h"
@@ -100,6 +101,7 @@ private slots:
                 const double warping = round % 3 == 1 ? anyWarping : between(random, 0, 20);
                 query.error = error;
                 query.warping = warping;
+                query.method = VariableMethod::ClosedSet;
                 const auto mesh = extractor.extract(query);
                 QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
                 QVERIFY(isAnswer(*one.model, one.dataset, brute, query, **mesh, brute.smallestClosedSet(query, true)));
@@ -108,6 +110,13 @@ private slots:
                 ++pairs;
                 smaller += (*mesh)->wholeSites < prefix ? 1 : 0;
                 QCOMPARE((*extractor.extract(query))->wholeSites, (*mesh)->wholeSites); // what was kept
+                query.method = VariableMethod::Automatic;
+                const auto inserted = extractor.extract(query);
+                QVERIFY2(inserted.ok(), inserted.ok() ? "" : inserted.error().text().c_str());
+                QCOMPARE((*inserted)->method,
+                         CurvilinearFocus::fits(*one.model) ? VariableMethod::Insertion : VariableMethod::ClosedSet);
+                QVERIFY(isProved(one, query, **inserted));
+                query.method = VariableMethod::ClosedSet;
                 query.budget = 1 + random() % (one.model->meshSizes().back() + 10);
                 const auto within = extractor.extract(query);
                 const auto expected = brute.closedSetWithin(query);
