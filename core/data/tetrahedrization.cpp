@@ -17,7 +17,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>; // point
-using Delaunay = CGAL::Delaunay_triangulation_3<
+using PointDelaunay = CGAL::Delaunay_triangulation_3<
     Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
 
 /// The points of a property map's keys, as CGAL wants them.
@@ -55,8 +55,8 @@ Result<Dataset> tetrahedrized(const Dataset& points, const Progress& progress)
     const PlaceOfPoint places{&positions};
     // What lies near in space comes after each other: then each point is found from the last one.
     CGAL::spatial_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, PlaceOfPoint>(places));
-    Delaunay delaunay;
-    Delaunay::Cell_handle hint{};
+    PointDelaunay delaunay;
+    PointDelaunay::Cell_handle hint{};
     constexpr std::size_t pointsBetweenReports = 4096;
     for (std::size_t number = 0; number < order.size(); ++number) {
         if (number % pointsBetweenReports == 0) {
@@ -75,7 +75,7 @@ Result<Dataset> tetrahedrized(const Dataset& points, const Progress& progress)
                                   points.source.name)};
     std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     tetrahedra.reserve(delaunay.number_of_finite_cells());
-    for (const Delaunay::Cell_handle cell : delaunay.finite_cell_handles())
+    for (const PointDelaunay::Cell_handle cell : delaunay.finite_cell_handles())
         tetrahedra.push_back(inOrder(
             {cell->vertex(0)->info(), cell->vertex(1)->info(), cell->vertex(2)->info(), cell->vertex(3)->info()}));
     std::ranges::sort(tetrahedra);
