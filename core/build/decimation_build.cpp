@@ -269,6 +269,10 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     const BuildThresholds thresholds{decimation.error, decimation.warping, decimation.orderedBy};
     if (const Status possible = checkThresholds(thresholds, dataset); !possible)
         return possible.error();
+    if (decimation.twoSided && dataset.domain != DomainClass::Irregular)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Only irregular data have a boundary that moves, so that there is a distance from "
+                                  "both sides to limit. Leave that out.")};
     const auto input = DecimationInput::make(dataset, decimation.weighting, progress.part(0, 0.02));
     if (!input)
         return input.error();
@@ -276,6 +280,7 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     DecimationOptions options;
     options.order = decimation.order;
     options.warpingWeight = key.warpingWeight;
+    options.twoSided = decimation.twoSided;
     if (key.stopKey) // without thresholds to the coarsest mesh
         options.stopKey = *key.stopKey;
     const DecimationMesh mesh = input->mesh();

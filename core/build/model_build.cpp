@@ -153,6 +153,8 @@ ModelDescription descriptionOf(const Decimation& decimation, const Dataset& data
         parameters.emplace_back("warping", formatNumber(decimation.warping));
     parameters.emplace_back("finest", formatNumber(decimation.finest));
     parameters.emplace_back("order", nameOf(decimation.order));
+    if (dataset.domain == DomainClass::Irregular)
+        parameters.emplace_back("distance", decimation.twoSided ? "two-sided" : "one-sided");
     parameters.emplace_back("weights", weightingText(decimation.weighting));
     return description;
 }

@@ -30,6 +30,13 @@ void BoundaryPoints::addOfBoundary(std::uint32_t triangle, std::uint32_t point, 
     relation.warping = std::max(relation.warping, warping);
 }
 
+void BoundaryPoints::setDistance(std::uint32_t triangle, double distance, float warping)
+{
+    Relation& relation = at(triangle);
+    relation.distance = distance;
+    relation.warping = std::max(relation.warping, warping);
+}
+
 void BoundaryPoints::takeOutside(std::uint32_t triangle, std::uint32_t point)
 {
     Relation& relation = at(triangle);
@@ -37,40 +44,6 @@ void BoundaryPoints::takeOutside(std::uint32_t triangle, std::uint32_t point)
 }
 
 namespace {
-
-/// The weights of a triangle's corners whose mean is nearest to the origin (Ericson, Real-Time Collision
-/// Detection, 5.1.5).
-std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners)
-{
-    const Eigen::Map<const Eigen::Vector3d> a(corners[0].data()), b(corners[1].data()), c(corners[2].data());
-    const Eigen::Vector3d ab = b - a, ac = c - a;
-    const double abA = -ab.dot(a), acA = -ac.dot(a);
-    if (abA <= 0 && acA <= 0)
-        return {1, 0, 0};
-    const double abB = -ab.dot(b), acB = -ac.dot(b);
-    if (abB >= 0 && acB <= abB)
-        return {0, 1, 0};
-    const double besideC = abA * acB - abB * acA;
-    if (besideC <= 0 && abA >= 0 && abB <= 0) {
-        const double t = abA / (abA - abB);
-        return {1 - t, t, 0};
-    }
-    const double abC = -ab.dot(c), acC = -ac.dot(c);
-    if (acC >= 0 && abC <= acC)
-        return {0, 0, 1};
-    const double besideB = abC * acA - abA * acC;
-    if (besideB <= 0 && acA >= 0 && acC <= 0) {
-        const double t = acA / (acA - acC);
-        return {1 - t, 0, t};
-    }
-    const double besideA = abB * acC - abC * acB;
-    if (besideA <= 0 && acB - abB >= 0 && abC - acC >= 0) {
-        const double t = (acB - abB) / ((acB - abB) + (abC - acC));
-        return {0, 1 - t, t};
-    }
-    const double all = besideA + besideB + besideC;
-    return {1 - besideB / all - besideC / all, besideB / all, besideC / all};
-}
 
 /// How far outside of a tetrahedron, as a share of it, a place may seem by rounding.
 constexpr double insideTolerance = 1e-11;
@@ -82,6 +55,9 @@ void BoundaryCost::set(const CollapsibleMesh& mesh, const VertexStar& star, std:
 {
     vertex_ = star.vertex();
     findRing(mesh, star);
+    distance_ = 0;
+    for (const VertexStar::RimTriangle& rim : star.rim())
+        distance_ = std::max(distance_, relations[rim.triangle].distance);
     least_ = greatest_ = {};
     for (std::uint32_t place = 0; place < star.link().size(); ++place)
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -167,6 +143,7 @@ BoundaryCost::Triangle BoundaryCost::triangleOf(std::uint32_t number, const std:
 {
     Triangle triangle;
     triangle.number = number;
+    triangle.vertices = corners;
     for (std::size_t i = 0; i < 3; ++i) {
         triangle.corners[i] = placeOf(corners[i]);
         triangle.values[i] = input_.values[corners[i]];
@@ -269,6 +246,94 @@ double BoundaryCost::judgeWarping(const Point& point)
     return measure_.warpingWeight * warpings_.back().warping;
 }
 
+namespace {
+
+struct InPlane {
+    Eigen::Vector2d place;
+    double height;
+};
+
+double crossInPlane(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+} // namespace
+
+/// How far any place of the new boundary triangles is from one of the old: seen along the mean of the old normals both
+/// lie over one polygon. There, where they are functions, which are linear in the parts into which their edges cut it,
+/// their difference is largest at a corner of a part: at the vertex, or where an edge of one crosses one of the other.
+/// Infinity if they are no functions.
+double BoundaryCost::stepOf(const VertexStar& star, std::uint32_t linkPlace) const
+{
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    const auto placeIn = [&](std::uint32_t place) { return Eigen::Vector3d(star.place(place).data()); };
+    for (const VertexStar::RimTriangle& rim : star.rim())
+        normal += placeIn(rim.corners[0]).cross(placeIn(rim.corners[1]));
+    const double length = normal.norm();
+    if (!(length > 0))
+        return none;
+    normal /= length;
+    const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
+    const auto seen = [&](std::uint32_t place) {
+        const Eigen::Vector3d at = placeIn(place);
+        return InPlane{{at.dot(x), at.dot(y)}, at.dot(normal)};
+    };
+    const InPlane to = seen(linkPlace);
+    double turned = 0, largest = 0;
+    bool holdsVertex = false;
+    for (const VertexStar::RimTriangle& rim : star.rim()) {
+        const InPlane a = seen(rim.corners[0]), b = seen(rim.corners[1]);
+        if (!(crossInPlane(a.place, b.place) > 0))
+            return none;
+        turned += std::atan2(crossInPlane(a.place, b.place), a.place.dot(b.place));
+        if (rim.corners[0] == linkPlace || rim.corners[1] == linkPlace)
+            continue;
+        const Eigen::Vector2d toA = a.place - to.place, toB = b.place - to.place;
+        const double area = crossInPlane(toA, toB);
+        if (!(area > 0))
+            return none;
+        // The vertex is the origin: its height over the new triangle.
+        const double ofA = crossInPlane(-to.place, toB) / area, ofB = crossInPlane(toA, -to.place) / area;
+        constexpr double beside = -1e-9;
+        if (ofA >= beside && ofB >= beside && ofA + ofB <= 1 - beside) {
+            holdsVertex = true;
+            largest = std::max(largest, std::abs((1 - ofA - ofB) * to.height + ofA * a.height + ofB * b.height));
+        }
+        // The new edge to the first corner, and all the old ones.
+        for (const VertexStar::RimTriangle& other : star.rim()) {
+            const InPlane old = seen(other.corners[0]);
+            const double across = crossInPlane(toA, old.place);
+            if (across == 0)
+                continue;
+            // to + s (a - to) = t old
+            const double s = crossInPlane(old.place, to.place) / across, t = crossInPlane(toA, -to.place) / -across;
+            if (s >= beside && s <= 1 - beside && t >= beside && t <= 1 - beside)
+                largest = std::max(largest, std::abs(to.height + s * (a.height - to.height) - t * old.height));
+        }
+    }
+    constexpr double oneTurn = 7; // a little more than that, and much less than two
+    return turned < oneTurn && holdsVertex ? largest : none;
+}
+
+/// Of the new boundary triangles: bounds on their distances from the original boundary, no closer than what counts
+/// beside `cost` or says that it is more than `bound`. Returns the cost with them.
+double BoundaryCost::judgeDistances(const VertexStar& star, std::uint32_t linkPlace, double cost, double bound)
+{
+    const double step = stepOf(star, linkPlace);
+    const double sum = distance_ + (step > measure_.leastWarping ? step : 0);
+    const double tooMuch = bound / measure_.warpingWeight;
+    for (const Triangle& triangle : fresh_) {
+        if (cost > bound)
+            break;
+        const double enough = cost / measure_.warpingWeight;
+        distances_.push_back({triangle.number, toBoundary_->bound(triangle.vertices, sum, enough, tooMuch)});
+        cost = std::max(cost, measure_.warpingWeight * distances_.back().distance);
+    }
+    return cost;
+}
+
 double BoundaryCost::evaluate(const VertexStar& star, std::uint32_t linkPlace, const CollapseStar& fan, double bound)
 {
     fresh_.clear();
@@ -283,7 +348,8 @@ double BoundaryCost::evaluate(const VertexStar& star, std::uint32_t linkPlace, c
         largest = std::max(largest, judgeWarping(*point));
     for (auto point = points_.begin(); point != points_.end() && largest <= bound; ++point)
         largest = std::max(largest, judgeError(*point, fan));
-    return largest;
+    distances_.clear();
+    return toBoundary_ != nullptr && largest <= bound ? judgeDistances(star, linkPlace, largest, bound) : largest;
 }
 
 } // namespace tetra

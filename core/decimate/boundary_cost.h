@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/decimate/boundary_distance.h"
 #include "core/decimate/collapse_star.h"
 #include "core/decimate/collapsible_mesh.h"
 #include "core/decimate/decimation.h"
@@ -26,6 +27,8 @@ public:
         IndexPool::List ofBoundary;
         float error = 0;   ///< bound on those of the points outside
         float warping = 0; ///< bound on the distances of both
+        /// Two-sided: no place of the triangle is farther from the original boundary; in `warping`, too.
+        double distance = 0;
     };
 
     explicit BoundaryPoints(std::uint32_t triangles) : relations_(triangles) {}
@@ -43,6 +46,8 @@ public:
     void clear(std::uint32_t triangle);
     void addOutside(std::uint32_t triangle, std::uint32_t point, float error, float warping);
     void addOfBoundary(std::uint32_t triangle, std::uint32_t point, float warping);
+    /// Of a new triangle.
+    void setDistance(std::uint32_t triangle, double distance, float warping);
     /// Takes a point outside away. The bound stays.
     void takeOutside(std::uint32_t triangle, std::uint32_t point);
 
@@ -65,6 +70,9 @@ public:
     static constexpr std::uint32_t none = CollapsibleMesh::none;
 
     BoundaryCost(const DecimationMesh& input, const CollapseMeasure& measure) : input_(input), measure_(measure) {}
+    /// From now on the new boundary triangles' distances from the original boundary count as warpings, too, whatever
+    /// the weights (S13). `toBoundary` outlives this.
+    void countDistances(BoundaryDistance& toBoundary) { toBoundary_ = &toBoundary; }
 
     /// For collapses of a boundary vertex; `inside` are the removed points that its tetrahedra have, and itself.
     void set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
@@ -90,6 +98,11 @@ public:
     };
     std::span<const Error> errors() const noexcept { return errors_; }
     std::span<const Warping> warpings() const noexcept { return warpings_; }
+    struct Distance {
+        std::uint32_t triangle = none; ///< a new one
+        double distance = 0;           ///< no place of it is farther from the original boundary
+    };
+    std::span<const Distance> distances() const noexcept { return distances_; } ///< empty unless they count
     /// Whether a boundary triangle of the vertex becomes one of a tetrahedron that the collapse makes. Else it goes, or
     /// a tetrahedron that is there already gets it.
     static bool comesWithTetrahedron(const VertexStar& star, const VertexStar::RimTriangle& rim,
@@ -102,6 +115,7 @@ private:
     using Vector = std::array<double, 3>;
     struct Triangle {
         std::uint32_t number = none;
+        std::array<std::uint32_t, 3> vertices{};
         std::array<Vector, 3> corners{}; ///< from the star's vertex
         std::array<double, 3> values{};
         Vector least{}, greatest{}; ///< its box
@@ -137,6 +151,8 @@ private:
     double errorOf(const Point& point, double interpolated) const;
     double judgeError(const Point& point, const CollapseStar& fan);
     double judgeWarping(const Point& point);
+    double stepOf(const VertexStar& star, std::uint32_t linkPlace) const;
+    double judgeDistances(const VertexStar& star, std::uint32_t linkPlace, double cost, double bound);
     double weight(std::uint32_t point) const
     {
         return input_.weights.empty() ? 1 : static_cast<double>(input_.weights[point]);
@@ -144,6 +160,8 @@ private:
 
     const DecimationMesh& input_;
     const CollapseMeasure& measure_;
+    BoundaryDistance* toBoundary_ = nullptr;
+    double distance_ = 0; ///< of the star's boundary triangles the largest
     std::uint32_t vertex_ = none;
     Vector least_{}, greatest_{}; ///< the box of the star
     std::vector<Triangle> ring_;  ///< the boundary triangles around those of the vertex
@@ -155,6 +173,7 @@ private:
     std::vector<Point> ofBoundary_;
     std::vector<Error> errors_;
     std::vector<Warping> warpings_;
+    std::vector<Distance> distances_;
 };
 
 } // namespace tetra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimate/boundary_surface.h"
 
+#include "core/geometry/orientation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -164,39 +166,77 @@ bool BoundarySurface::meetsInCell(const Cell& cell, const SurfaceTriangle& trian
     return false;
 }
 
-bool BoundarySurface::meetsRest(const SurfaceTriangle& triangle, std::span<const SurfaceTriangle> removed) const
+/// Whether visit(cell) is true of one of the cells with triangles that reach near the box, and of whose cube, given by
+/// its middle and how far what is in it reaches, passes(middle, reach) is true.
+template <class Passes, class Visit>
+bool BoundarySurface::anyNear(const Eigen::AlignedBox3d& box, const Passes& passes, const Visit& visit) const
 {
-    struct Visit {
+    struct Waiting {
         std::uint32_t cell;
         int depth;
         Eigen::Vector3d middle;
     };
-    const Eigen::AlignedBox3d box = triangleBox(positions_, triangle);
     const double largest = corner_.cwiseAbs().maxCoeff() + size_;
-    const RoughPlane plane(positions_, triangle, largest);
     // Seven of each depth wait at most.
-    std::array<Visit, 7 * deepestLevel + 8> waiting;
+    std::array<Waiting, 7 * deepestLevel + 8> waiting;
     std::size_t count = 0;
     waiting[count++] = {0, 0, corner_ + Eigen::Vector3d::Constant(size_ / 2)};
     while (count > 0) {
-        const Visit visit = waiting[--count];
-        const Cell& cell = cells_[visit.cell];
-        const double size = std::ldexp(size_, -visit.depth);
+        const Waiting at = waiting[--count];
+        const Cell& cell = cells_[at.cell];
+        const double size = std::ldexp(size_, -at.depth);
         // What lies in it ends half its size outside at most.
         const double reach = size + 1e-14 * largest;
-        const Eigen::Array3d gap = (box.center() - visit.middle).array().abs() - box.sizes().array() / 2;
-        if (cell.triangles == 0 || gap.maxCoeff() > reach || !plane.passes(visit.middle, reach))
+        const Eigen::Array3d gap = (box.center() - at.middle).array().abs() - box.sizes().array() / 2;
+        if (cell.triangles == 0 || gap.maxCoeff() > reach || !passes(at.middle, reach))
             continue;
-        if (meetsInCell(cell, triangle, box, removed))
+        if (visit(cell))
             return true;
         for (std::size_t child = 0; child < 8; ++child) {
             if (cell.children[child] == none)
                 continue;
             const Eigen::Vector3d way(child & 1U ? 1 : -1, child & 2U ? 1 : -1, child & 4U ? 1 : -1);
-            waiting[count++] = {cell.children[child], visit.depth + 1, visit.middle + size / 4 * way};
+            waiting[count++] = {cell.children[child], at.depth + 1, at.middle + size / 4 * way};
         }
     }
     return false;
+}
+
+bool BoundarySurface::meetsRest(const SurfaceTriangle& triangle, std::span<const SurfaceTriangle> removed) const
+{
+    const Eigen::AlignedBox3d box = triangleBox(positions_, triangle);
+    const RoughPlane plane(positions_, triangle, corner_.cwiseAbs().maxCoeff() + size_);
+    return anyNear(
+        box, [&](const Eigen::Vector3d& middle, double reach) { return plane.passes(middle, reach); },
+        [&](const Cell& cell) { return meetsInCell(cell, triangle, box, removed); });
+}
+
+bool BoundarySurface::liesInside(std::span<const Tetrahedron> tetrahedra) const
+{
+    Eigen::AlignedBox3d box;
+    for (const Tetrahedron& tetrahedron : tetrahedra)
+        for (const std::uint32_t corner : tetrahedron)
+            box.extend(positions_[corner]);
+    const auto holds = [this](const Tetrahedron& tetrahedron, const Eigen::Vector3d& place) {
+        constexpr double beyondRounding = 1e-9;
+        const double volume = volumeOf(positions_, tetrahedron);
+        return std::ranges::all_of(cornersOfFace, [&](const auto& face) {
+            const Eigen::Vector3d &a = positions_[tetrahedron[face[0]]], &b = positions_[tetrahedron[face[1]]],
+                                  &c = positions_[tetrahedron[face[2]]];
+            return (a - place).dot((b - place).cross(c - place)) / 6 > beyondRounding * volume;
+        });
+    };
+    return anyNear(
+        box, [](const Eigen::Vector3d&, double) { return true; },
+        [&](const Cell& cell) {
+            for (std::uint32_t entry = cell.first; entry != none; entry = entries_[entry].next) {
+                const auto& [a, b, c] = entries_[entry].triangle;
+                const Eigen::Vector3d middle = (positions_[a] + positions_[b] + positions_[c]) / 3;
+                if (std::ranges::any_of(tetrahedra, [&](const Tetrahedron& t) { return holds(t, middle); }))
+                    return true;
+            }
+            return false;
+        });
 }
 
 bool BoundarySurface::meetsItself(std::span<const SurfaceTriangle> added,

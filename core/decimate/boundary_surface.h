@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/triangles.h"
+#include "core/mesh/topology.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -30,6 +31,10 @@ public:
     /// share. Exact.
     bool isTouched(const SurfaceTriangle& triangle) const { return meetsRest(triangle, std::span(&triangle, 1)); }
 
+    /// Whether a triangle of the surface lies inside of one of the tetrahedra, whose faces it does not cross: a part
+    /// that they have swallowed. In doubles, with room for rounding at the faces.
+    bool liesInside(std::span<const Tetrahedron> tetrahedra) const;
+
     /// Each of `removed` is in the surface, in either orientation.
     void replace(std::span<const SurfaceTriangle> removed, std::span<const SurfaceTriangle> added);
 
@@ -57,6 +62,8 @@ private:
     void insert(const SurfaceTriangle& triangle);
     void remove(const SurfaceTriangle& triangle);
     bool meetsRest(const SurfaceTriangle& triangle, std::span<const SurfaceTriangle> removed) const;
+    template <class Passes, class Visit>
+    bool anyNear(const Eigen::AlignedBox3d& box, const Passes& passes, const Visit& visit) const;
     bool meetsInCell(const Cell& cell, const SurfaceTriangle& triangle, const Eigen::AlignedBox3d& box,
                      std::span<const SurfaceTriangle> removed) const;
 

@@ -3,6 +3,7 @@
 
 #include "core/base/rounding.h"
 #include "core/geometry/orientation.h"
+#include "core/mesh/boundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +110,8 @@ void DecimatedMesh::findBoundary()
         for (const std::uint32_t corner : triangle)
             sides_[corner] = boundaryMark;
     boundary_.emplace(input_.positions, triangles);
+    if (options_.twoSided && input_.physical.empty() && !triangles.empty())
+        boundaryCost_.countDistances(toOriginal_.emplace(input_.positions, triangles));
     for (std::uint32_t vertex = 0; vertex < vertexCount(); ++vertex) {
         if (sides_[vertex] == 0)
             continue;
@@ -122,6 +125,8 @@ void DecimatedMesh::findBoundary()
         if (boundary_->isTouched(triangle))
             for (const std::uint32_t corner : triangle)
                 sides_[corner] = locked;
+    const std::vector<std::uint32_t> pieces = surfacePieces(triangles);
+    maySwallow_ = std::ranges::any_of(pieces, [](std::uint32_t piece) { return piece > 0; });
 }
 
 bool DecimatedMesh::mayMove(std::uint32_t vertex, std::uint32_t target) const
@@ -511,7 +516,24 @@ bool DecimatedMesh::boundaryAllows(std::uint32_t linkPlace)
         return false;
     setBoundaryChange(linkPlace);
     return linkCondition_.allows(mesh_, star_, linkPlace) &&
-           !boundary_->meetsItself(addedTriangles_, removedTriangles_);
+           !boundary_->meetsItself(addedTriangles_, removedTriangles_) && !(maySwallow_ && swallows(linkPlace));
+}
+
+/// Whether a part of the mesh, such as one in a notch of another, would lie inside of the tetrahedra that a collapse
+/// makes, without its boundary meeting theirs.
+bool DecimatedMesh::swallows(std::uint32_t linkPlace)
+{
+    const auto link = star_.link();
+    addedTetrahedra_.clear();
+    for (std::size_t face = 0; face < star_.faces().size(); ++face)
+        if (!star_.holds(face, linkPlace)) {
+            const auto& [a, b, c] = star_.faces()[face];
+            addedTetrahedra_.push_back({link[linkPlace], link[a], link[b], link[c]});
+        }
+    boundary_->replace(removedTriangles_, {});
+    const bool swallowed = boundary_->liesInside(addedTetrahedra_);
+    boundary_->replace({}, removedTriangles_);
+    return swallowed;
 }
 
 bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t target)
@@ -547,6 +569,8 @@ void DecimatedMesh::relateToBoundary()
     }
     for (const BoundaryCost::Warping& warping : boundaryCost_.warpings())
         boundaryPoints_.addOfBoundary(warping.triangle, warping.point, roundedUp(warping.warping));
+    for (const BoundaryCost::Distance& one : boundaryCost_.distances())
+        boundaryPoints_.setDistance(one.triangle, one.distance, roundedUp(one.distance));
 }
 
 } // namespace tetra

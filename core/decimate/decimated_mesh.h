@@ -141,6 +141,7 @@ private:
     bool confirms(std::uint32_t linkPlace, Legality legality);
     bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);
+    bool swallows(std::uint32_t linkPlace);
     bool collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
     void relateToBoundary();
     void raiseOwn(std::uint32_t slot);
@@ -168,6 +169,8 @@ private:
     std::vector<std::uint8_t> sides_; ///< by vertex: the sides of the box that it lies on, or 1 on another boundary
     BoundaryPoints boundaryPoints_;
     std::optional<BoundarySurface> boundary_; ///< of irregular meshes
+    bool maySwallow_ = false; ///< its boundary has several pieces, of which one may come to lie inside of cells
+    std::optional<BoundaryDistance> toOriginal_; ///< of irregular meshes, if it counts
     std::uint64_t evaluations_ = 0;
     std::uint64_t live_ = 0;
 
@@ -176,6 +179,7 @@ private:
     BoundaryCost boundaryCost_;
     std::vector<SurfaceTriangle> addedTriangles_;
     std::vector<SurfaceTriangle> removedTriangles_;
+    std::vector<Tetrahedron> addedTetrahedra_;
     StarPoints points_;
     CollapseStar fan_;
     CollapseStar around_; ///< the star itself

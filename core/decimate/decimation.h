@@ -36,6 +36,10 @@ struct DecimationOptions {
     /// Units of the values for a unit of length: the key of a mesh is the larger of its error and this times its
     /// warping (S4). Positive if there can be warping.
     double warpingWeight = 0;
+    /// Of irregular meshes: whether the distance of every place of a mesh's boundary from the original one counts as
+    /// warping, too, unweighted (S13); else only that of the original boundary's points from the mesh's, as in the
+    /// paper.
+    bool twoSided = false;
     /// No collapse lets the key rise above it. Infinite: down to the coarsest mesh.
     double stopKey = std::numeric_limits<double>::infinity();
 };

@@ -41,12 +41,11 @@ Limits limitsOf(const Model& model, const Original& original, const Accuracy& as
 }
 
 /// What a model claims of the meshes at the ends of its batches: by their keys, and where the file tells the two apart
-/// by error and warping. That warping goes one way only, from the data to the mesh.
+/// by error and warping.
 class Claims {
 public:
     explicit Claims(const Model& model)
-        : model_(model), weight_(model.description().warpingWeight), derived_(derivedSections(model)),
-          twoSided_(claimsTwoSides(model))
+        : model_(model), weight_(model.description().warpingWeight), derived_(derivedSections(model))
     {
     }
 
@@ -59,7 +58,7 @@ public:
         bounds.warping = weight_ > 0 ? bounds.error / weight_ : 0;
         const auto end = std::ranges::lower_bound(derived_.batchEnds, sites - 1);
         const auto batch = static_cast<std::size_t>(end - derived_.batchEnds.begin());
-        if (batch >= std::min(derived_.batchErrors.size(), derived_.batchWarpings.size()) || twoSided_)
+        if (batch >= std::min(derived_.batchErrors.size(), derived_.batchWarpings.size()))
             return bounds;
         bounds.error = std::min(bounds.error, static_cast<double>(derived_.batchErrors[batch]));
         bounds.warping = std::min(bounds.warping, static_cast<double>(derived_.batchWarpings[batch]));
@@ -92,7 +91,6 @@ private:
     const Model& model_;
     const double weight_;
     const DerivedSections derived_;
-    const bool twoSided_;
 };
 
 /// A model, and what its levels are compared with.

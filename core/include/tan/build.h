@@ -95,6 +95,10 @@ struct Decimation {
     DecimationOrder order = DecimationOrder::ExactError;
     OrderedBy orderedBy = OrderedBy::Both; ///< as Refinement::orderedBy, of irregular data, too
     Weighting weighting{};
+    /// Of irregular data, else WrongUsage: the warping also limits how far any place of a mesh's boundary is from that
+    /// of the data, weights aside (S13); else only how far the data's boundary points are from the mesh's, as in the
+    /// paper.
+    bool twoSided = false;
 };
 
 using BuildMethod = std::variant<Refinement, Decimation>;

@@ -33,6 +33,23 @@ std::vector<std::string> domainsThatWarp()
             std::string(domainClassName(DomainClass::Irregular)), std::string(domainClassName(DomainClass::Scattered))};
 }
 
+constexpr std::string_view oneSided = Message::marked("one-sided"), twoSided = Message::marked("two-sided");
+
+Parameter distanceParameter()
+{
+    Parameter distance;
+    distance.id = "distance";
+    distance.label = Message::marked("Distance");
+    distance.explanation = Message::marked(
+        "What the warping of irregular data measures: 'one-sided', as the paper did, how far the points of the data's "
+        "boundary are from that of a mesh; 'two-sided' also how far any place of a mesh's boundary is from that of the "
+        "data.");
+    distance.defaultValue = std::string(oneSided);
+    distance.choices = {std::string(oneSided), std::string(twoSided)};
+    distance.onlyWith = {domainId, {std::string(domainClassName(DomainClass::Irregular))}};
+    return distance;
+}
+
 DecimationOrder orderOf(const std::string& name)
 {
     if (name == paper)
@@ -109,6 +126,7 @@ std::vector<Parameter> DecimationBuilder::parameters() const
                                                "smaller; 0 keeps everything."),
                                Message::marked("% of the value range")),
             orderParameter(),
+            distanceParameter(),
             weightsParameter()};
 }
 
@@ -148,6 +166,8 @@ Result<BuildReport> DecimationBuilder::build(const Dataset& dataset, const Param
     decimation.order = orderOf(parameterValue<std::string>(known, values, "order"));
     decimation.orderedBy = orderedByOf(known, values);
     decimation.weighting = *weighting;
+    decimation.twoSided =
+        dataset.domain == DomainClass::Irregular && parameterValue<std::string>(known, values, "distance") == twoSided;
     return buildInto(dataset, decimation, target, progress);
 }
 

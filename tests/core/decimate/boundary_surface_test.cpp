@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimate/boundary_distance.h"
 #include "core/decimate/boundary_surface.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -175,6 +177,54 @@ private slots:
             ++seen[meets];
         }
         QVERIFY2(std::ranges::min(seen) > 200, qPrintable(QString("%1 %2").arg(seen[0]).arg(seen[1])));
+    }
+
+    /// C11, S13: no place of a triangle is farther from the surface than the bound, which is not much more than the
+    /// farthest place; a triangle of the surface, and one within it, is known to be no distance away.
+    void distancesAreBounds()
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> coordinate(-1, 1);
+        constexpr int steps = 24;
+        for (int round = 0; round < 60; ++round) {
+            std::vector<Eigen::Vector3d> points;
+            for (int i = 0; i < 12; ++i)
+                points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+            std::vector<SurfaceTriangle> surface;
+            for (std::uint32_t i = 0; i + 2 < 9; ++i)
+                surface.push_back({i, i + 1, i + 2});
+            BoundaryDistance distance(points, surface);
+            const SurfaceTriangle triangle{9, 10, 11};
+            double farthest = 0;
+            for (int i = 0; i <= steps; ++i)
+                for (int j = 0; i + j <= steps; ++j) {
+                    const Eigen::Vector3d place =
+                        (i * points[9] + j * points[10] + (steps - i - j) * points[11]) / double(steps);
+                    double nearest = std::numeric_limits<double>::infinity();
+                    for (const auto& [a, b, c] : surface) {
+                        std::array<std::array<double, 3>, 3> corners{};
+                        for (int axis = 0; axis < 3; ++axis) {
+                            const auto k = static_cast<std::size_t>(axis);
+                            corners[0][k] = points[a][axis] - place[axis];
+                            corners[1][k] = points[b][axis] - place[axis];
+                            corners[2][k] = points[c][axis] - place[axis];
+                        }
+                        const auto weights = nearestWeights(corners);
+                        const Eigen::Vector3d at =
+                            weights[0] * points[a] + weights[1] * points[b] + weights[2] * points[c];
+                        nearest = std::min(nearest, (at - place).norm());
+                    }
+                    farthest = std::max(farthest, nearest);
+                }
+            constexpr double anything = std::numeric_limits<double>::infinity();
+            const double coarse = distance.bound(triangle, anything, anything, anything);
+            const double bound = distance.bound(triangle, anything, 0, anything);
+            QVERIFY2(bound >= farthest && coarse >= bound, qPrintable(QString("%1 %2").arg(bound).arg(farthest)));
+            QVERIFY2(bound < 1.2 * farthest + 0.05, qPrintable(QString("%1 %2").arg(bound).arg(farthest)));
+            QCOMPARE(distance.bound(triangle, anything, 0, anything), bound);
+            QCOMPARE(distance.bound(triangle, 0.5 * bound, 0, anything), 0.5 * bound);
+            QVERIFY(distance.bound(surface[3], anything, 0, anything) < 1e-12);
+        }
     }
 
     void flatTriangleIsRefused()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge of irregular models (B3, R4, R5, S12): what decimation makes is proved, and each kind of lie is found.
 #include "core/decimate/lattice_tetrahedra.h"
+#include "core/geometry/orientation.h"
 #include "core/history/batch_builder.h"
 #include "tests/core/data/cells/damaged_cells.h"
 #include "tests/core/history/irregular/irregular_models.h"
@@ -217,6 +218,27 @@ private slots:
         QVERIFY2(textOf(verdict).contains(says), qPrintable(textOf(verdict)));
     }
 
+    /// C11, S13: a model that says so keeps the distance from both sides; one built for a single side is found out.
+    void twoSidesAreKept()
+    {
+        const std::vector<std::pair<std::string, std::string>> claim = {{"distance", "two-sided"}};
+        int found = 0, fewer = 0;
+        for (std::uint32_t seed = 0; seed < 20; ++seed) {
+            const Dataset dataset = randomIrregular(seed);
+            const auto model = modelOf(path(), dataset, decimated(dataset, {}, true), claim);
+            const auto verdict = verify(*model, dataset, levels);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(QString("seed %1\n").arg(seed) + textOf(verdict)));
+            for (const LevelReport& level : verdict->levels)
+                QVERIFY(*level.twoSidedWarping <= std::max(level.asked.warping, level.asked.error));
+            const auto oneSided = modelOf(path(), dataset, decimated(dataset), claim);
+            const auto refuted = verify(*oneSided, dataset, levels);
+            QVERIFY(refuted.ok());
+            found += textOf(refuted).contains("away from that of the data, more than the claimed") ? 1 : 0;
+            fewer += refuted->levels[3].sites < verdict->levels[3].sites ? 1 : 0;
+        }
+        QVERIFY2(found > 2 && fewer > 2, qPrintable(QString("%1 found, %2 fewer").arg(found).arg(fewer)));
+    }
+
     /// Straight edges of the boundary that rounding bends: removed points of theirs lie outside, if only by rounding,
     /// and may count for a cell that has no more of the boundary than the edge.
     void edgesBentByRoundingAreProved()
@@ -273,6 +295,37 @@ private slots:
             const auto verdict = verify(*modelOf(path(), dataset, history), dataset, {{0, 0}});
             QVERIFY2(verdict.ok() && verdict->ok() == !filled, qPrintable(textOf(verdict)));
             QVERIFY2(!filled || textOf(verdict).contains(says), qPrintable(textOf(verdict)));
+        }
+    }
+
+    /// S12: decimation does not fill a notch over a part that lies in it, touching nothing or in an edge, though the
+    /// boundaries would not meet.
+    void partsInNotchesAreKept()
+    {
+        const Domain notched = [](const Cube& p) { return !(p[0] == 1 && p[1] == 3 && p[2] == 1); };
+        for (const bool touching : {false, true}) {
+            const Dataset block = datasetOfCubes(cubes(notched));
+            std::vector<Eigen::Vector3d> positions = *block.positions;
+            std::vector<std::array<std::uint32_t, 4>> tetrahedra = *block.tetrahedra;
+            const auto first = static_cast<std::uint32_t>(positions.size());
+            for (const Eigen::Vector3d& place : {Eigen::Vector3d(1.3, 3.2, 1.3), Eigen::Vector3d(1.7, 3.2, 1.3),
+                                                 Eigen::Vector3d(1.5, 3.2, 1.7), Eigen::Vector3d(1.5, 3.8, 1.5)})
+                positions.push_back(place);
+            const auto number = [&](const Eigen::Vector3d& place) {
+                return static_cast<std::uint32_t>(std::ranges::find(positions, place) - positions.begin());
+            };
+            tetrahedra.push_back({first, first + 2, first + 1, first + 3});
+            if (touching) // in an edge of the notch's floor
+                tetrahedra.back() = {number({1, 3, 1}), number({2, 3, 1}), first + 3, first + 2};
+            if (orientation(positions, tetrahedra.back()) < 0)
+                std::swap(tetrahedra.back()[2], tetrahedra.back()[3]);
+            std::vector<double> values;
+            for (const Eigen::Vector3d& place : positions)
+                values.push_back(place.sum());
+            const Dataset dataset = withoutUnused(datasetOfTetrahedra(positions, values, tetrahedra));
+            const auto model = modelOf(path(), dataset, decimated(dataset));
+            const auto verdict = verify(*model, dataset, levels);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
         }
     }
 

@@ -41,11 +41,11 @@ Driver::Step withBuilder(const QString& id)
     return [id](DrivenWindow& window) { chooseBuilder(window, id); };
 }
 
-/// With a dataset on a curvilinear grid, for what only such data need; or on another sample's.
+/// With a dataset on a curvilinear grid, for what only such data need; or with another sample, "part" for a mesh.
 Driver::Step withGrid(const QString& builder, const std::string& sample = "bent-duct")
 {
     return [builder, sample](DrivenWindow& window) {
-        const auto path = window.folderPath() + "/grid.xyz";
+        const auto path = window.folderPath() + (sample == "part" ? "/mesh.vtu" : "/grid.xyz");
         SampleRequest request;
         request.name = sample;
         request.size = 8;
@@ -180,6 +180,7 @@ Drivers buildControls()
         steppedOption("space", withGrid(refinement, "stretched"), "computational"),
         typedOption("weights", withBuilder(refinement), "value:50,20,0.5"),
         steppedOption("order", withBuilder(decimation), "paper"),
+        steppedOption("distance", withGrid(decimation, "part"), "two-sided"),
         typedOption("finest", withBuilder(decimation), "1.5"),
     };
 }

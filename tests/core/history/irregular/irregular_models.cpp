@@ -64,10 +64,11 @@ std::vector<double> valuesOf(const Dataset& dataset)
     return values;
 }
 
-RecordedHistory decimated(const DecimationMesh& mesh, double warpingWeight)
+RecordedHistory decimated(const DecimationMesh& mesh, double warpingWeight, bool twoSided = false)
 {
     DecimationOptions options;
     options.warpingWeight = warpingWeight;
+    options.twoSided = twoSided;
     RecordedHistory history;
     if (!decimate(mesh, options, history))
         std::abort();
@@ -81,10 +82,11 @@ double weightOf(const Dataset& dataset)
 
 } // namespace
 
-RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights)
+RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights, bool twoSided)
 {
     const std::vector<double> values = valuesOf(dataset);
-    return decimated({*dataset.positions, {}, values, weights, *dataset.tetrahedra, false}, weightOf(dataset));
+    return decimated({*dataset.positions, {}, values, weights, *dataset.tetrahedra, false}, weightOf(dataset),
+                     twoSided);
 }
 
 RecordedHistory decimatedGrid(const Dataset& dataset)

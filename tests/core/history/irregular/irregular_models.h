@@ -23,8 +23,9 @@ Dataset withoutUnused(const Dataset& dataset);
 /// A small mesh with holes, cavities and one or two parts; every third along the axes, others with points moved about.
 Dataset randomIrregular(std::uint32_t seed);
 
-/// The history of its decimation. What fails here fails the test.
-RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights = {});
+/// The history of its decimation, which may limit the distance of the boundary from both sides (S13). What fails here
+/// fails the test.
+RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights = {}, bool twoSided = false);
 
 /// The same of the cells of a lattice, regular or curvilinear.
 RecordedHistory decimatedGrid(const Dataset& dataset);

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimate/boundary_distance.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tetra {
+
+std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners)
+{
+    const Eigen::Map<const Eigen::Vector3d> a(corners[0].data()), b(corners[1].data()), c(corners[2].data());
+    const Eigen::Vector3d ab = b - a, ac = c - a;
+    const double abA = -ab.dot(a), acA = -ac.dot(a);
+    if (abA <= 0 && acA <= 0)
+        return {1, 0, 0};
+    const double abB = -ab.dot(b), acB = -ac.dot(b);
+    if (abB >= 0 && acB <= abB)
+        return {0, 1, 0};
+    const double besideC = abA * acB - abB * acA;
+    if (besideC <= 0 && abA >= 0 && abB <= 0) {
+        const double t = abA / (abA - abB);
+        return {1 - t, t, 0};
+    }
+    const double abC = -ab.dot(c), acC = -ac.dot(c);
+    if (acC >= 0 && abC <= acC)
+        return {0, 0, 1};
+    const double besideB = abC * acA - abA * acC;
+    if (besideB <= 0 && acA >= 0 && acC <= 0) {
+        const double t = acA / (acA - acC);
+        return {1 - t, 0, t};
+    }
+    const double besideA = abB * acC - abC * acB;
+    if (besideA <= 0 && acB - abB >= 0 && abC - acC >= 0) {
+        const double t = (acB - abB) / ((acB - abB) + (abC - acC));
+        return {0, 1 - t, t};
+    }
+    const double all = besideA + besideB + besideC;
+    return {1 - besideB / all - besideC / all, besideB / all, besideC / all};
+}
+
+BoundaryDistance::BoundaryDistance(std::span<const Eigen::Vector3d> positions,
+                                   std::span<const SurfaceTriangle> original)
+    : positions_(positions), original_(original.begin(), original.end()),
+      tree_(
+          original_.size(),
+          [this](std::uint32_t t) {
+              Eigen::AlignedBox3d box;
+              for (const std::uint32_t corner : original_[t])
+                  box.extend(positions_[corner]);
+              return box;
+          },
+          [this](std::uint32_t t, Eigen::Index axis) {
+              const auto& [a, b, c] = original_[t];
+              return positions_[a][axis] + positions_[b][axis] + positions_[c][axis];
+          })
+{
+}
+
+double BoundaryDistance::distanceTo(std::uint32_t triangle, const Eigen::Vector3d& place) const
+{
+    std::array<std::array<double, 3>, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3d from = positions_[original_[triangle][i]] - place;
+        corners[i] = {from.x(), from.y(), from.z()};
+    }
+    const auto weights = nearestWeights(corners);
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        to += weights[i] * Eigen::Vector3d(corners[i][0], corners[i][1], corners[i][2]);
+    return to.norm();
+}
+
+BoundaryDistance::Nearest BoundaryDistance::nearest(const Eigen::Vector3d& place, std::uint32_t hint) const
+{
+    Nearest best{hint, distanceTo(hint, place)};
+    tree_.visitNearer(
+        place, [&best] { return best.distance; },
+        [&](std::uint32_t triangle) {
+            if (const double distance = distanceTo(triangle, place); distance < best.distance)
+                best = {triangle, distance};
+        });
+    return best;
+}
+
+/// Distances change no faster than places; that to one triangle, which is convex, is largest at a corner.
+BoundaryDistance::Piece BoundaryDistance::looked(const std::array<Eigen::Vector3d, 3>& corners, std::uint32_t hint,
+                                                 double& found) const
+{
+    const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
+    const Nearest next = nearest(middle, hint);
+    found = std::max(found, next.distance);
+    double size = 0, atCorners = 0;
+    for (const Eigen::Vector3d& corner : corners) {
+        size = std::max(size, (corner - middle).norm());
+        atCorners = std::max(atCorners, distanceTo(next.triangle, corner));
+    }
+    return {std::min(next.distance + size, atCorners), corners, next.triangle};
+}
+
+double BoundaryDistance::bound(const SurfaceTriangle& triangle, double known, double enough, double tooMuch)
+{
+    constexpr std::size_t mostPieces = 96, mostKnown = std::size_t(1) << 20;
+    constexpr double closeEnough = 1.05;
+    SurfaceTriangle key = triangle;
+    std::ranges::sort(key);
+    if (const auto entry = known_.find(key); entry != known_.end())
+        known = std::min(known, entry->second);
+    if (known <= enough)
+        return known;
+    double found = 0;
+    pieces_ = {looked({positions_[triangle[0]], positions_[triangle[1]], positions_[triangle[2]]}, 0, found)};
+    std::size_t count = 1;
+    while (pieces_.front().bound > std::max(enough, closeEnough * found) && found <= tooMuch && count < mostPieces) {
+        const Piece piece = pieces_.front();
+        std::ranges::pop_heap(pieces_, {}, &Piece::bound);
+        pieces_.pop_back();
+        const auto& [a, b, c] = piece.corners;
+        const Eigen::Vector3d ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
+        for (const auto& part :
+             {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}}) {
+            pieces_.push_back(looked(part, piece.near, found));
+            std::ranges::push_heap(pieces_, {}, &Piece::bound);
+        }
+        count += 4;
+    }
+    known = std::min(known, pieces_.front().bound);
+    if (known_.size() >= mostKnown)
+        known_.clear();
+    known_[key] = known;
+    return known;
+}
+
+} // namespace tetra
