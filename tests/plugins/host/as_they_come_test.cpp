@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -184,10 +185,13 @@ void AsTheyComeTest::everyReaderOpensThem_data()
                            array(R"(type="UInt8" Name="vtkGhostType")", "2" + QByteArray(" 0").repeated(points - 1)) +
                            "</PointData>" + positions())}},
         points - 1, holes);
+    QByteArray bigEndian = floats();
+    for (qsizetype place = 0; place < bigEndian.size(); place += 4)
+        std::reverse(bigEndian.begin() + place, bigEndian.begin() + place + 4);
     row("VTK legacy",
-        {{"a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 4 4\nORIGIN 0 0 0\n"
+        {{"a.vtk", "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 4 4 4\nORIGIN 0 0 0\n"
                    "SPACING 1 1 1\nPOINT_DATA 64\nSCALARS v float 1\nLOOKUP_TABLE default\n" +
-                       numbers(points, "nan") + "\n"}},
+                       bigEndian + "\n"}},
         points - 1, holes);
     row("VTK points",
         {{"a.vtp", vtk("PolyData", "", R"(NumberOfPoints="64" NumberOfVerts="0")",
@@ -272,7 +276,7 @@ void AsTheyComeTest::partsAreOfTheGrid()
     const auto coarse = openDataset(*host_, file, options);
     QVERIFY2(coarse, coarse ? "" : coarse.error().text().c_str());
     QCOMPARE(coarse->domain, DomainClass::Irregular);
-    QCOMPARE(coarse->pointCount(), std::uint64_t(2 * 4 * 4 - 1));
+    QCOMPARE(coarse->pointCount(), std::uint64_t(2 * 4 * 4 - 2)); // of the cell with the first row no more is left
 
     write("g.q", testFile({}, true));
     const fs::path grid = write("g.xyz", testFile({.iblank = true}, false, firstBlanked));
