@@ -13,7 +13,7 @@
 
 #include <memory>
 #include <optional>
-#include <variant>
+#include <vector>
 
 namespace tetra {
 
@@ -29,9 +29,8 @@ struct FieldExtent {
 
 /// The mesh of a part of the domain in a resolution of its own (R24).
 struct FocusMesh {
-    std::shared_ptr<const TetrahedralMesh> mesh; ///< fills all that is nearer to the region than `border`
-    std::variant<Box, Sphere> region;
-    double border = 0; ///< see FocusVolume
+    std::shared_ptr<const TetrahedralMesh> mesh; ///< fills all that is nearer to a region than its border
+    std::vector<FocusRegion> regions;            ///< see FocusVolume
 };
 
 /// What a renderer needs to make its scenes.

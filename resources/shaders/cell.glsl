@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What volume.frag needs of a cell, as core/render/volume/cell_setup.cpp makes it; after image.glsl.
 uniform int focusPart;        // these as in focus.frag
-uniform vec3 regionSize;
-uniform bool ball;
-uniform float border;
-uniform vec3 regionFromImage;
+uniform int regionCount;
+uniform vec4 regionShapes[16];
+uniform vec4 regionPlaces[16];
 uniform mat3 worldFromImage;
 uniform vec2 lengths;         // of u and v for one unit of length across the view, in units of w for one along it
 
@@ -17,7 +16,7 @@ struct CellInView {
     bool inverted;            // its corners run the other way round
 };
 
-const int whole = 0, before = 1, within = 3, behind = 5; // of focusPart
+const int whole = 0, before = 1, within = 3; // of focusPart
 const float thinnestCell = 1e-5;
 const float roundingShare = 2.5e-7;
 const float steepestBound = 1e7;
@@ -49,22 +48,26 @@ bool isElsewhere(vec4 images[4])
 {
     if (focusPart == whole)
         return false;
-    bool outside = focusPart == before || focusPart == behind;
-    float margin = focusPart == within ? 0.0 : border;
-    bool inRegion = true, inBorder = true;
-    vec3 least = vec3(1e30), largest = vec3(-1e30);
-    for (int i = 0; i < 4; ++i) {
-        vec3 place = regionFromImage + worldFromImage * images[i].xyz;
-        float away = ball ? length(place) - regionSize.x : length(max(abs(place) - regionSize, 0.0));
-        inRegion = inRegion && away <= 0.0;
-        inBorder = inBorder && away <= border;
-        least = min(least, place);
-        largest = max(largest, place);
+    bool nearAny = false;
+    for (int region = 0; region < regionCount; ++region) {
+        vec4 shape = regionShapes[region];
+        float border = regionPlaces[region].w;
+        float margin = focusPart == within ? 0.0 : border;
+        bool inRegion = true, inBorder = true;
+        vec3 least = vec3(1e30), largest = vec3(-1e30);
+        for (int i = 0; i < 4; ++i) {
+            vec3 place = regionPlaces[region].xyz + worldFromImage * images[i].xyz;
+            float away = shape.w > 0.0 ? length(place) - shape.x : length(max(abs(place) - shape.xyz, 0.0));
+            inRegion = inRegion && away <= 0.0;
+            inBorder = inBorder && away <= border;
+            least = min(least, place);
+            largest = max(largest, place);
+        }
+        if (focusPart == before ? inBorder : focusPart != within && inRegion)
+            return true;
+        nearAny = nearAny || !(any(greaterThan(least, shape.xyz + margin)) || any(lessThan(largest, -shape.xyz - margin)));
     }
-    if (outside)
-        return inBorder;
-    return any(greaterThan(least, regionSize + margin)) || any(lessThan(largest, -regionSize - margin)) ||
-           (focusPart != within && inRegion);
+    return focusPart != before && !nearAny;
 }
 
 // False if nothing of the cell is drawn. `segmentOrigin`: of its segment, if it is the only one.

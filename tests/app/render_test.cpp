@@ -114,7 +114,8 @@ private slots:
         for (const char* key : {"extraction_seconds", "scene_seconds", "picture_seconds", "order_seconds",
                                 "set_up_seconds", "fill_seconds", "fragments"})
             QVERIFY2(figures[key].toDouble() > 0, key);
-        QCOMPARE(figures["broken_cycles"].toInt(-1), 0); // a Delaunay mesh has none
+        for (const char* key : {"cut_cells", "broken_cycles"})
+            QCOMPARE(figures[key].toInt(-1), 0); // a Delaunay mesh has no cycles
         const auto sum = [&figures](std::initializer_list<const char*> keys) {
             double seconds = 0;
             for (const char* key : keys)
@@ -226,6 +227,28 @@ private slots:
         QVERIFY(window["tetrahedra"].toInteger() < fine);
         QCOMPARE(window["whole_tetrahedra"].toInteger(), fine);
         QVERIFY(tetrahedra({"--values", "100,200", "--error", "0.5"}) < fine);
+    }
+
+    /// C5: the blend of two meshes shows surfaces, too, and has several regions.
+    void theFocusHasSurfacesAndSeveralRegions()
+    {
+        const QStringList one{"--error", "8", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5", "--falloff", "2",
+                              "--no-outline"};
+        const auto [cloud, ofCloud] = drawn(one, "focus");
+        const auto [clouds, ofTwo] = drawn(one + QStringList{"--focus", "box:1,1,1,4,4,14"}, "focus");
+        QVERIFY(ofTwo["focus_tetrahedra"].toInteger() > ofCloud["focus_tetrahedra"].toInteger());
+        QVERIFY(pixelsThatDiffer(cloud, clouds) > 20);
+        QCOMPARE(ofCloud["triangles"].toInt(-1), 0);
+        const QStringList surfaces = one + QStringList{"--isovalue", "120.5:silver", "--shows"};
+        const auto [alone, ofAlone] = drawn(surfaces + QStringList{"surfaces"}, "focus");
+        const auto [both, ofBoth] = drawn(surfaces + QStringList{"both"}, "focus");
+        QVERIFY(ofAlone["triangles"].toInt() > 0 && ofAlone["cells_drawn"].toInt(-1) == 0);
+        QCOMPARE(ofBoth["triangles"].toInt(), ofAlone["triangles"].toInt());
+        QVERIFY(ofBoth["cells_drawn"].toInt() > 0 && coloured(alone) > 100);
+        QVERIFY(pixelsThatDiffer(alone, both) > 100 && pixelsThatDiffer(cloud, both) > 100);
+        const Run useless = tan(QStringList{"render", "c60.tan", "--mode", "focus", "-o", "picture.png"} + one +
+                                QStringList{"--isovalue", "120.5"});
+        QCOMPARE(useless.exitCode, 2);
     }
 
     void depthsAreAGreyPicture()

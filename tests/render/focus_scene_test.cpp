@@ -28,8 +28,18 @@ const PictureOptions usual{.width = width, .height = height, .samplesPerAxis = 1
 struct Focus {
     std::variant<Box, Sphere> region;
     double border;
+    std::vector<Focus> more{};
 
     double weightAt(const Vector3d& place) const
+    {
+        double largest = weightOfFirst(place);
+        for (const Focus& other : more)
+            largest = std::max(largest, other.weightOfFirst(place));
+        return largest;
+    }
+
+private:
+    double weightOfFirst(const Vector3d& place) const
     {
         double distance = 0;
         if (const Sphere* const ball = std::get_if<Sphere>(&region))
@@ -150,6 +160,8 @@ SceneParts sceneOf(const TetrahedralMesh& coarse, const TetrahedralMesh& fine, c
 {
     SceneParts scene = volumeScene(coarse, function);
     scene.focus = FinePart{volumeOf(volumeMeshOf(fine), function), focus.region, focus.border};
+    for (const Focus& other : focus.more)
+        scene.focus->more.push_back({other.region, other.border});
     return scene;
 }
 
@@ -176,6 +188,11 @@ private slots:
     void agreesWithTheIntegrator();
     void oneFieldTwiceIsOne_data();
     void oneFieldTwiceIsOne();
+    void severalRegions_data();
+    void severalRegions();
+    void surfacesOfBothMeshes_data();
+    void surfacesOfBothMeshes();
+    void oneSurfaceTwiceIsOne();
     void insideTheFocus();
     void clipPlanesCutBoth();
     void surfacesAreMetInTheBorder();
@@ -242,6 +259,128 @@ void FocusSceneTest::oneFieldTwiceIsOne()
     scene.focus.reset();
     const int found = largestDifference(picture, rendered(scene, camera));
     QVERIFY2(found <= 1, qPrintable(QString("%1 steps of 255").arg(found)));
+}
+
+/// C5: weights sum to one wherever borders overlap, and where rays meet several regions.
+void FocusSceneTest::severalRegions_data()
+{
+    QTest::addColumn<QString>("places");
+    QTest::addColumn<double>("opacity");
+    QTest::addColumn<bool>("perspective");
+    for (const QString places : {"apart", "overlapping borders", "overlapping", "one in the other", "three"})
+        for (const double opacity : {0.2, 0.9})
+            for (const bool perspective : {true, false})
+                QTest::addRow("%s, opacity %g, %s", qPrintable(places), opacity,
+                              perspective ? "perspective" : "orthographic")
+                    << places << opacity << perspective;
+}
+
+void FocusSceneTest::severalRegions()
+{
+    QFETCH(QString, places);
+    QFETCH(double, opacity);
+    QFETCH(bool, perspective);
+    Focus focus{Sphere{{0.25, 0.3, 0.4}, 0.12}, 0.06};
+    if (places == "apart")
+        focus.more = {{Sphere{{0.75, 0.75, 0.6}, 0.15}, 0.05}};
+    else if (places == "overlapping borders")
+        focus.more = {{Box{{0.45, 0.2, 0.3}, {0.7, 0.6, 0.6}}, 0.15}};
+    else if (places == "overlapping")
+        focus.more = {{Sphere{{0.35, 0.4, 0.45}, 0.15}, 0.1}};
+    else if (places == "one in the other")
+        focus.more = {{Sphere{{0.3, 0.35, 0.4}, 0.3}, 0.1}};
+    else
+        focus.more = {{Sphere{{0.55, 0.5, 0.5}, 0.1}, 0.1}, {Box{{0.7, 0.7, 0.3}, {0.9, 0.95, 0.8}}, 0}};
+    const Fields fields;
+    const TransferFunction function = rainbow(opacity);
+    SceneParts scene = sceneOf(fields.coarse, fields.fine, function, focus);
+    for (const double turn : {0.0, 70.0}) {
+        const Camera camera = turned(cameraAround(scene.bounds, perspective), turn, 0);
+        const Picture picture = rendered(scene, camera);
+        const int found = largestDifference(picture, marched(fields, function, focus, camera, scene));
+        QVERIFY2(found <= 2,
+                 qPrintable(QString("%1 steps of 255, %2").arg(found).arg(savePicture(picture, "regions"))));
+        SceneParts one = scene;
+        one.focus->more.clear();
+        QVERIFY(largestDifference(picture, rendered(one, camera)) > 3);
+    }
+    scene.volume = volumeOf(scene.focus->fine.mesh, function); // the same field twice looks like one
+    const Camera camera = cameraAround(scene.bounds, perspective);
+    SceneParts without = scene;
+    without.focus.reset();
+    QVERIFY(largestDifference(rendered(scene, camera), rendered(without, camera)) <= 1);
+}
+
+/// C5: in a region one sees the surface of the fine mesh alone, outside of its border that of the other one.
+void FocusSceneTest::surfacesOfBothMeshes_data()
+{
+    QTest::addColumn<float>("opacity");
+    QTest::addColumn<bool>("withVolume");
+    for (const float opacity : {0.5f, 1.0f})
+        for (const bool withVolume : {false, true})
+            QTest::addRow("opacity %g%s", double(opacity), withVolume ? ", in volumes" : "") << opacity << withVolume;
+}
+
+void FocusSceneTest::surfacesOfBothMeshes()
+{
+    QFETCH(float, opacity);
+    QFETCH(bool, withVolume);
+    const Fields fields;
+    const TransferFunction function = rainbow(0.3);
+    const auto sceneWith = [&](const std::vector<FocusRegion>& regions) {
+        SceneParts scene = volumeScene(fields.coarse, function);
+        addLayer(scene, 0.55, {1, 0, 0}, opacity);
+        SceneParts fine = volumeScene(fields.fine, function);
+        addLayer(fine, 0.55, {0, 0, 1}, opacity);
+        scene.surfaces.push_back(fine.surfaces.front());
+        for (const bool isFine : {false, true})
+            scene.surfaces[isFine ? 1 : 0].share = std::make_shared<const FocusShare>(FocusShare{regions, isFine});
+        scene.focus =
+            FinePart{*fine.volume, regions.front().shape, regions.front().border, {regions.begin() + 1, regions.end()}};
+        if (!withVolume) {
+            scene.volume.reset();
+            scene.focus.reset();
+        }
+        return scene;
+    };
+    const auto alone = [&](const TetrahedralMesh& mesh, const Colour& colour) {
+        SceneParts scene = volumeScene(mesh, function);
+        addLayer(scene, 0.55, colour, opacity);
+        if (!withVolume)
+            scene.volume.reset();
+        return scene;
+    };
+    const SceneParts everywhere = sceneWith({{Sphere{{0.5, 0.5, 0.5}, 5}, 0.1}, {Sphere{{0.2, 0.2, 0.2}, 0.1}, 0}});
+    const SceneParts nowhere = sceneWith({{Sphere{{9, 9, 9}, 0.1}, 0.1}});
+    for (const bool perspective : {true, false}) {
+        const Camera camera = cameraAround(everywhere.bounds, perspective);
+        QVERIFY(largestDifference(rendered(everywhere, camera), rendered(alone(fields.fine, {0, 0, 1}), camera)) <= 1);
+        QVERIFY(largestDifference(rendered(nowhere, camera), rendered(alone(fields.coarse, {1, 0, 0}), camera)) <= 1);
+    }
+}
+
+/// S18: opacities of one surface in two resolutions are those of one in optical depth, in the borders, too.
+void FocusSceneTest::oneSurfaceTwiceIsOne()
+{
+    const Fields fields;
+    const std::vector<FocusRegion> regions{{Sphere{{0.4, 0.5, 0.5}, 0.15}, 0.25},
+                                           {Box{{0.6, 0.2, 0.2}, {0.9, 0.8, 0.9}}, 0.2}};
+    for (const float opacity : {0.3f, 0.8f, 1.0f}) {
+        SceneParts one = volumeScene(fields.fine, rainbow(0.3));
+        addLayer(one, 0.55, {0.9f, 0.5f, 0.2f}, opacity);
+        one.volume.reset();
+        SceneParts two = one;
+        two.surfaces.push_back(one.surfaces.front());
+        for (const bool isFine : {false, true})
+            two.surfaces[isFine ? 1 : 0].share = std::make_shared<const FocusShare>(FocusShare{regions, isFine});
+        for (const bool perspective : {true, false}) {
+            const Camera camera = cameraAround(one.bounds, perspective);
+            QVERIFY(largestDifference(rendered(two, camera), rendered(one, camera)) <= 1);
+            SceneParts half = two;
+            half.surfaces.pop_back();
+            QVERIFY(largestDifference(rendered(half, camera), rendered(one, camera)) > 30);
+        }
+    }
 }
 
 void FocusSceneTest::insideTheFocus()

@@ -25,7 +25,7 @@ const PictureOptions usual{.width = 48, .height = 40, .samplesPerAxis = 1};
 /// For a focus that nobody overlooks.
 const TransferFunction fire = transferFunctionFromPoints({{0, {1, 0.2f, 0}, 0.1f}, {1, {0, 0.2f, 1}, 0.7f}}, 0.2);
 
-using FocusRegion = std::variant<Box, Sphere>;
+using AnyRegion = std::variant<Box, Sphere>;
 
 TetrahedralMesh shiftedLattice(int cells, Split split, const Vector3d& shift)
 {
@@ -36,7 +36,7 @@ TetrahedralMesh shiftedLattice(int cells, Split split, const Vector3d& shift)
 }
 
 /// Coarse and fine differ by much where the waves are steep.
-SceneParts focusScene(const FocusRegion& region, double border, double opacity, const Vector3d& shift = {0, 0, 0})
+SceneParts focusScene(const AnyRegion& region, double border, double opacity, const Vector3d& shift = {0, 0, 0})
 {
     const TransferFunction function = rainbow(opacity);
     SceneParts scene = volumeScene(shiftedLattice(4, Split::Six, shift), function);
@@ -45,9 +45,9 @@ SceneParts focusScene(const FocusRegion& region, double border, double opacity, 
     return scene;
 }
 
-FocusRegion regionNamed(bool isBox)
+AnyRegion regionNamed(bool isBox)
 {
-    return isBox ? FocusRegion(box) : FocusRegion(ball);
+    return isBox ? AnyRegion(box) : AnyRegion(ball);
 }
 
 int differingPixels(const Picture& one, const Picture& other)
@@ -203,14 +203,78 @@ private slots:
         QFETCH(bool, isBox);
         QFETCH(bool, perspective);
         const Vector3d shift(300, -200, 100);
-        const FocusRegion region = isBox ? FocusRegion(Box{box.least + shift, box.largest + shift})
-                                         : FocusRegion(Sphere{ball.centre + shift, ball.radius});
+        const AnyRegion region = isBox ? AnyRegion(Box{box.least + shift, box.largest + shift})
+                                       : AnyRegion(Sphere{ball.centre + shift, ball.radius});
         SceneParts scene = focusScene(region, 0.1, 0.2, shift);
         scene.focus->fine = volumeOf(scene.focus->fine.mesh, fire);
         Camera camera = cameraAround(scene.bounds, perspective);
         if (zoom < 1)
             camera.target = shift + (isBox ? Vector3d(0.7, 0.6, 0.4) : Vector3d(0.75, 0.5, 0.55));
         compare(scene, zoomed(camera, zoom));
+    }
+
+    /// C5: several regions, and surfaces of both resolutions, with and without volumes.
+    void severalRegions_data()
+    {
+        QTest::addColumn<double>("border");
+        QTest::addColumn<bool>("perspective");
+        for (const double border : {0.0, 0.05, 0.25})
+            for (const bool perspective : {true, false})
+                QTest::addRow("border %g, %s", border, perspective ? "perspective" : "orthographic")
+                    << border << perspective;
+    }
+    void severalRegions()
+    {
+        QFETCH(double, border);
+        QFETCH(bool, perspective);
+        SceneParts scene = focusScene(Sphere{{0.25, 0.3, 0.4}, 0.15}, border, 0.3);
+        scene.focus->more = {{Sphere{{0.75, 0.75, 0.6}, 0.15}, border}, {Box{{0.4, 0.4, 0.1}, {0.6, 0.6, 0.9}}, 0.1}};
+        for (const double turn : {0.0, 70.0})
+            compare(scene, turned(cameraAround(scene.bounds, perspective), turn, 0));
+    }
+
+    void sharedSurfaces_data()
+    {
+        QTest::addColumn<float>("opacity");
+        QTest::addColumn<bool>("withVolume");
+        for (const float opacity : {0.5f, 1.0f})
+            for (const bool withVolume : {false, true})
+                QTest::addRow("opacity %g%s", double(opacity), withVolume ? ", in volumes" : "")
+                    << opacity << withVolume;
+    }
+    void sharedSurfaces()
+    {
+        QFETCH(float, opacity);
+        QFETCH(bool, withVolume);
+        SceneParts scene = focusScene(Sphere{{0.4, 0.5, 0.5}, 0.15}, 0.2, 0.3);
+        scene.focus->more = {{Box{{0.6, 0.2, 0.2}, {0.9, 0.8, 0.9}}, 0.1}};
+        SceneParts fine = scene;
+        fine.volume = scene.focus->fine;
+        addLayer(scene, 0.55, {0.9f, 0.2f, 0.2f}, opacity);
+        addLayer(fine, 0.55, {0.2f, 0.2f, 0.9f}, opacity);
+        scene.surfaces.push_back(fine.surfaces.front());
+        for (const bool isFine : {false, true})
+            scene.surfaces[isFine ? 1 : 0].share =
+                std::make_shared<const FocusShare>(FocusShare{regionsOf(*scene.focus), isFine});
+        if (!withVolume) {
+            scene.volume.reset();
+            scene.focus.reset();
+        }
+        for (const bool perspective : {true, false}) {
+            const Camera camera = cameraAround(scene.bounds, perspective);
+            const Picture cpu = rendered(*cpu_, scene, camera, usual), gl = rendered(*gl_, scene, camera, usual);
+            const QString name = QString("gl_shared_%1").arg(QTest::currentDataTag());
+            QVERIFY(samePicture(cpu, gl, rendered(*gl_, scene, camera, usual),
+                                QString(name).replace(' ', '_').remove(','), 12));
+        }
+    }
+
+    void tooManyRegionsAreRefused()
+    {
+        SceneParts scene = focusScene(ball, 0.1, 0.3);
+        scene.focus->more.assign(16, FocusRegion{ball, 0.1});
+        const auto picture = gl_->render(scene, cameraAround(scene.bounds, true), usual);
+        QVERIFY(!picture && picture.error().kind == ErrorKind::OutOfResource);
     }
 
     /// Lit, many samples, a transparent background.

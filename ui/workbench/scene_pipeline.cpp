@@ -134,7 +134,7 @@ void ScenePipeline::open(const SceneRequest& request, const NeededMeshes& needed
 {
     RendererMeshes meshes{.mesh = {mesh_, &mesh_->mesh}, .bounds = request.model->description().bounds};
     if (needed.focus)
-        meshes.focus = FocusMesh{{fineMesh_, &fineMesh_->mesh}, needed.focus->region, needed.focus->border};
+        meshes.focus = FocusMesh{{fineMesh_, &fineMesh_->mesh}, needed.focus->regions};
     session_ = request.renderer->open(meshes);
     renderer_ = request.renderer;
 }

@@ -2,9 +2,13 @@
 
 #include <tan/query.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
+#include <vector>
 
 namespace tetra {
 
@@ -116,7 +120,7 @@ double scaleReached(const MeshSize& size, const Accuracy& asked)
 
 namespace {
 
-Box grownBox(const std::variant<Box, Sphere>& region, double margin)
+Box grownBox(const Region& region, double margin)
 {
     if (const Box* const box = std::get_if<Box>(&region))
         return {box->least.array() - margin, box->largest.array() + margin};
@@ -124,37 +128,78 @@ Box grownBox(const std::variant<Box, Sphere>& region, double margin)
     return {ball.centre.array() - (ball.radius + margin), ball.centre.array() + (ball.radius + margin)};
 }
 
-/// What a field is far from the ramp, and in its region; the field itself if it is no ramp.
+Region grown(const Region& region, double margin)
+{
+    const auto* ball = std::get_if<Sphere>(&region);
+    return ball != nullptr ? Region(Sphere{ball->centre, ball->radius + margin}) : Region(grownBox(region, margin));
+}
+
+/// Adds the ramps of a field that is the smallest of some around boxes and balls; false if it is not.
+bool collectRamps(const ErrorField& field, std::vector<SpaceRamp>& ramps)
+{
+    if (const SpaceRamp* const ramp = field.asSpaceRamp()) {
+        ramps.push_back(*ramp);
+        return !std::holds_alternative<HalfSpace>(ramp->region);
+    }
+    const auto* pair = std::get_if<ErrorField::Node::Pair>(&field.root().content);
+    return pair != nullptr && pair->operation == FieldOperation::Smaller && collectRamps(pair->first, ramps) &&
+           collectRamps(pair->second, ramps);
+}
+
+/// The ramps if they are one number far away; else none.
+std::vector<SpaceRamp> rampsOf(const ErrorField& field)
+{
+    std::vector<SpaceRamp> ramps;
+    const bool isMade = collectRamps(field, ramps);
+    const bool fits =
+        isMade && std::ranges::all_of(ramps, [&](const SpaceRamp& ramp) { return ramp.outer == ramps.front().outer; });
+    return fits ? ramps : std::vector<SpaceRamp>();
+}
+
+/// What a field is far from its ramps, and what it is in their regions and borders: of one region the number that it is
+/// there, of several a field, so that what lies between them is no finer than outside. The field itself if it is not
+/// made of ramps.
 ErrorField outer(const ErrorField& field)
 {
-    const SpaceRamp* const ramp = field.asSpaceRamp();
-    return ramp != nullptr ? ErrorField(ramp->outer) : field;
+    const auto ramps = rampsOf(field);
+    return ramps.empty() ? field : ErrorField(ramps.front().outer);
 }
 ErrorField inner(const ErrorField& field)
 {
-    const SpaceRamp* const ramp = field.asSpaceRamp();
-    return ramp != nullptr ? ErrorField(ramp->inner) : field;
+    const auto ramps = rampsOf(field);
+    if (ramps.empty())
+        return field;
+    if (ramps.size() == 1)
+        return ramps.front().inner;
+    ErrorField all = ramps.front().outer;
+    for (const SpaceRamp& ramp : ramps)
+        all = smallerOf(all, SpaceRamp{grown(ramp.region, ramp.falloff), ramp.inner, ramp.outer, 0});
+    return all;
 }
 
 } // namespace
 
 std::optional<TwoResolutions> twoResolutions(const MeshQuery& query)
 {
-    const SpaceRamp* const ramp = query.error.asSpaceRamp();
-    if (ramp == nullptr || std::holds_alternative<HalfSpace>(ramp->region) || query.budget || query.range)
+    const std::vector<SpaceRamp> ramps = rampsOf(query.error);
+    if (ramps.empty() || query.budget || query.range)
         return std::nullopt;
     TwoResolutions result;
-    if (const Box* const box = std::get_if<Box>(&ramp->region))
-        result.region = *box;
-    else
-        result.region = std::get<Sphere>(ramp->region);
-    result.border = ramp->falloff;
+    Eigen::AlignedBox3d bounds;
+    for (const SpaceRamp& ramp : ramps) {
+        const auto* ball = std::get_if<Sphere>(&ramp.region);
+        using Shape = std::variant<Box, Sphere>;
+        result.regions.push_back({ball != nullptr ? Shape(*ball) : Shape(std::get<Box>(ramp.region)), ramp.falloff});
+        const Box box = grownBox(ramp.region, ramp.falloff);
+        bounds.extend(box.least);
+        bounds.extend(box.largest);
+    }
     result.outside = result.inside = query;
     result.outside.error = outer(query.error);
     result.outside.warping = outer(query.warping);
     result.inside.error = inner(query.error);
     result.inside.warping = inner(query.warping);
-    Box box = grownBox(result.region, result.border);
+    Box box{bounds.min(), bounds.max()};
     if (query.window) {
         box.least = box.least.cwiseMax(query.window->box.least);
         box.largest = box.largest.cwiseMin(query.window->box.largest).cwiseMax(box.least);

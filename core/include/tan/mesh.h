@@ -104,4 +104,12 @@ struct Box {
 };
 using Region = std::variant<Box, Sphere, HalfSpace>;
 
+/// Where something finer is shown than elsewhere, and how far it fades into what is shown there: its weight is 1 in the
+/// shape and falls with the distance from it, to 0 at `border`. Of several regions the largest weight counts.
+struct FocusRegion {
+    std::variant<Box, Sphere> shape{};
+    double border = 0; ///< in the units of the dataset; 0 is a sharp one
+    bool operator==(const FocusRegion&) const = default;
+};
+
 } // namespace tetra

@@ -324,16 +324,15 @@ TAN_API double scaleReached(const MeshSize& size, const Accuracy& asked);
 /// A query with a focus as two queries of one resolution each, to be blended when they are drawn (R24), where the query
 /// itself asks for one conforming mesh (R25).
 struct TwoResolutions {
-    MeshQuery outside; ///< of the whole domain
-    MeshQuery inside;  ///< of a window that holds all that is nearer to the region than `border`
-    std::variant<Box, Sphere> region;
-    double border = 0; ///< the focus' falloff
+    MeshQuery outside;                ///< of the whole domain
+    MeshQuery inside;                 ///< of a window that holds all that is nearer to a region than its border
+    std::vector<FocusRegion> regions; ///< their borders are the falloffs
 
     bool operator==(const TwoResolutions&) const = default;
 };
 
-/// Nothing if the error does not depend on the place by a single ramp around a box or a ball, or if there is a budget,
-/// which could not be divided between the two meshes.
+/// Nothing unless the error is a ramp around a box or a ball, or the smallest of several such ramps that are the same
+/// far away; nor if there is a budget, which could not be divided between the two meshes.
 TAN_API std::optional<TwoResolutions> twoResolutions(const MeshQuery& query);
 
 /// Answers query after query to one model. Caches what variable queries need: positions and values of the sites, and

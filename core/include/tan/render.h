@@ -155,6 +155,12 @@ constexpr Colour distinctColour(std::size_t index)
     return okabeIto[index % okabeIto.size()];
 }
 
+/// What a thing that is shown in two resolutions has of a place: the weight of the finer one, or what is left of it.
+struct FocusShare {
+    std::vector<FocusRegion> regions; ///< OpenGL takes at most 16
+    bool fine = false;                ///< this is the finer one
+};
+
 /// A surface, lit from both sides. Opacity in (0, 1]; below one it is blended in depth order (R19).
 struct Surface {
     std::shared_ptr<const TriangleMesh> mesh;
@@ -162,6 +168,10 @@ struct Surface {
     float opacity = 1;
     bool backFacesOnly = false; ///< triangles that the eye sees counterclockwise are not drawn
     bool lit = true;            ///< else its colours are seen as they are
+    /// If any: where the share of a place is w, the opacity is 1 - (1 - opacity)^w. So the surface of a finer mesh and
+    /// that of the mesh outside let through together what one of them would (R24, S18). An opaque one counts as if it
+    /// let 1/4096 through.
+    std::shared_ptr<const FocusShare> share{};
 };
 
 /// Straight lines of one colour, hidden by what is before them. On a surface, draw them a pixel nearer to the eye.
@@ -228,14 +238,13 @@ struct Volume {
     std::shared_ptr<const OpticalModel> model{};
 };
 
-/// Two volumes of one field blended into one: a finer one within a region, and another one outside (R24). Along each
-/// ray their optical depths are blended with the weights w and 1 - w, so that no seam shows (S18). The weight of the
-/// fine one is 1 in the region and falls with the distance from it, to 0 at `border`.
+/// Two volumes of one field blended into one: a finer one within regions, and another one outside (R24). Along each ray
+/// their optical depths are blended with the weights w and 1 - w, so that no seam shows (S18); w is that of the
+/// regions.
 struct FocusVolume {
-    Volume outside; ///< its `wholeCells` is that of both
-    Volume fine;    ///< fills all of the domain that is nearer to the region than `border`
-    std::variant<Box, Sphere> region;
-    double border = 0; ///< in the units of the dataset; 0 is a sharp one
+    Volume outside;                   ///< its `wholeCells` is that of both
+    Volume fine;                      ///< fills all of the domain that is nearer to a region than its border
+    std::vector<FocusRegion> regions; ///< OpenGL takes at most 16
 };
 
 /// A half-space: points with normal . x >= offset are shown (of a HalfSpace it is the other side). OpenGL takes at
@@ -494,8 +503,8 @@ struct PictureOptions {
 
 /// What the last picture took.
 struct RenderStatistics {
-    std::size_t cells = 0;        ///< tetrahedra of the volume that were drawn, counted once a tile by the CPU back end
-    std::size_t fragments = 0;    ///< samples of the picture times the cells drawn there, as far as they are counted
+    std::size_t cells = 0;     ///< tetrahedra of the volume that were drawn, counted once a tile by the CPU back end
+    std::size_t fragments = 0; ///< samples of the picture times the cells drawn there, as far as they are counted
     /// Tetrahedra that were cut, because they hide each other in a circle and so have no order as a whole (S14).
     std::size_t cutCells = 0;
     std::size_t brokenCycles = 0; ///< circles left as they are, because their tetrahedra overlap

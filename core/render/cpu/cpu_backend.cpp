@@ -120,7 +120,7 @@ struct ProjectedPart {
 class PartPainter {
 public:
     PartPainter(const ProjectedPart& part, const PartView& view, const PictureOptions& options)
-        : part_(part), view_(view), options_(options), surfaces_(part.list, view.surfaces, part.clips)
+        : part_(part), view_(view), options_(options), surfaces_(part.list, view.surfaces, view.volume, part.clips)
     {
         if (part.volume)
             volume_.emplace(part.source, view.volume);
@@ -260,7 +260,7 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
         part.focus.emplace(ProjectedFocus{
             projectVolume(*fine.mesh, *fine.transfer, volumes.fine->order, view.volume, grid, progress),
             {},
-            FocusRays(*volumes.focus, view.volume),
+            FocusRays(volumes.focus->regions, view.volume),
         });
         part.focus->source = setupSourceOf(*fine.mesh, *fine.transfer, part.focus->volume, view.volume, fine.shaded);
     }

@@ -300,7 +300,8 @@ Status Builder::addSurface(const Surface& surface, bool overlay)
         return Error{ErrorKind::OutOfResource, Message::say("The scene has more than two thousand million vertices.")};
     const bool coloured = !mesh.colours.empty();
     const float opacity = overlay ? 1 : std::min(surface.opacity, 1.0f);
-    const std::uint32_t material = addMaterial({surface.colour, opacity, surface.lit, !overlay, coloured});
+    const std::uint32_t material = addMaterial(
+        {surface.colour, opacity, surface.lit, !overlay, coloured, overlay ? nullptr : surface.share.get()});
     const auto firstVertex = static_cast<std::uint32_t>(list_.vertices.size());
     const Buffer<std::uint8_t> bits = projectVertices(mesh);
     if (coloured) {

@@ -32,8 +32,10 @@ struct Material {
     Colour colour;
     float opacity = 1;
     bool lit = true;
-    bool clipped = true;   ///< by clip planes
-    bool coloured = false; ///< at each vertex by itself
+    bool clipped = true;               ///< by clip planes
+    bool coloured = false;             ///< at each vertex by itself
+    const FocusShare* share = nullptr; ///< Surface::share
+    bool isOpaque() const noexcept { return opacity >= 1 && share == nullptr; }
 };
 
 struct ScreenTriangle {

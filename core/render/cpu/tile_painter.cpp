@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/cpu/tile_painter.h"
 
+#include "core/render/focus_weight.h"
 #include "core/render/shading.h"
 #include "core/render/volume/cell_setup.h"
 
@@ -165,6 +166,17 @@ Colour TilePainter::ownColour(const Fragment& fragment) const
     return {sum.red / whole, sum.green / whole, sum.blue / whole};
 }
 
+/// In the dataset.
+Eigen::Vector3d TilePainter::placeOf(const Fragment& fragment, std::size_t sample) const
+{
+    const auto width = static_cast<std::size_t>(tile_.width());
+    const double x = tile_.left + static_cast<int>(sample % width) + view_.firstX();
+    const double y = tile_.top + static_cast<int>(sample / width) + view_.firstY();
+    const double w = view_.perspective ? 1.0 / fragment.nearness : -fragment.nearness;
+    const Eigen::Vector3d image = view_.perspective ? Eigen::Vector3d(x * w, y * w, w) : Eigen::Vector3d(x, y, w);
+    return worldFromImage_ * (image - view_.imageFromWorld.col(3));
+}
+
 PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sample) const
 {
     const ScreenTriangle& triangle = list_.triangles[fragment.triangle];
@@ -186,8 +198,10 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
         const float squared = lengths > 0 ? std::min(1.0f, dot * dot / lengths) : 1;
         colour = shaded(colour, std::sqrt(squared), squared);
     }
-    return {colour.red * material.opacity, colour.green * material.opacity, colour.blue * material.opacity,
-            material.opacity};
+    const float opacity = material.share == nullptr
+                              ? material.opacity
+                              : opacityAt(material.opacity, material.share, placeOf(fragment, sample));
+    return {colour.red * opacity, colour.green * opacity, colour.blue * opacity, opacity};
 }
 
 void TilePainter::sortTranslucent(std::size_t sample)
@@ -206,6 +220,8 @@ template <class Visit> void TilePainter::forEachLit(std::size_t sample, Visit&& 
     float transparency = 1;
     for (const Fragment& fragment : sorted_) {
         const PremultipliedColour colour = lit(fragment, sample);
+        if (!(colour[3] > 0))
+            continue; // another one has all of the place
         visit(fragment.nearness, colour);
         transparency *= 1 - colour[3];
         if (transparency < smallestTransparency)
@@ -220,7 +236,7 @@ void TilePainter::draw(const SampleRectangle& tile, std::span<const std::uint32_
 {
     clear(tile);
     const auto isOpaque = [&](std::uint32_t triangle) {
-        return list_.materials[list_.triangles[triangle].material].opacity >= 1;
+        return list_.materials[list_.triangles[triangle].material].isOpaque();
     };
     for (const std::uint32_t triangle : triangles)
         if (isOpaque(triangle))

@@ -6,6 +6,9 @@
 #include "core/render/tiles.h"
 #include "core/render/view_transform.h"
 #include "core/render/volume/clip_bounds.h"
+#include "core/render/volume/volume_view.h"
+
+#include <Eigen/LU>
 
 #include <cstdint>
 #include <span>
@@ -18,9 +21,10 @@ namespace tetra {
 /// hidden surface costs no light. Keeps its memory from tile to tile; one object a thread.
 class TilePainter {
 public:
-    /// All must outlive it.
-    TilePainter(const DrawList& list, const ViewTransform& transform, const ClipBounds& clips)
-        : list_(list), transform_(transform), clips_(clips)
+    /// All must outlive it; `view` and `transform` are of the same part of a picture.
+    TilePainter(const DrawList& list, const ViewTransform& transform, const VolumeView& view, const ClipBounds& clips)
+        : list_(list), transform_(transform), view_(view), worldFromImage_(view.imageFromWorld.leftCols<3>().inverse()),
+          clips_(clips)
     {
     }
 
@@ -56,6 +60,7 @@ private:
     static constexpr std::uint32_t none = 0xffffffff;
 
     void clear(const SampleRectangle& tile);
+    Eigen::Vector3d placeOf(const Fragment& fragment, std::size_t sample) const;
     void drawOpaque(std::uint32_t triangle);
     void collectTranslucent(std::uint32_t triangle);
     bool shows(std::size_t sample, float nearness, bool clipped) const;
@@ -67,6 +72,8 @@ private:
 
     const DrawList& list_;
     const ViewTransform& transform_;
+    const VolumeView& view_;
+    Eigen::Matrix3d worldFromImage_;
     const ClipBounds& clips_;
     SampleRectangle tile_;
     std::size_t fragmentCount_ = 0;

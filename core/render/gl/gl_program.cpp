@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/gl_program.h"
 
+#include "core/render/focus_weight.h"
+
 #include <tan_shaders.h>
 
 #include <array>
@@ -136,6 +138,20 @@ Status checkClipPlanes(std::span<const ClipPlane> planes)
         return Error{ErrorKind::OutOfResource,
                      Message::say("OpenGL cuts scenes by at most %1 planes. Take fewer, or use the CPU back end.",
                                   largestClipPlaneCount)};
+    return {};
+}
+
+Status checkRegions(const Scene& scene)
+{
+    std::size_t most = 0;
+    for (const FocusVolume* focus : shapesOf<FocusVolume>(scene))
+        most = std::max(most, focus->regions.size());
+    for (const Surface* surface : shapesOf<Surface>(scene))
+        most = std::max(most, surface->share ? surface->share->regions.size() : 0);
+    if (most > largestRegionCount)
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("OpenGL draws at most %1 focus regions. Take fewer, or use the CPU back end.",
+                                  largestRegionCount)};
     return {};
 }
 

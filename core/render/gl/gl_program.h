@@ -84,6 +84,8 @@ void endBlending(const GlFunctions& gl);
 void leaveDrawingState(const GlFunctions& gl);
 
 Status checkClipPlanes(std::span<const ClipPlane> planes);
+/// Of focus volumes, and of surfaces with a share.
+Status checkRegions(const Scene& scene);
 
 /// Sets the uniforms of cut.frag in the program in use, for places relative to `origin`.
 void setCuts(const GlProgram& program, std::span<const ClipPlane> planes, const Eigen::Vector3d& origin);

@@ -288,6 +288,8 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         return status;
     if (Status status = checkVolumes(scene); !status)
         return status;
+    if (Status status = checkRegions(scene); !status)
+        return status;
     if (progress.cancelled())
         return cancelledError(drawingScene);
     progress.report(0, drawingScene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/surface_painter.h"
 
+#include "core/render/focus_weight.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/scene_checks.h"
 #include "core/render/shading.h"
@@ -28,6 +29,22 @@ Eigen::Matrix4d shiftedToRays(Eigen::Matrix4d clipFromWorld, const SampleView& v
     clipFromWorld.row(0) -= clipFromWorld.row(3) * (2 * (sampleX - 0.5) / view.width);
     clipFromWorld.row(1) += clipFromWorld.row(3) * (2 * (sampleY - 0.5) / view.height);
     return clipFromWorld;
+}
+
+/// Of peel.frag.
+void setShare(const GlProgram& program, const FocusShare* share, const Eigen::Vector3d& origin)
+{
+    std::vector<Eigen::Vector4f> shapes, places;
+    for (const FocusRegion& region : share != nullptr ? share->regions : std::vector<FocusRegion>()) {
+        const RegionShape shape = shapeOf(region);
+        const Eigen::Vector3f size = shape.size.cast<float>(), place = (shape.centre - origin).cast<float>();
+        shapes.emplace_back(size.x(), size.y(), size.z(), shape.isBall ? 1 : 0);
+        places.emplace_back(place.x(), place.y(), place.z(), static_cast<float>(shape.border));
+    }
+    program.set("shareCount", static_cast<int>(shapes.size()));
+    program.set("shareOfFine", share != nullptr && share->fine ? 1 : 0);
+    program.set("shareShapes", shapes);
+    program.set("sharePlaces", places);
 }
 
 } // namespace
@@ -151,6 +168,7 @@ void SurfacePainter::drawTranslucent(const GlProgram& program) const
         if (drawn.isOpaque())
             continue;
         program.set("firstTriangle", drawn.firstTriangle);
+        setShare(program, drawn.surface->share.get(), drawn.buffers->origin);
         draw(program, drawn);
     }
 }

@@ -35,7 +35,7 @@ private:
         const MeshBuffers* buffers;
         unsigned firstTriangle;
         bool overlay;
-        bool isOpaque() const noexcept { return overlay || surface->opacity >= 1; }
+        bool isOpaque() const noexcept { return overlay || (surface->opacity >= 1 && !surface->share); }
     };
     Status collectSurfaces();
     void draw(const GlProgram& program, const DrawnSurface& drawn) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/volume_painter.h"
 
+#include "core/render/focus_weight.h"
 #include "core/render/gl/gl_program.h"
 #include "core/render/shading.h"
 #include "core/render/tiles.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <variant>
 
 namespace tetra {
 
@@ -26,70 +26,66 @@ namespace {
 /// late.
 constexpr int fineLayers = 2;
 
-RegionInView regionInView(const FocusVolume& focus, const VolumeView& view)
+RegionsInView regionsInView(std::span<const FocusRegion> regions, const VolumeView& view)
 {
     const Eigen::Matrix3d worldFromImage = view.imageFromWorld.leftCols<3>().inverse();
-    Eigen::Vector3d centre, size;
-    const Sphere* const ball = std::get_if<Sphere>(&focus.region);
-    if (ball != nullptr) {
-        centre = ball->centre;
-        size.setConstant(std::max(0.0, ball->radius));
-    } else {
-        const Box& box = std::get<Box>(focus.region);
-        centre = (box.least + box.largest) / 2;
-        size = (box.largest - box.least).cwiseMax(0) / 2;
+    RegionsInView inView;
+    for (const FocusRegion& region : regions) {
+        const RegionShape shape = shapeOf(region);
+        const Eigen::Vector3d fromImage = -(worldFromImage * view.imageFromWorld.col(3)) - shape.centre;
+        const Eigen::Vector3f size = (shape.size / view.unit).cast<float>();
+        const Eigen::Vector3f place = (fromImage / view.unit).cast<float>();
+        inView.shapes.emplace_back(size.x(), size.y(), size.z(), shape.isBall ? 1 : 0);
+        inView.places.emplace_back(place.x(), place.y(), place.z(), static_cast<float>(shape.border / view.unit));
     }
-    const Eigen::Vector3d fromImage = -(worldFromImage * view.imageFromWorld.col(3)) - centre;
-    RegionInView region;
-    region.ball = ball != nullptr;
-    region.size = (size / view.unit).cast<float>();
-    region.border = static_cast<float>(std::max(0.0, focus.border) / view.unit);
-    region.fromImage = (fromImage / view.unit).cast<float>();
-    region.worldFromImage = (worldFromImage / view.unit).cast<float>();
-    return region;
+    inView.worldFromImage = (worldFromImage / view.unit).cast<float>();
+    return inView;
 }
 
 /// What a volume with a focus, or without, is drawn in, front to back.
-std::vector<VolumePart> partsOf(const std::optional<RegionInView>& region)
+std::vector<VolumePart> partsOf(const std::optional<RegionsInView>& regions)
 {
     using Place = VolumePart::Place;
-    if (!region)
+    if (!regions)
         return {{Place::Whole}};
     std::vector<VolumePart> parts;
-    const auto addLayer = [&](Place place, bool fine, float begin, float end) {
-        const float first = std::max(0.0f, begin), last = std::min(1.0f, end);
-        parts.push_back({place, fine, {first, last}});
-    };
-    const auto addBorder = [&](Place place) {
-        for (int layer = 0; layer <= fineLayers && region->border > 0; ++layer) {
+    const bool hasBorder = std::ranges::any_of(regions->places, [](const auto& place) { return place.w() > 0; });
+    const auto addBorder = [&](Place place, int interval) {
+        const auto addLayer = [&](bool fine, float begin, float end) {
+            parts.push_back({place, interval, fine, {std::max(0.0f, begin), std::min(1.0f, end)}});
+        };
+        for (int layer = 0; layer <= fineLayers && hasBorder; ++layer) {
             const auto number = static_cast<float>(layer);
-            addLayer(place, false, (number - 0.5f) / fineLayers, (number + 0.5f) / fineLayers);
+            addLayer(false, (number - 0.5f) / fineLayers, (number + 0.5f) / fineLayers);
             if (layer < fineLayers)
-                addLayer(place, true, number / fineLayers, (number + 1) / fineLayers);
+                addLayer(true, number / fineLayers, (number + 1) / fineLayers);
         }
     };
-    parts.push_back({Place::Before});
-    addBorder(Place::FrontBorder);
-    parts.push_back({Place::Within, true});
-    addBorder(Place::BackBorder);
-    parts.push_back({Place::Behind});
+    const int count = static_cast<int>(regions->shapes.size());
+    for (int interval = 0; interval < count; ++interval) {
+        parts.push_back({Place::Before, interval});
+        addBorder(Place::FrontBorder, interval);
+        parts.push_back({Place::Within, interval, true});
+        addBorder(Place::BackBorder, interval);
+    }
+    parts.push_back({Place::Before, count});
     return parts;
 }
 
 /// Sets the uniforms of focus.frag in the program in use, as does setVolumePart().
-void setRegion(const GlProgram& program, const std::optional<RegionInView>& region)
+void setRegions(const GlProgram& program, const std::optional<RegionsInView>& regions)
 {
-    const RegionInView& used = region ? *region : RegionInView{};
-    program.set("ball", used.ball ? 1 : 0);
-    program.set("regionSize", used.size);
-    program.set("border", used.border);
-    program.set("regionFromImage", used.fromImage);
+    const RegionsInView& used = regions ? *regions : RegionsInView{};
+    program.set("regionCount", static_cast<int>(used.shapes.size()));
+    program.set("regionShapes", used.shapes);
+    program.set("regionPlaces", used.places);
     program.set("worldFromImage", used.worldFromImage);
 }
 
 void setVolumePart(const GlProgram& program, const VolumePart& part)
 {
     program.set("focusPart", static_cast<int>(part.place));
+    program.set("focusInterval", part.interval);
     program.set("fine", part.fine ? 1 : 0);
     program.set("borderShares", part.shares);
 }
@@ -220,10 +216,10 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     wholeCells_ = volume.wholeCells;
     if (Status status = prepareModel(volume, scene.maker); !status)
         return status;
-    region_.reset();
+    regions_.reset();
     if (focus == nullptr)
         return prepareVolume(volume, view, options, progress, coarse_);
-    region_ = regionInView(*focus, view_);
+    regions_ = regionsInView(focus->regions, view_);
     if (Status status = prepareVolume(volume, view, options, progress.part(0, 0.5), coarse_); !status)
         return status;
     return prepareVolume(focus->fine, view, options, progress.part(0.5, 1), fine_);
@@ -253,7 +249,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set(
         "lengths",
         Eigen::Vector2f((view_.imageFromWorld.leftCols<3>().topRows<2>().rowwise().norm() * view_.unit).cast<float>()));
-    setRegion(program, region_);
+    setRegions(program, regions_);
 }
 
 void VolumePainter::setVolume(const GlProgram& program, const DrawnVolume& volume) const
@@ -331,7 +327,7 @@ Status VolumePainter::draw(const PainterPrograms& programs, const SampleTargets&
     setCellState();
     Status status;
     bool first = true;
-    for (const VolumePart& part : partsOf(region_)) {
+    for (const VolumePart& part : partsOf(regions_)) {
         if (!first)
             markSaturated(*programs.saturated, targets);
         first = false;

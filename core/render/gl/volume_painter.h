@@ -19,19 +19,18 @@
 
 namespace tetra {
 
-/// The region of a focus as focus.frag wants it: lengths in units of w (VolumeView), places from its middle.
-struct RegionInView {
-    bool ball = false;
-    Eigen::Vector3f size{0, 0, 0}; ///< half of a box; of a ball the radius, in each coordinate
-    float border = 0;
-    Eigen::Vector3f fromImage{0, 0, 0}; ///< where the image (0, 0, 0) is
+/// The regions of a focus as focus.frag wants them: lengths in units of w (VolumeView), places from a region's middle.
+struct RegionsInView {
+    std::vector<Eigen::Vector4f> shapes; ///< half of a box; of a ball the radius, in each coordinate; 1 if it is a ball
+    std::vector<Eigen::Vector4f> places; ///< where the image (0, 0, 0) is, and the border
     Eigen::Matrix3f worldFromImage = Eigen::Matrix3f::Identity();
 };
 
 /// A part of each ray, of one of the two volumes. The numbers of places are those of focus.frag.
 struct VolumePart {
-    enum class Place { Whole, Before, FrontBorder, Within, BackBorder, Behind };
+    enum class Place { Whole, Before, FrontBorder, Within, BackBorder };
     Place place = Place::Whole;
+    int interval = 0; ///< of FocusRays; before the one after the last is behind all
     bool fine = false;
     Eigen::Vector2f shares{0, 1}; ///< of the way through the border on one side, where the part begins and ends
 };
@@ -50,8 +49,8 @@ struct VolumeLayers {
 /// The order comes from the CPU and stays on the card while it fits; the vertex shader sets up each cell, for each of
 /// its corners.
 ///
-/// A focus is drawn by parts of rays: before it, in its border layers of both volumes in turn by their weights, in it,
-/// and behind it. Each part is a drawing of the cells that may have something in it.
+/// A focus is drawn by parts of rays: before a region, in its border layers of both volumes in turn by their weights,
+/// in it, and so on, and behind the last. Each part is a drawing of the cells that may have something in it.
 ///
 /// The context must be current for everything, also when it goes; `gl` must outlive it.
 class VolumePainter {
@@ -112,7 +111,7 @@ private:
     DrawnVolume fine_;
     RenderStatistics statistics_;
     // Of the picture being drawn.
-    std::optional<RegionInView> region_;
+    std::optional<RegionsInView> regions_;
     VolumeView view_;
     Eigen::Vector3d origin_{0, 0, 0}; ///< the eye, or in orthographic views what it looks at
     std::vector<Eigen::Vector4f> cuts_;

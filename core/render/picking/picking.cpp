@@ -2,6 +2,7 @@
 #include "core/render/picking/picking.h"
 
 #include "core/mesh/topology.h"
+#include "core/render/focus_weight.h"
 #include "core/render/volume/volume_mesh.h"
 
 #include <tan/render.h>
@@ -385,7 +386,8 @@ public:
 
     void passSurface(const SurfaceCrossing& crossing)
     {
-        const double opacity = std::get<Surface>(crossing.surface->shape).opacity;
+        const auto& surface = std::get<Surface>(crossing.surface->shape);
+        const double opacity = opacityAt(surface.opacity, surface.share.get(), line_.at(crossing.at));
         if (light_ * opacity > surface_.share)
             surface_ = {line_.at(crossing.at), crossing.surface->id, crossing.value, light_ * opacity};
         light_ *= 1 - opacity;
@@ -462,15 +464,31 @@ private:
     SeenPlace volume_; ///< its share is that of all slabs so far
 };
 
-/// Where the fine volume counts for at least a half.
-PickingInterval partInFocus(const FocusVolume& focus, const PickingRay& line)
+/// Where the fine volume counts for at least a half, the nearest first.
+std::vector<PickingInterval> partsInFocus(const FocusVolume& focus, const PickingRay& line)
 {
-    const double margin = focus.border / 2;
-    if (const auto* sphere = std::get_if<Sphere>(&focus.region))
-        return partWithin(line, Sphere{sphere->centre, sphere->radius + margin});
-    const Box& box = std::get<Box>(focus.region);
-    const Eigen::Vector3d more = Eigen::Vector3d::Constant(margin);
-    return partWithin(line, Box{box.least - more, box.largest + more});
+    std::vector<PickingInterval> all;
+    for (const FocusRegion& region : focus.regions) {
+        const double margin = region.border / 2;
+        PickingInterval part;
+        if (const auto* sphere = std::get_if<Sphere>(&region.shape)) {
+            part = partWithin(line, Sphere{sphere->centre, sphere->radius + margin});
+        } else {
+            const Box& box = std::get<Box>(region.shape);
+            const Eigen::Vector3d more = Eigen::Vector3d::Constant(margin);
+            part = partWithin(line, Box{box.least - more, box.largest + more});
+        }
+        if (!part.isEmpty())
+            all.push_back(part);
+    }
+    std::ranges::sort(all, {}, &PickingInterval::from);
+    std::vector<PickingInterval> parts;
+    for (const PickingInterval& part : all)
+        if (!parts.empty() && part.from <= parts.back().to)
+            parts.back().to = std::max(parts.back().to, part.to);
+        else
+            parts.push_back(part);
+    return parts;
 }
 
 /// The volume of a scene, or the blend.
@@ -489,14 +507,18 @@ std::vector<PickingSlab> slabsOf(const Scene& scene, const PickingRay& line, con
     const FocusVolume* focus = focusOf(scene);
     if (volume == nullptr)
         return {};
-    const PickingInterval focused = focus != nullptr ? partInFocus(*focus, line) : PickingInterval{1, 0};
-    if (focused.isEmpty())
-        return slabsAlong(*volume, line, shown, progress);
-    const PickingInterval before{shown.from, std::min(shown.to, focused.from)};
-    const PickingInterval behind{std::max(shown.from, focused.to), shown.to};
-    std::vector<PickingSlab> slabs = slabsAlong(*volume, line, before, progress);
-    std::ranges::copy(slabsAlong(focus->fine, line, commonPart(shown, focused), progress), std::back_inserter(slabs));
-    std::ranges::copy(slabsAlong(*volume, line, behind, progress), std::back_inserter(slabs));
+    std::vector<PickingSlab> slabs;
+    double from = shown.from;
+    const auto add = [&](const Volume& of, double to) {
+        std::ranges::copy(slabsAlong(of, line, commonPart(shown, {from, to}), progress), std::back_inserter(slabs));
+        from = to;
+    };
+    if (focus != nullptr)
+        for (const PickingInterval& part : partsInFocus(*focus, line)) {
+            add(*volume, part.from);
+            add(focus->fine, part.to);
+        }
+    add(*volume, shown.to);
     return slabs;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/border_fragments.h"
 
+#include "core/render/focus_weight.h"
 #include "core/render/volume/block_queue.h"
 
 #include <Eigen/LU>
@@ -24,44 +25,44 @@ double distanceFromBox(const Vector3d& place, const Vector3d& halfSize)
 
 } // namespace
 
-FocusRays::FocusRays(const FocusVolume& focus, const VolumeView& view)
-    : region_(focus.region), border_(std::max(0.0, focus.border)), perspective_(view.perspective),
-      nearest_(view.perspective ? view.nearest : -everywhere), firstX_(view.firstX()), firstY_(view.firstY()),
-      worldFromImage_(view.imageFromWorld.leftCols<3>().inverse())
+FocusRays::FocusRays(std::span<const FocusRegion> regions, const VolumeView& view)
+    : perspective_(view.perspective), nearest_(view.perspective ? view.nearest : -everywhere), firstX_(view.firstX()),
+      firstY_(view.firstY()), worldFromImage_(view.imageFromWorld.leftCols<3>().inverse())
 {
-    if (const Sphere* const ball = std::get_if<Sphere>(&region_)) {
-        centre_ = ball->centre;
-        radius_ = std::max(0.0, ball->radius);
-    } else {
-        const Box& box = std::get<Box>(region_);
-        centre_ = (box.least + box.largest) / 2;
-        halfSize_ = (box.largest - box.least).cwiseMax(0) / 2;
+    for (const FocusRegion& region : regions) {
+        const RegionShape shape = shapeOf(region);
+        PlacedRegion placed{shape.isBall, shape.border, shape.centre};
+        if (shape.isBall)
+            placed.radius = shape.size.x();
+        else
+            placed.halfSize = shape.size;
+        placed.origin = -(worldFromImage_ * view.imageFromWorld.col(3)) - placed.centre;
+        regions_.push_back(placed);
     }
-    origin_ = -(worldFromImage_ * view.imageFromWorld.col(3)) - centre_;
 }
 
-FocusRays::Ray FocusRays::rayOf(int column, int row) const
+FocusRays::Ray FocusRays::rayOf(const PlacedRegion& region, int column, int row) const
 {
     const Vector3d place(column + firstX_, row + firstY_, 1);
     if (perspective_)
-        return {origin_, worldFromImage_ * place};
-    return {origin_ + worldFromImage_.leftCols<2>() * place.head<2>(), worldFromImage_.col(2)};
+        return {region.origin, worldFromImage_ * place};
+    return {region.origin + worldFromImage_.leftCols<2>() * place.head<2>(), worldFromImage_.col(2)};
 }
 
-std::pair<double, double> FocusRays::within(const Ray& ray, double margin) const
+std::pair<double, double> FocusRays::within(const PlacedRegion& region, const Ray& ray, double margin)
 {
     const auto& [start, direction] = ray;
-    if (std::holds_alternative<Sphere>(region_)) {
+    if (region.isBall) {
         const double squared = direction.squaredNorm();
         const double nearest = -start.dot(direction) / squared;
-        const double radius = radius_ + margin;
+        const double radius = region.radius + margin;
         const double rest = radius * radius - (start + nearest * direction).squaredNorm();
         const double half = rest > 0 ? std::sqrt(rest / squared) : 0;
         return {nearest - half, nearest + half};
     }
     double first = -everywhere, last = everywhere;
     for (int axis = 0; axis < 3; ++axis) {
-        const double size = halfSize_[axis] + margin;
+        const double size = region.halfSize[axis] + margin;
         if (direction[axis] == 0) {
             if (std::abs(start[axis]) > size)
                 return {0, 0};
@@ -74,13 +75,13 @@ std::pair<double, double> FocusRays::within(const Ray& ray, double margin) const
     return {first, last};
 }
 
-FocusRays::RayInterval FocusRays::at(int column, int row) const
+FocusRays::RayInterval FocusRays::intervalOf(const PlacedRegion& region, int column, int row) const
 {
-    const Ray ray = rayOf(column, row);
-    const auto [enter, leave] = within(ray, border_);
+    const Ray ray = rayOf(region, column, row);
+    const auto [enter, leave] = within(region, ray, region.border);
     if (!(leave > enter && leave > nearest_))
         return {0, 0, 0, 0};
-    const auto [in, out] = within(ray, 0);
+    const auto [in, out] = within(region, ray, 0);
     RayInterval interval{enter, in, out, leave};
     if (!(out > in))
         interval.in = interval.out = (enter + leave) / 2;
@@ -89,10 +90,51 @@ FocusRays::RayInterval FocusRays::at(int column, int row) const
     return interval;
 }
 
-FocusWeights FocusRays::weightsFrom(int column, int row) const
+namespace {
+
+/// What the intervals of several regions are together.
+std::vector<FocusRays::RayInterval> joined(std::vector<FocusRays::RayInterval> all)
+{
+    using RayInterval = FocusRays::RayInterval;
+    std::ranges::sort(all, {}, &RayInterval::in);
+    std::vector<RayInterval> together;
+    for (std::size_t i = 0; i < all.size();) {
+        RayInterval next = all[i];
+        for (; i < all.size() && all[i].in <= next.out; ++i)
+            next.out = std::max(next.out, all[i].out);
+        next.enter = next.in;
+        next.leave = next.out;
+        for (std::size_t round = 0; round < all.size(); ++round)
+            for (const RayInterval& one : all) {
+                if (one.enter < next.enter && one.leave >= next.enter)
+                    next.enter = one.enter;
+                if (one.enter <= next.leave && one.leave > next.leave)
+                    next.leave = one.leave;
+            }
+        if (!together.empty() && together.back().leave >= next.in)
+            together.back().leave = next.enter = (together.back().out + next.in) / 2;
+        together.push_back(next);
+    }
+    return together;
+}
+
+} // namespace
+
+void FocusRays::intervalsAt(int column, int row, std::vector<RayInterval>& intervals) const
+{
+    intervals.clear();
+    for (const PlacedRegion& region : regions_)
+        if (const RayInterval interval = intervalOf(region, column, row); interval.meets())
+            intervals.push_back(interval);
+    if (intervals.size() > 1)
+        intervals = joined(std::move(intervals));
+}
+
+FocusWeights FocusRays::weightsFrom(const PlacedRegion& region, int column, int row) const
 {
     constexpr double steepest = 1e30;
-    const Ray first = rayOf(column, row), right = rayOf(column + 1, row), below = rayOf(column, row + 1);
+    const Ray first = rayOf(region, column, row), right = rayOf(region, column + 1, row),
+              below = rayOf(region, column, row + 1);
     FocusWeights weights;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<Eigen::Index>(axis);
@@ -103,18 +145,30 @@ FocusWeights FocusRays::weightsFrom(int column, int row) const
         };
         affine(weights.start, &Ray::start);
         affine(weights.direction, &Ray::direction);
-        weights.halfSize[axis] = static_cast<float>(halfSize_[i]);
+        weights.halfSize[axis] = static_cast<float>(region.halfSize[i]);
     }
-    weights.radius = static_cast<float>(radius_);
-    weights.perBorder = static_cast<float>(border_ > 0 ? std::min(1 / border_, steepest) : steepest);
+    weights.radius = static_cast<float>(region.radius);
+    weights.perBorder = static_cast<float>(region.border > 0 ? std::min(1 / region.border, steepest) : steepest);
     return weights;
 }
 
-bool FocusRays::holds(const Eigen::Vector3f& place) const
+std::vector<FocusWeights> FocusRays::weightsFrom(int column, int row) const
 {
-    const Vector3d fromCentre = place.cast<double>() - centre_;
-    return std::holds_alternative<Sphere>(region_) ? fromCentre.norm() <= radius_
-                                                   : distanceFromBox(fromCentre, halfSize_) == 0;
+    std::vector<FocusWeights> weights;
+    for (const PlacedRegion& region : regions_)
+        weights.push_back(weightsFrom(region, column, row));
+    return weights;
+}
+
+bool FocusRays::holds(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3f> positions) const
+{
+    return std::ranges::any_of(regions_, [&](const PlacedRegion& region) {
+        return std::ranges::all_of(cell, [&](std::uint32_t vertex) {
+            const Vector3d fromCentre = positions[vertex].cast<double>() - region.centre;
+            return region.isBall ? fromCentre.norm() <= region.radius
+                                 : distanceFromBox(fromCentre, region.halfSize) == 0;
+        });
+    });
 }
 
 namespace {
@@ -182,7 +236,9 @@ TETRA_SIMD_INLINE void collectLayer(const CellSetup& cell, bool fine, const Bord
     const SampleBlock& block = tile.blocks[static_cast<std::size_t>(place.row * tile.columns + place.column)];
     const Float8 ones = Float8{} + 1.0f, nothing = {};
     const Float8 middle = (from + to) * 0.5f;
-    const Float8 ofFine = weightsAt(tile.weights, place, middle);
+    Float8 ofFine = {};
+    for (const FocusWeights& region : tile.weights)
+        ofFine = larger(ofFine, weightsAt(region, place, middle));
     const Float8 weight = fine ? ofFine : ones - ofFine;
     const Float8 perFrom = from > nothing ? 1.0f / from : ones, perTo = to > nothing ? 1.0f / to : ones;
     const Float8 front = to > from ? (perspective ? perFrom : -from) : ones;

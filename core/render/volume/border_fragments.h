@@ -9,13 +9,14 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace tetra {
 
-/// The weights of a focus along the rays of a tile, in plain numbers: a place along the ray through a sample, from the
+/// The weights of a region along the rays of a tile, in plain numbers: a place along the ray through a sample, from the
 /// region's centre, is start + w * direction, and both are affine in the sample's column and row in the tile.
 struct FocusWeights {
     struct Affine {
@@ -27,41 +28,49 @@ struct FocusWeights {
     float perBorder = 0;                    ///< 1 / border, very large if that is 0
 };
 
-/// The rays of a view through a focus (FocusVolume). Places along a ray are w (VolumeView).
+/// The rays of a view through the regions of a focus. Places along a ray are w (VolumeView).
 class FocusRays {
 public:
-    /// enter <= in <= out <= leave. Between `in` and `out` the weight of the fine volume is 1; before `enter` and
-    /// after `leave` it is 0. A ray that stays out of the region but not out of its border has in == out.
+    /// enter <= in <= out <= leave. Between `in` and `out` the weight of the fine volume is 1; just before `enter` and
+    /// after `leave` it is 0, or another interval ends or begins there. A ray that stays out of a region but not out of
+    /// its border has in == out.
     struct RayInterval {
         double enter, in, out, leave;
         bool meets() const noexcept { return enter < leave; } ///< else the ray stays out of both
     };
 
-    FocusRays(const FocusVolume& focus, const VolumeView& view);
+    FocusRays(std::span<const FocusRegion> regions, const VolumeView& view);
 
-    RayInterval at(int column, int row) const;
-    /// Of the fine volume. Columns and rows count from the given ones.
-    FocusWeights weightsFrom(int column, int row) const;
-    /// A place in the units of the dataset lies in the region.
-    bool holds(const Eigen::Vector3f& place) const;
+    /// The intervals of a ray, one behind the other, apart: of regions that lie in each other, or so near to each other
+    /// that no place between them is without weight, as the ray meets them together.
+    void intervalsAt(int column, int row, std::vector<RayInterval>& intervals) const;
+    /// Of the fine volume, by each region. Columns and rows count from the given ones.
+    std::vector<FocusWeights> weightsFrom(int column, int row) const;
+    /// All of a cell has the weight 1, as it lies in one region.
+    bool holds(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3f> positions) const;
 
 private:
     struct Ray {
-        Eigen::Vector3d start, direction; ///< from the region's centre; of w
+        Eigen::Vector3d start, direction; ///< from a region's centre; of w
     };
-    Ray rayOf(int column, int row) const;
+    struct PlacedRegion {
+        bool isBall;
+        double border;
+        Eigen::Vector3d centre{0, 0, 0};
+        Eigen::Vector3d halfSize{0, 0, 0}; ///< of a box
+        double radius = 0;                 ///< of a ball
+        Eigen::Vector3d origin{0, 0, 0};   ///< what has the image (0, 0, 0), from the centre
+    };
+    Ray rayOf(const PlacedRegion& region, int column, int row) const;
+    RayInterval intervalOf(const PlacedRegion& region, int column, int row) const;
+    FocusWeights weightsFrom(const PlacedRegion& region, int column, int row) const;
     /// Where the ray is in the region grown by `margin`, or in something somewhat larger; empty if last <= first.
-    std::pair<double, double> within(const Ray& ray, double margin) const;
+    static std::pair<double, double> within(const PlacedRegion& region, const Ray& ray, double margin);
 
-    std::variant<Box, Sphere> region_;
-    double border_;
+    std::vector<PlacedRegion> regions_;
     bool perspective_;
     double nearest_; ///< w
     double firstX_, firstY_;
-    Eigen::Vector3d centre_;
-    Eigen::Vector3d halfSize_{0, 0, 0}; ///< of a box
-    double radius_ = 0;                 ///< of a ball
-    Eigen::Vector3d origin_;            ///< what has the image (0, 0, 0), from the centre
     Eigen::Matrix3d worldFromImage_;
 };
 
@@ -79,7 +88,7 @@ struct BorderFragment {
 
 /// The blocks of a tile that a focus is drawn in.
 struct BorderTile {
-    FocusWeights weights; ///< from the tile's first sample
+    std::span<const FocusWeights> weights; ///< of each region, from the tile's first sample
     SampleRectangle tile;
     std::span<const BlockInterval> intervals; ///< for each block
     std::span<const SampleBlock> blocks;

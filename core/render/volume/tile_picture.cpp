@@ -258,25 +258,16 @@ float focusNearness(double w, bool perspective)
     return w > 0 ? static_cast<float>(std::min<double>(1 / w, farBound)) : farBound;
 }
 
-/// The whole cell lies in the region, so that none of it is in the border.
-bool liesWithin(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3f> positions,
-                const FocusRays& rays)
-{
-    return std::ranges::all_of(cell, [&](std::uint32_t vertex) { return rays.holds(positions[vertex]); });
-}
-
 } // namespace
 
 /// False if no ray of the tile meets the focus. What clip planes hide is left out of the intervals.
 bool VolumeTilePainter::setIntervals(const SampleRectangle& tile, const FocusRays& rays)
 {
-    intervals_.assign(blocks_.size(), BlockInterval{{}, {}, {}, {}});
-    bool any = false;
+    intervals_.clear();
+    std::vector<FocusRays::RayInterval> ofRay;
     for (int y = 0; y < tile.height(); ++y)
         for (int x = 0; x < tile.width(); ++x) {
-            FocusRays::RayInterval interval = rays.at(tile.left + x, tile.top + y);
-            if (!interval.meets())
-                continue;
+            rays.intervalsAt(tile.left + x, tile.top + y, ofRay);
             const auto [number, lane] = BlockLane(x, y);
             const double front = limits_[number].front[lane], back = limits_[number].back[lane];
             const bool perspective = view_.perspective;
@@ -285,13 +276,20 @@ bool VolumeTilePainter::setIntervals(const SampleRectangle& tile, const FocusRay
             const auto shown = [&](double w) {
                 return static_cast<float>(std::max(nearest, std::min(w, std::max(nearest, farthest))));
             };
-            intervals_[number].enter[lane] = shown(interval.enter);
-            intervals_[number].in[lane] = shown(interval.in);
-            intervals_[number].out[lane] = shown(interval.out);
-            intervals_[number].leave[lane] = shown(interval.leave);
-            any = true;
+            std::size_t place = 0;
+            for (const auto& [enter, in, out, leave] : ofRay) {
+                if (!(shown(enter) < shown(leave)))
+                    continue;
+                if (place == intervals_.size())
+                    intervals_.emplace_back(blocks_.size(), BlockInterval{{}, {}, {}, {}});
+                BlockInterval& interval = intervals_[place++][number];
+                interval.enter[lane] = shown(enter);
+                interval.in[lane] = shown(in);
+                interval.out[lane] = shown(out);
+                interval.leave[lane] = shown(leave);
+            }
         }
-    return any;
+    return !intervals_.empty();
 }
 
 void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<const BinnedCell> cells,
@@ -299,22 +297,20 @@ void VolumeTilePainter::collectBorderOf(const SampleRectangle& tile, std::span<c
 {
     const SetupSource& source = fine ? *focus.source : source_;
     const auto positions = fine ? focus.finePositions : focus.positions;
-    const BorderTile border{focus.rays->weightsFrom(tile.left, tile.top),
-                            tile,
-                            intervals_,
-                            blocks_,
-                            volumeTileSide / blockWidth,
-                            source.segments.data(),
-                            view_.perspective};
+    const std::vector<FocusWeights> weights = focus.rays->weightsFrom(tile.left, tile.top);
     const TileFrame frame = frameOf(tile);
     std::vector<BinnedCell> outside;
     for (std::size_t first = 0; first < cells.size() && !progress.cancelled(); first += borderBatch) {
         outside.clear();
         for (const BinnedCell& cell : cells.subspan(first, std::min(borderBatch, cells.size() - first)))
-            if (!liesWithin(source.tetrahedra[cell.cell], positions, *focus.rays))
+            if (!focus.rays->holds(source.tetrahedra[cell.cell], positions))
                 outside.push_back(cell);
         setUpCells(source, frame, outside, setups_);
-        collectBorder(std::span(setups_).first(outside.size()), fine, border, border_);
+        for (const auto& intervals : intervals_)
+            collectBorder(std::span(setups_).first(outside.size()), fine,
+                          {weights, tile, intervals, blocks_, volumeTileSide / blockWidth, source.segments.data(),
+                           view_.perspective},
+                          border_);
     }
 }
 
@@ -344,8 +340,8 @@ void VolumeTilePainter::putBorderAmong(const SampleRectangle& tile, const Surfac
     amongBorder_.empty = border_.empty();
 }
 
-/// First the volume before the region and its border, then the fine one in the region, and the volume behind; what is
-/// in the border on the way, as surfaces are.
+/// First the volume before the regions and their borders, then the fine one in the first region, the volume up to the
+/// next, and so on; what is in a border on the way, as surfaces are.
 void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<const BinnedCell> cells,
                                       const TileSurroundings& surroundings, const Progress& progress, DrawnTile& drawn)
 {
@@ -361,12 +357,18 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
     shading.extras = true;
 
     const std::vector<BlockLimits> whole = limits_;
+    using RayInterval = FocusRays::RayInterval;
+    /// The number-th of a ray; of those after the last nothing meets.
+    const auto intervalOf = [&](std::size_t number, std::size_t block, std::size_t lane) {
+        if (number >= intervals_.size())
+            return RayInterval{0, 0, 0, 0};
+        const auto& [enter, in, out, leave] = intervals_[number][block];
+        return RayInterval{enter[lane], in[lane], out[lane], leave[lane]};
+    };
     const auto drawBetween = [&](const SetupSource& source, std::span<const BinnedCell> some, auto&& ends) {
         for (std::size_t block = 0; block < limits_.size(); ++block)
             for (std::size_t lane = 0; lane < 8; ++lane) {
-                const auto& [enter, in, out, leave] = intervals_[block];
-                const FocusRays::RayInterval interval{enter[lane], in[lane], out[lane], leave[lane]};
-                const auto [front, back] = ends(interval, whole[block].front[lane], whole[block].back[lane]);
+                const auto [front, back] = ends(block, lane);
                 limits_[block].front[lane] = std::min(front, whole[block].front[lane]);
                 limits_[block].back[lane] = std::max(back, whole[block].back[lane]);
             }
@@ -376,17 +378,26 @@ void VolumeTilePainter::drawWithFocus(const SampleRectangle& tile, std::span<con
     using Ends = std::pair<float, float>;
     constexpr Ends nothing{-farBound, farBound};
     const bool perspective = view_.perspective;
-    drawBetween(source_, cells, [&](const FocusRays::RayInterval& interval, float front, float back) -> Ends {
-        return {front, interval.meets() ? focusNearness(interval.enter, perspective) : back};
-    });
-    drawBetween(*focus.source, focus.cells, [&](const FocusRays::RayInterval& interval, float, float) -> Ends {
-        return interval.meets()
-                   ? Ends{focusNearness(interval.in, perspective), focusNearness(interval.out, perspective)}
-                   : nothing;
-    });
-    drawBetween(source_, cells, [&](const FocusRays::RayInterval& interval, float, float back) -> Ends {
-        return interval.meets() ? Ends{focusNearness(interval.leave, perspective), back} : nothing;
-    });
+    for (std::size_t number = 0; number <= intervals_.size(); ++number) {
+        drawBetween(source_, cells, [&](std::size_t block, std::size_t lane) -> Ends {
+            Ends ends{whole[block].front[lane], whole[block].back[lane]};
+            if (number > 0) {
+                const RayInterval last = intervalOf(number - 1, block, lane);
+                if (!last.meets())
+                    return nothing;
+                ends.first = focusNearness(last.leave, perspective);
+            }
+            if (const RayInterval next = intervalOf(number, block, lane); next.meets())
+                ends.second = focusNearness(next.enter, perspective);
+            return ends;
+        });
+        if (number < intervals_.size())
+            drawBetween(*focus.source, focus.cells, [&](std::size_t block, std::size_t lane) -> Ends {
+                const RayInterval here = intervalOf(number, block, lane);
+                return here.meets() ? Ends{focusNearness(here.in, perspective), focusNearness(here.out, perspective)}
+                                    : nothing;
+            });
+    }
     finish(tile, shading);
 }
 

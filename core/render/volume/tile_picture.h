@@ -83,11 +83,11 @@ private:
     std::vector<SampleBlock> blocks_;
     std::vector<BlockLimits> limits_; ///< of the blocks, if there were any
     std::vector<CellSetup> setups_;
-    std::size_t firstLit_ = 0;             ///< all blocks before it are opaque
-    std::vector<BlockTotal> totals_;       ///< of the blocks, if there is a model
-    std::vector<BlockInterval> intervals_; ///< of the blocks, if the tile meets a focus
-    std::vector<BorderFragment> border_;   ///< of the tile
-    SurfaceFragments amongBorder_;         ///< surfaces, and the border's fragments
+    std::size_t firstLit_ = 0;                          ///< all blocks before it are opaque
+    std::vector<BlockTotal> totals_;                    ///< of the blocks, if there is a model
+    std::vector<std::vector<BlockInterval>> intervals_; ///< of the blocks, if the tile meets a focus: FocusRays'
+    std::vector<BorderFragment> border_;                ///< of the tile
+    SurfaceFragments amongBorder_;                      ///< surfaces, and the border's fragments
     std::vector<PremultipliedColour> colours_;
     std::vector<float> depth_;
 };

@@ -7,19 +7,48 @@
 
 #include <QObject>
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 using namespace tetra;
+
+constexpr const char* showsId = "shows";
+constexpr const char* volumeOnly = Message::marked("volume").text;
+constexpr const char* surfacesOnly = Message::marked("surfaces").text;
+constexpr const char* bothOfThem = Message::marked("both").text;
+
+Parameter showsParameter()
+{
+    Parameter parameter;
+    parameter.id = showsId;
+    parameter.label = Message::marked("Shows");
+    parameter.explanation =
+        Message::marked("What is shown, inside and outside of the focus: the volume, isosurfaces, or both.");
+    parameter.defaultValue = std::string(volumeOnly);
+    parameter.choices = {volumeOnly, surfacesOnly, bothOfThem};
+    return parameter;
+}
+
+Parameter with(Parameter parameter, const char* one, const char* other)
+{
+    parameter.onlyWith = {showsId, {std::string(one), std::string(other)}};
+    return parameter;
+}
 
 /// Keeps what is made ready of both meshes, and the boundary of the one outside.
 class FocusSession : public RendererSession {
 public:
     explicit FocusSession(const RendererMeshes& meshes)
-        : bounds_(meshes.bounds), focus_(meshes.focus), outside_(meshes.mesh), boundary_(meshes.mesh)
+        : bounds_(meshes.bounds), outside_(meshes.mesh), boundary_(meshes.mesh)
     {
-        if (focus_)
-            fine_.emplace(focus_->mesh);
+        if (!meshes.focus)
+            return;
+        regions_ = meshes.focus->regions;
+        fine_.emplace(meshes.focus->mesh);
     }
 
     Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress& progress) override
@@ -27,37 +56,83 @@ public:
         auto scene = startScene(view, bounds_);
         if (!scene)
             return scene.error();
-        const auto function = view.value<TransferFunction>(transferId);
-        const bool shaded = view.value<bool>(shadedId);
-        Drawable drawable{.id = "volume", .label = "Volume", .shape = {}};
-        auto outside = outside_.update(function, shaded, progress.part(0, 0.4));
-        if (!outside)
-            return outside.error();
-        if (focus_) {
-            auto fine = fine_->update(function, shaded, progress.part(0.4, 0.8));
-            if (!fine)
-                return fine.error();
-            drawable.shape = FocusVolume{*std::move(outside), *std::move(fine), focus_->region, focus_->border};
-        } else {
-            drawable.shape = *std::move(outside);
-        }
-        scene->drawables.push_back(std::move(drawable));
+        const auto shows = view.value<std::string>(showsId);
+        if (shows != surfacesOnly)
+            if (const Status added = addVolume(view, progress.part(0, 0.4), *scene); !added)
+                return added.error();
+        if (shows == surfacesOnly || shows == bothOfThem)
+            if (const Status added = addSurfaces(view, progress.part(0.4, 0.8), *scene); !added)
+                return added.error();
         if (const Status added = addBoundary(boundary_, view, progress.part(0.8, 1), *scene); !added)
             return added.error();
         return std::make_shared<const Scene>(*std::move(scene));
     }
 
 private:
+    /// Of one mesh. Surfaces and volume share it in spatial order.
+    struct Caches {
+        explicit Caches(std::shared_ptr<const TetrahedralMesh> of)
+            : mesh(std::make_shared<OrderedMesh>(std::move(of))), volume(mesh), surfaces(mesh)
+        {
+        }
+        std::shared_ptr<OrderedMesh> mesh;
+        VolumeCache volume;
+        IsosurfaceCache surfaces;
+    };
+
+    Status addVolume(const RendererView& view, const Progress& progress, Scene& scene)
+    {
+        const auto function = view.value<TransferFunction>(transferId);
+        const bool shaded = view.value<bool>(shadedId);
+        Drawable drawable{.id = "volume", .label = "Volume", .shape = {}};
+        auto outside = outside_.volume.update(function, shaded, progress.part(0, 0.5));
+        if (!outside)
+            return outside.error();
+        if (fine_) {
+            auto fine = fine_->volume.update(function, shaded, progress.part(0.5, 1));
+            if (!fine)
+                return fine.error();
+            drawable.shape = FocusVolume{*std::move(outside), *std::move(fine), regions_};
+        } else {
+            drawable.shape = *std::move(outside);
+        }
+        scene.drawables.push_back(std::move(drawable));
+        return {};
+    }
+
+    /// Those of both meshes, each with its share of a place.
+    Status addSurfaces(const RendererView& view, const Progress& progress, Scene& scene)
+    {
+        const std::size_t first = scene.drawables.size();
+        if (const Status added = addIsosurfaces(outside_.surfaces, view, progress.part(0, 0.5), scene); !added)
+            return added;
+        if (!fine_)
+            return {};
+        const std::size_t firstFine = scene.drawables.size();
+        if (const Status added = addIsosurfaces(fine_->surfaces, view, progress.part(0.5, 1), scene); !added)
+            return added;
+        for (std::size_t i = first; i < scene.drawables.size(); ++i) {
+            Drawable& drawable = scene.drawables[i];
+            const bool isFine = i >= firstFine;
+            std::get<Surface>(drawable.shape).share = std::make_shared<const FocusShare>(FocusShare{regions_, isFine});
+            if (isFine) {
+                drawable.id = "focus-" + drawable.id;
+                drawable.label += ", focus";
+            }
+        }
+        return {};
+    }
+
     Eigen::AlignedBox3d bounds_;
-    std::optional<FocusMesh> focus_;
-    VolumeCache outside_;
-    std::optional<VolumeCache> fine_; ///< of the focus
+    std::vector<FocusRegion> regions_;
+    Caches outside_;
+    std::optional<Caches> fine_; ///< of the focus
     BoundaryCache boundary_;
 };
 
 } // namespace
 
-/// A volume in two resolutions, blended at the border of the focus (R24, S18); without a focus in one.
+/// A volume and isosurfaces in two resolutions, blended at the borders of the focus (R24, S18); without a focus in one.
 class FocusRenderer : public QObject, public tetra::Renderer {
     Q_OBJECT
     Q_PLUGIN_METADATA(IID TAN_RENDERER_INTERFACE FILE "focus_renderer.json")
@@ -66,8 +141,15 @@ class FocusRenderer : public QObject, public tetra::Renderer {
 public:
     std::vector<Parameter> parameters(const FieldExtent& field) const override
     {
-        return {transferParameter(field),   shadedParameter(), boundaryParameter(), boundaryOpacityParameter(),
-                boundaryFarSideParameter(), clipParameter(),   outlineParameter()};
+        return {showsParameter(),
+                transferParameter(field),
+                with(isovaluesParameter(field), surfacesOnly, bothOfThem),
+                with(shadedParameter(), volumeOnly, bothOfThem),
+                boundaryParameter(),
+                boundaryOpacityParameter(),
+                boundaryFarSideParameter(),
+                clipParameter(),
+                outlineParameter()};
     }
 
     RendererNeeds needs() const override { return {.focusMesh = true}; }

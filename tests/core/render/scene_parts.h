@@ -16,7 +16,15 @@ struct FinePart {
     Volume fine;
     std::variant<Box, Sphere> region;
     double border = 0;
+    std::vector<FocusRegion> more{}; ///< regions
 };
+
+inline std::vector<FocusRegion> regionsOf(const FinePart& focus)
+{
+    std::vector<FocusRegion> regions{{focus.region, focus.border}};
+    regions.insert(regions.end(), focus.more.begin(), focus.more.end());
+    return regions;
+}
 
 /// A scene by the kinds of its shapes, to be put together and taken apart.
 struct SceneParts {
@@ -43,7 +51,7 @@ struct SceneParts {
             Volume outside = *volume;
             outside.wholeCells = wholeCells;
             if (focus)
-                add("volume", FocusVolume{outside, focus->fine, focus->region, focus->border});
+                add("volume", FocusVolume{outside, focus->fine, regionsOf(*focus)});
             else
                 add("volume", outside);
         }
@@ -63,7 +71,9 @@ inline SceneParts partsOf(const Scene& scene)
             parts.volume = *volume;
         else if (const auto* focus = std::get_if<FocusVolume>(&drawable.shape)) {
             parts.volume = focus->outside;
-            parts.focus = FinePart{focus->fine, focus->region, focus->border};
+            const FocusRegion& region = focus->regions.front();
+            parts.focus =
+                FinePart{focus->fine, region.shape, region.border, {focus->regions.begin() + 1, focus->regions.end()}};
         }
     }
     parts.wholeCells = parts.volume && parts.volume->wholeCells;

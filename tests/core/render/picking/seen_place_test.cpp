@@ -227,6 +227,9 @@ void SeenPlaceTest::theFocusIsLookedAtInItsPart()
     scene.focus->region = Box{{4, 3, 4}, {6, 7, 6}};
     seen = seenPlace(scene, alongY(5.1, 4.9));
     QVERIFY(seen && std::abs(seen->place.y() - 2.5) < 1e-6);
+    scene.focus->more = {{Sphere{{5, 1.5, 5}, 0.5}, 0}}; // C5: one before it
+    seen = seenPlace(scene, alongY(5, 5));
+    QVERIFY(seen && std::abs(seen->place.y() - 1) < 1e-6);
 }
 
 void SeenPlaceTest::cancelledIsNothing()
