@@ -335,7 +335,14 @@ private slots:
         const Eigen::Vector3d middle(3.1, 3.2, 3.3);
         add({point(middle), point(middle + Eigen::Vector3d(0.9, 0, 0)), point(middle + Eigen::Vector3d(0, 0.9, 0)),
              point(middle + Eigen::Vector3d(0, 0, 0.9))});
+        // One with neighbours on all sides, away from that.
         const std::uint64_t* first = complex.corners.data();
+        const auto isInner = [&](std::uint64_t corner) {
+            const Eigen::Vector3d& place = complex.positions[corner];
+            return place.minCoeff() > 0 && place.maxCoeff() < 6 && (place - middle).norm() > 1.5;
+        };
+        while (!std::all_of(first, first + 4, isInner))
+            first += 4;
         const std::array<std::uint64_t, 4> known{first[0], first[1], first[2], first[3]};
         add({known[1], known[0], known[2], known[3]});
         const Eigen::Vector3d halfWay = (complex.positions[known[0]] + complex.positions[known[1]]) / 2;
@@ -351,7 +358,7 @@ private slots:
                  qPrintable(remarksOf(*dataset)));
         QVERIFY(checkIrregular(*dataset).ok());
 
-        // A third cell at faces, with its point in one of the two.
+        // A third cell at a face, with its point in one of the two.
         const Eigen::Vector3d within = (complex.positions[known[0]] + complex.positions[known[1]] +
                                         complex.positions[known[2]] + complex.positions[known[3]]) /
                                        4;
@@ -359,7 +366,8 @@ private slots:
         values = linearValues(complex);
         dataset = datasetOf(complex, values);
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
-        QVERIFY(dataset->faultyCells && dataset->faultyCells->back() == FaultyCell(count + 3, CellFault::CrowdedFace));
+        QVERIFY(dataset->faultyCells && dataset->faultyCells->back().cell == count + 3);
+        QCOMPARE(dataset->faultyCells->back().fault, CellFault::CrowdedFace);
         QVERIFY(checkIrregular(*dataset).ok());
 
         // Two of them are more than a thousandth, in number and in volume.
