@@ -144,22 +144,22 @@ Syntax buildSyntax(PluginHost& host)
             "cancelled or fails, nothing is left (but see --keep and --resume) and an older model of that name stays "
             "as it was. Until then all files of the build lie in the folder MODEL.work.",
         .positionals = {{"IN", "The dataset: " + std::string("a file that one of the readers knows.")}},
-        .options =
-            {outputOption("MODEL", "The model to write, conventionally *.tan."),
-             {.name = "builder",
-              .placeholder = idChoices(host.builders()),
-              .explanation = "Builder plugin.",
-              .byDefault = "the one that suits the dataset best"},
-             {.name = "keep",
-              .placeholder = "",
-              .explanation =
-                  "For refinement that is not in blocks: if the build is interrupted, keep what is finished as a "
-                  "model of lower accuracy."},
-             buildThreadsOption(),
-             {.name = "resume",
-              .placeholder = "",
-              .explanation = "For builds in blocks: continue an interrupted build of the same model; the result is the "
-                             "same. If this build is cancelled, its blocks are kept, too."}},
+        .options = {outputOption("MODEL", "The model to write, conventionally *.tan."),
+                    {.name = "builder",
+                     .placeholder = idChoices(host.builders()),
+                     .explanation = "Builder plugin.",
+                     .byDefault = "the one that suits the dataset best"},
+                    {.name = "keep",
+                     .placeholder = "",
+                     .explanation = "For builds that are not in blocks: if the build is interrupted, keep what is "
+                                    "finished, of refinement "
+                                    "as a model of lower accuracy, of decimation as one without the coarser meshes."},
+                    buildThreadsOption(),
+                    {.name = "resume",
+                     .placeholder = "",
+                     .explanation =
+                         "For builds in blocks: continue an interrupted build of the same model; the result is the "
+                         "same. If this build is cancelled, its blocks are kept, too."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",

@@ -283,6 +283,8 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     options.twoSided = decimation.twoSided;
     if (key.stopKey) // without thresholds to the coarsest mesh
         options.stopKey = *key.stopKey;
+    options.preview = target.preview;
+    options.keepWhenCancelled = target.keepWhenCancelled;
     const DecimationMesh mesh = input->mesh();
     const bool isGrid = dataset.domain == DomainClass::Curvilinear;
     const bool isCutOff = decimation.finest > 0;

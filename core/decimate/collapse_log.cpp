@@ -134,6 +134,25 @@ void CollapseLog::add(std::uint32_t vertex, float keyAfter, std::span<const Tetr
     tetrahedra_.insert(tetrahedra_.end(), star.begin(), star.end());
 }
 
+std::vector<std::uint8_t> CollapseLog::removed(std::size_t points) const
+{
+    std::vector<std::uint8_t> removed(points, 0);
+    for (const Collapse& collapse : collapses_)
+        removed[collapse.vertex] = 1;
+    return removed;
+}
+
+Status CollapseLog::handCoarsest(std::span<const std::uint32_t> points, std::vector<Coarsest> coarsest, float key,
+                                 HistorySink& sink) const
+{
+    for (Coarsest& tetrahedron : coarsest)
+        tetrahedron.madeBy = none; // nothing that follows destroys it
+    Emission emission(points, std::span<const std::uint32_t>(), sink);
+    if (Status status = emitCoarsest(coarsest, removed(points.size()), emission); !status)
+        return status;
+    return sink.finish(key);
+}
+
 Status CollapseLog::replay(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
                            HistorySink& sink, const Progress& progress) const
 {
@@ -143,11 +162,8 @@ Status CollapseLog::replay(std::span<const std::uint32_t> points, std::span<cons
     if (std::max<std::uint64_t>(made, tetrahedra_.size() + coarsest.size()) >= none)
         return Error{ErrorKind::OutOfResource,
                      Message::say("The history has more than 4 billion tetrahedra. Decimate a part of the mesh.")};
-    std::vector<std::uint8_t> removed(points.size(), 0);
-    for (const Collapse& collapse : collapses_)
-        removed[collapse.vertex] = 1;
     Emission emission(points, std::views::transform(collapses_, &Collapse::madeCount), sink);
-    if (Status status = emitCoarsest(coarsest, removed, emission); !status)
+    if (Status status = emitCoarsest(coarsest, removed(points.size()), emission); !status)
         return status;
     // What is added lies all over the memory, and is asked for about so many tetrahedra ahead.
     constexpr std::size_t ahead = 96, madeAhead = 48;

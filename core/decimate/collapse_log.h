@@ -47,7 +47,13 @@ public:
     Status replay(std::span<const std::uint32_t> points, std::span<const Coarsest> coarsest, float finalKey,
                   HistorySink& sink, const Progress& progress) const;
 
+    /// Hands over the coarsest mesh alone, of the key `key`, with sink.finish().
+    Status handCoarsest(std::span<const std::uint32_t> points, std::vector<Coarsest> coarsest, float key,
+                        HistorySink& sink) const;
+
 private:
+    std::vector<std::uint8_t> removed(std::size_t points) const;
+
     struct Collapse {
         std::uint32_t vertex;
         float keyAfter;

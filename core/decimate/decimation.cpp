@@ -7,7 +7,10 @@
 #include "core/geometry/hilbert_order.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -103,19 +106,54 @@ Status collapseInOrder(DecimatedMesh& mesh, const DecimationOptions& options, co
     return decimateByExactError(mesh, options.stopKey, progress);
 }
 
+/// What is reported and asked on the way, between collapses: also for a look at the mesh.
+Progress withPreviews(const Progress& progress, const DecimationOptions& options,
+                      std::function<Status(HistorySink& history)> hand)
+{
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds shortest(500);
+    static constexpr int timesTheirTime = 20; // so that looks take a twentieth of the time
+    return progress.withCallback([progress, preview = options.preview, hand = std::move(hand),
+                                  next = Clock::now()](double fraction, const Message& activity) mutable {
+        progress.report(fraction, activity);
+        const auto begin = Clock::now();
+        if (begin < next)
+            return;
+        preview(hand);
+        const auto end = Clock::now();
+        next = end + std::max<Clock::duration>(shortest, timesTheirTime * (end - begin));
+    });
+}
+
 Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
                                        const Progress& progress)
 {
     const RenumberedMesh renumbered(mesh);
     DecimatedMesh decimated(renumbered.view(), options);
-    if (Status status = collapseInOrder(decimated, options, progress.part(0, .9)); !status)
-        return status.error();
-    const bool warps = !mesh.box || !mesh.physical.empty();
-    if (Status status = sink.begin({.warpingWeight = warps ? options.warpingWeight : 0, .delaunay = false}); !status)
-        return status.error();
     const CollapseLog& log = decimated.log();
+    const HistoryTraits traits{.warpingWeight = decimated.warps() ? options.warpingWeight : 0, .delaunay = false};
+    const auto handMesh = [&](HistorySink& history) {
+        const Status begun = history.begin(traits);
+        return begun ? log.handCoarsest(renumbered.originals(), decimated.coarsest(), decimated.key(), history) : begun;
+    };
+    const Progress collapsing = progress.part(0, .9);
+    const auto isKept = [&options] { return options.keepWhenCancelled != nullptr && *options.keepWhenCancelled; };
+    if (Status status = collapseInOrder(decimated, options,
+                                        options.preview ? withPreviews(collapsing, options, handMesh) : collapsing);
+        !status && !(status.error().kind == ErrorKind::Cancelled && isKept()))
+        return status.error();
+    if (Status status = sink.begin(traits); !status)
+        return status.error();
     const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
-    if (Status status = log.replay(renumbered.originals(), coarsest, 0, sink, progress.part(.9, 1)); !status)
+    // What is kept is kept whole.
+    std::stop_source givenUp;
+    const Progress writing = progress.part(.9, 1);
+    const Progress untilGivenUp(givenUp.get_token(), [&](double fraction, const Message& activity) {
+        writing.report(fraction, activity);
+        if (writing.cancelled() && !isKept())
+            givenUp.request_stop();
+    });
+    if (Status status = log.replay(renumbered.originals(), coarsest, 0, sink, untilGivenUp); !status)
         return status.error();
     const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
     return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),

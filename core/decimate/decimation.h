@@ -7,7 +7,9 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 
@@ -42,6 +44,9 @@ struct DecimationOptions {
     bool twoSided = false;
     /// No collapse lets the key rise above it. Infinite: down to the coarsest mesh.
     double stopKey = std::numeric_limits<double>::infinity();
+    // As in BuildTarget.
+    std::function<void(const std::function<Status(HistorySink& history)>& hand)> preview{};
+    const std::atomic<bool>* keepWhenCancelled = nullptr;
 };
 
 struct DecimationResult {
@@ -54,8 +59,9 @@ struct DecimationResult {
 /// Half-edge collapse judged by the exact resulting error and warping (R11, S11, S12), to the end or to `stopKey`; the
 /// history of vertex splits, coarse first, then goes to `sink` with delaunay = false, and sink.finish(). Every mesh on
 /// the way is conforming, positive, keeps the domain's components, holes and cavities, and its boundary does not meet
-/// itself but where the input's does (C10). One thread. Errors: numbers out of range, more than 2^32 - 2 points,
-/// refused memory (decimationBytes() beforehand), the sink's, cancelled.
+/// itself but where the input's does (C10). One that is cancelled and kept ends where it is, as by a stopKey. One
+/// thread. Errors: numbers out of range, more than 2^32 - 2 points, refused memory (decimationBytes() beforehand), the
+/// sink's, cancelled.
 Result<DecimationResult> decimate(const DecimationMesh& mesh, const DecimationOptions& options, HistorySink& sink,
                                   const Progress& progress = {});
 

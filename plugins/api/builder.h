@@ -45,7 +45,8 @@ struct BuildEstimate {
 struct BuildAbilities {
     bool usesThreads = false; ///< more than one
     bool resumes = false;     ///< goes on with what an interrupted build left (BuildTarget::resume)
-    bool keeps = true;        ///< hands over its history while it runs, so that what is finished can become a model
+    bool keeps = true;        ///< what is finished when it is cancelled can become a model: the history is handed over
+                              ///< while it runs, or then (BuildTarget::keepWhenCancelled)
 };
 
 /// Makes a multiresolution history out of a dataset (R8, R11). Runs on a worker thread; touches no widget and no GL.

@@ -4,6 +4,7 @@
 #include "core/history/model_writer.h"
 
 #include <span>
+#include <utility>
 
 namespace tetra {
 
@@ -27,6 +28,8 @@ public:
     {
         {
             const std::lock_guard lock(live_.mutex_);
+            if (live_.shown_ > 0)
+                live_.beginAnew({});
             live_.history_.traits = traits;
         }
         return next_.begin(traits);
@@ -42,6 +45,62 @@ private:
     LiveBuild& live_;
     HistorySink& next_;
 };
+
+/// Takes a mesh, if it is not too large.
+class LiveBuild::Shown final : public HistorySink {
+public:
+    explicit Shown(std::size_t mostTetrahedra) : mostTetrahedra_(mostTetrahedra) {}
+
+    Status begin(const HistoryTraits& traits) override
+    {
+        history.traits = traits;
+        return {};
+    }
+    Status add(const HistoryStep& step) override
+    {
+        history.add(step);
+        if (history.stars.size() <= mostTetrahedra_)
+            return {};
+        return Error{ErrorKind::OutOfResource, Message::say("The mesh is too large to be looked at.")};
+    }
+    Status finish(float finalKey) override
+    {
+        key = finalKey;
+        return {};
+    }
+
+    History history;
+    float key = 0;
+
+private:
+    std::size_t mostTetrahedra_;
+};
+
+void LiveBuild::show(const std::function<Status(HistorySink& history)>& hand)
+{
+    Shown mesh(mostTetrahedra_);
+    if (!hand(mesh))
+        return;
+    const std::lock_guard lock(mutex_);
+    beginAnew(std::move(mesh.history));
+    runningKey_ = mesh.key;
+    completeSteps_ = history_.steps.size();
+}
+
+void LiveBuild::beginAnew(History history)
+{
+    history_ = std::move(history);
+    runningKey_ = std::numeric_limits<float>::infinity();
+    completeSteps_ = 0;
+    ++shown_;
+}
+
+void LiveBuild::History::add(const HistoryStep& step)
+{
+    stars.insert(stars.end(), step.star.begin(), step.star.end());
+    destroyed.insert(destroyed.end(), step.destroyed.begin(), step.destroyed.end());
+    steps.push_back({step.point, step.keyBefore, stars.size(), destroyed.size()});
+}
 
 std::unique_ptr<HistorySink> LiveBuild::watch(HistorySink& next, const Dataset& dataset,
                                               const ModelDescription& description)
@@ -62,16 +121,18 @@ void LiveBuild::record(const HistoryStep& step)
         completeSteps_ = history_.steps.size();
         full_ = history_.stars.size() > mostTetrahedra_;
     }
-    history_.stars.insert(history_.stars.end(), step.star.begin(), step.star.end());
-    history_.destroyed.insert(history_.destroyed.end(), step.destroyed.begin(), step.destroyed.end());
-    history_.steps.push_back({step.point, step.keyBefore, history_.stars.size(), history_.destroyed.size()});
+    history_.add(step);
 }
 
 std::optional<float> LiveBuild::catchUp()
 {
     const std::lock_guard lock(mutex_);
-    if (!dataset_ || completeSteps_ <= seen_.steps.size())
+    const bool isAnew = shown_ != seenShown_;
+    if (!dataset_ || completeSteps_ <= (isAnew ? 0 : seen_.steps.size()))
         return std::nullopt;
+    if (isAnew)
+        seen_ = {};
+    seenShown_ = shown_;
     const Step& last = history_.steps[completeSteps_ - 1];
     seen_.traits = history_.traits;
     appendMissing(seen_.stars, history_.stars, last.starEnd);

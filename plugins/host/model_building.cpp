@@ -79,6 +79,9 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     ModelWriter& writer = (*file)->writer();
     const auto watch = control.live != nullptr ? control.live->watch(writer, *taken, description) : nullptr;
     BuildTarget target = (*file)->target(watch ? *watch : writer);
+    target.keepWhenCancelled = control.keepWhenCancelled;
+    if (control.live != nullptr)
+        target.preview = [live = control.live](const auto& hand) { live->show(hand); };
     auto report = builder.build(*taken, values, target, progress.part(takenEnd, 1));
     if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0)
         return keepWhatIsFinished(writer);
@@ -94,7 +97,7 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
         report->sites = writer.siteCount();
         report->tetrahedra = writer.tetrahedronCount();
     }
-    return EndedBuild{*report, false};
+    return EndedBuild{*report, progress.cancelled() && keeps(control)};
 }
 
 } // namespace

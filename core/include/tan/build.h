@@ -25,6 +25,7 @@
 #include <tan/data.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -232,6 +233,13 @@ struct BuildTarget {
     std::filesystem::path workFolder{};
     /// The folder may hold what an interrupted build left: go on with that as far as it fits.
     bool resume = false;
+    /// For builders that hand over nothing before their end, so that they can be watched (B8): if there is one, it is
+    /// called now and then, by the building thread, with a function that hands the mesh as it is now to a sink, as a
+    /// history of that mesh alone, begin() to finish().
+    std::function<void(const std::function<Status(HistorySink& history)>& hand)> preview{};
+    /// For the same builders: if it is there and true when the build is cancelled, they hand over the history as far as
+    /// it goes, and end well.
+    const std::atomic<bool>* keepWhenCancelled = nullptr;
 };
 
 /// The dataset as the method takes it, and as the model has it: itself; asPoints() of a rectilinear grid (unless it is

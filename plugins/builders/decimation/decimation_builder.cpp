@@ -135,10 +135,10 @@ ParameterValues DecimationBuilder::detail(double percent, DomainClass /*domain*/
     return {{"finest", percent}};
 }
 
-/// The history runs from the last collapse back, so there is none before the end.
+/// The history runs from the last collapse back, and there may be a last one at any time.
 BuildAbilities DecimationBuilder::abilities(const Dataset&, const ParameterValues&) const
 {
-    return {.usesThreads = false, .resumes = false, .keeps = false};
+    return {.usesThreads = false, .resumes = false, .keeps = true};
 }
 
 std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues& values,

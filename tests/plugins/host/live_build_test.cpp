@@ -10,6 +10,8 @@
 #include <QTest>
 
 #include <atomic>
+#include <limits>
+#include <stop_token>
 #include <thread>
 
 namespace tetra {
@@ -89,6 +91,68 @@ private slots:
         const auto whole = Model::open(path("built.tan"));
         QVERIFY(whole);
         QCOMPARE(meshSizeAt(**whole, {reachedBy(*looks.back())}).sites, looks.back()->siteCount());
+    }
+
+    /// Decimation hands over nothing before its end: it shows the mesh as it is, with the error that this has.
+    void aDecimationIsWatched()
+    {
+        const Dataset dataset = sample(36);
+        LiveBuild live;
+        std::vector<std::shared_ptr<const Model>> looks;
+        std::string problem;
+        const Progress looking({}, [&](double, const Message&) {
+            const auto look = live.look(path("look.tan"));
+            if (!look)
+                problem = look.error().text();
+            else if (*look != nullptr)
+                looks.push_back(*look);
+        });
+        QVERIFY(!live.hasMesh());
+        const auto built = buildModel(*host_, dataset, "decimation", {}, path("built.tan"), looking, {.live = &live});
+        QVERIFY2(built, built ? "" : built.error().text().c_str());
+        QVERIFY2(problem.empty(), problem.c_str());
+        QVERIFY(!built->stoppedEarly && live.hasMesh());
+        QVERIFY(!looks.empty());
+        std::uint32_t sites = std::numeric_limits<std::uint32_t>::max();
+        for (const auto& look : looks)
+            if (look->runningKeys().back() == std::numeric_limits<float>::infinity()) { // before the history comes
+                QVERIFY(look->siteCount() < sites);
+                sites = look->siteCount();
+                const auto verdict = verify(*look, dataset, {{reachedBy(*look)}});
+                QVERIFY2(verdict && verdict->ok(), qPrintable(QString::number(sites)));
+            }
+        QVERIFY(sites < dataset.pointCount() || looks.size() == 1);
+    }
+
+    /// Stopped, it keeps all that it has done: the history up to the mesh that it had come to.
+    void aStoppedDecimationIsKept()
+    {
+        const Dataset dataset = sample(20);
+        for (const bool kept : {true, false}) {
+            std::stop_source stop;
+            const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
+                if (fraction > 0.5)
+                    stop.request_stop();
+            });
+            const std::atomic<bool> keep = kept;
+            const auto built =
+                buildModel(*host_, dataset, "decimation", {}, path("kept.tan"), progress, {.keepWhenCancelled = &keep});
+            QCOMPARE(built.ok(), kept);
+            if (!kept) {
+                QCOMPARE(built.error().kind, ErrorKind::Cancelled);
+                continue;
+            }
+            QVERIFY(built->stoppedEarly);
+            const auto model = Model::open(path("kept.tan"));
+            QVERIFY(model && (*model)->siteCount() == dataset.pointCount());
+            const auto coarsest = meshSizeAt(**model, {.error = 100}).sites;
+            QVERIFY(coarsest > 100 && coarsest < dataset.pointCount() * 9 / 10);
+            const auto verdict = verify(**model, dataset, {{100}, {1}, {0.1}, {0}});
+            QVERIFY(verdict && verdict->ok());
+            QCOMPARE(verdict->levels[3].measured.error.largest, 0.0);
+            fs::remove(path("kept.tan"));
+        }
+        QVERIFY(!fs::exists(path("kept.tan")));
     }
 
     /// What does not fit is left to the model itself.
