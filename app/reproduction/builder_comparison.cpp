@@ -7,6 +7,7 @@
 #include "plugins/host/model_building.h"
 
 #include <tan/query.h>
+#include <tan/verify.h>
 
 #include <algorithm>
 #include <optional>
@@ -125,6 +126,25 @@ Result<ComparedBuild> build(PluginHost& host, const Dataset& dataset, const Way&
     return result;
 }
 
+/// With as many sites as the first build has at 1 %, proved by the way.
+Status measure(ComparedBuild& built, const Dataset& dataset, const Progress& progress)
+{
+    constexpr std::size_t onePercent = 3;
+    static_assert(comparedAccuracies[onePercent] == 1);
+    const double percent = built.accuracies[onePercent] * (1 + 1e-12); // percentages round
+    const auto verdict = verify(*built.model, dataset, {{percent, percent}}, progress);
+    if (!verdict)
+        return verdict.error();
+    const LevelReport& level = verdict->levels.front();
+    if (!verdict->ok())
+        return Error{ErrorKind::BadInput, "The model of '" + dataset.source.name + "' by " + built.builder +
+                                              " is not what it claims: " +
+                                              (verdict->failures.empty() ? level.failures : verdict->failures).front()};
+    built.error = level.measured.error;
+    built.measuredSites = level.sites;
+    return {};
+}
+
 Status compare(PluginHost& host, ComparedDataset& entry, const std::filesystem::path& data,
                const std::filesystem::path& models, const Progress& progress)
 {
@@ -145,9 +165,14 @@ Status compare(PluginHost& host, ComparedDataset& entry, const std::filesystem::
         done += way.share;
     }
     const auto first = std::ranges::find_if(entry.builds, [](const ComparedBuild& built) { return !!built.model; });
-    for (ComparedBuild& built : entry.builds)
-        for (std::size_t level = 0; built.model && level < comparedAccuracies.size(); ++level)
+    for (ComparedBuild& built : entry.builds) {
+        if (!built.model)
+            continue;
+        for (std::size_t level = 0; level < comparedAccuracies.size(); ++level)
             built.accuracies.push_back(accuracyWith(*built.model, first->sizes[level].sites));
+        if (const Status measured = measure(built, **dataset, progress.part(done, done)); !measured)
+            return measured;
+    }
     return {};
 }
 

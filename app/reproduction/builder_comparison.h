@@ -7,6 +7,7 @@
 #include <tan/base.h>
 #include <tan/data.h>
 #include <tan/model.h>
+#include <tan/verify.h>
 
 #include <array>
 #include <cstdint>
@@ -37,6 +38,9 @@ struct ComparedBuild {
     /// The larger of error and warping, %, of its best mesh of no more sites than the first build that is there has at
     /// comparedAccuracies.
     std::vector<double> accuracies;
+    /// What verify() measures of that mesh at the points of the dataset, for 1 % (C15); its sites.
+    ResidualStatistics error;
+    std::uint32_t measuredSites = 0;
 };
 
 /// A dataset and what the builders make of it.

@@ -325,8 +325,13 @@ private slots:
                 QVERIFY(sites > 0);
                 QCOMPARE(levels[3].toObject().value(builder).toObject().value("sites").toInt(), sites);
             }
-            for (const QJsonValue build : dataset["builds"].toArray())
-                QVERIFY(build.toObject().value("seconds").toDouble() > 0);
+            for (const QJsonValue build : dataset["builds"].toArray()) {
+                QVERIFY(build["seconds"].toDouble() > 0);
+                const QJsonValue measured = build["measured"];
+                QVERIFY(measured["sites"].toInt() >= 8 && measured["mean"].toDouble() > 0);
+                QVERIFY(measured["mean"].toDouble() <= measured["percentile99"].toDouble());
+                QVERIFY(measured["percentile99"].toDouble() <= measured["largest"].toDouble());
+            }
         }
         const QJsonObject& irregular = datasets["bracket"];
         QCOMPARE(irregular["skipped"].toString(), QString());
