@@ -26,6 +26,9 @@ private slots:
     void badNumbersAreNotTaken();
     void aWindowIsOrderedAndNotFlat();
     void theQuerySaysTheSame();
+    void theAccuracyVariesWithThePicture();
+    void aFocusHasSeveralRegions();
+    void aRangeTakesThePlaceOfAMesh();
     void aBudgetKeepsTheProportion();
     void theErrorOfABudgetIsTheBestThatFits();
     void budgetsGoInRoundSteps();
@@ -208,6 +211,103 @@ void QueryTest::theQuerySaysTheSame()
     asked = meshQuery(query(), *model_);
     const Box wanted{focus.centre - focus.size / 2, focus.centre + focus.size / 2};
     QCOMPARE(std::get<Box>(asked.error.asSpaceRamp()->region), wanted);
+}
+
+/// C3: distance from the viewer, isovalues and opacity, of what is seen.
+void QueryTest::theAccuracyVariesWithThePicture()
+{
+    session_->setError(4);
+    FocusState focus = query().focus;
+    focus.error = 0.5;
+    focus.shape = FocusState::Shape::View;
+    focus.distance = 3;
+    session_->setFocus(focus);
+    const PresentView present{Eigen::Vector3d(-10, 0, 0), {50, 90}, {{0, 0}, {100, 1}}};
+    QVERIFY(meshQuery(query(), *model_).error == ErrorField(4)); // nobody looks
+    const MeshQuery near = meshQuery(query(), *model_, present);
+    QVERIFY(near.error.asSpaceRamp() != nullptr);
+    QCOMPARE(*near.error.asSpaceRamp(), (SpaceRamp{Sphere{{-10, 0, 0}, 10}, 0.5, 4, 3})); // the domain begins at 0
+    focus.shape = FocusState::Shape::Isovalues;
+    focus.valueFalloff = 20;
+    session_->setFocus(focus);
+    QVERIFY(meshQuery(query(), *model_, present).error == ErrorField::nearValues(std::array{50.0, 90.0}, 0.5, 4, 20));
+    focus.shape = FocusState::Shape::Opacity;
+    session_->setFocus(focus);
+    QVERIFY(meshQuery(query(), *model_, present).error ==
+            ErrorField::byOpacity(std::vector<std::array<double, 2>>{{0, 0}, {100, 1}}, 0.5, 4));
+    QVERIFY(!query().has(RegionKind::Focus)); // there is nothing to drag
+
+    ViewValue view;
+    view.isovalues = {{50}, {70, 1, 1, 1, 1, false}};
+    view.appearance.transfer.opacities = {{0, 0}, {10, 0.5F}};
+    const PresentView seen = presentView(view);
+    QCOMPARE(seen.isovalues, std::vector<double>{50});
+    QVERIFY(seen.eye == eyePosition(view.camera) && seen.opacity == opacityKnots(view.appearance.transfer));
+    ShownMesh mesh;
+    mesh.query.error = ErrorField::nearValues(std::array{50.0}, 0.5, 4, 20);
+    QCOMPARE(errorText(mesh), QString("error 0.5 % to 4 %"));
+}
+
+/// C3: all have the error and the fall-off of the focus; which one is edited changes nothing of the mesh.
+void QueryTest::aFocusHasSeveralRegions()
+{
+    session_->setError(4);
+    FocusState focus = sphereAt({3, 4, 5});
+    focus.error = 0.5;
+    focus.radius = 2;
+    session_->setFocus(focus);
+    session_->setFocus(query().focus.added());
+    FocusState second = query().focus;
+    QCOMPARE(second.number, 1U);
+    second.shape = FocusState::Shape::Box;
+    second.centre = {8, 8, 8};
+    second.size = {2, 4, 6};
+    session_->setFocus(second);
+    const ErrorField both = smallerOf(SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.5, 4, focus.falloff},
+                                      SpaceRamp{Box{{7, 6, 5}, {9, 10, 11}}, 0.5, 4, focus.falloff});
+    QVERIFY(meshQuery(query(), *model_).error == both);
+    session_->setFocus(query().focus.selected(0));
+    QCOMPARE(query().focus.shape, FocusState::Shape::Sphere);
+    QCOMPARE(query().focus.radius, 2.0);
+    QVERIFY(meshQuery(query(), *model_).error == both);
+    session_->setQuery(query().without(RegionKind::Focus));
+    QCOMPARE(query().focus.regions(), std::vector<MovableRegion>{(Box{{7, 6, 5}, {9, 10, 11}})});
+    session_->setQuery(query().without(RegionKind::Focus));
+    QVERIFY(!query().focus.isOn());
+    session_->undoStack().undo();
+    session_->undoStack().undo();
+    QVERIFY(meshQuery(query(), *model_).error == both);
+    for (int i = 0; i < 20; ++i)
+        session_->setFocus(query().focus.added());
+    QCOMPARE(query().focus.regions().size(), mostFocusRegions);
+}
+
+/// C2: with values, and a window that keeps tetrahedra whole; births and deaths only choose.
+void QueryTest::aRangeTakesThePlaceOfAMesh()
+{
+    session_->setBudget(5000);
+    session_->setFocus(sphereAt({3, 4, 5}));
+    session_->setWindow({true, {{{1, 2, 3}, {4, 5, 6}}, WindowBorder::Clipped}});
+    session_->setValueFilter({true, 10, 20});
+    session_->setRange({.enabled = true, .fine = 0.5, .coarse = 4, .bornAbove = 1, .diedTo = 2});
+    const MeshQuery asked = meshQuery(query(), *model_);
+    QVERIFY(checkQuery(*model_, asked).ok());
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    QVERIFY((asked.range == LifeRange{{0.5, 0.5}, {4, 4}, {1, unlimited}, {-unlimited, 2}}));
+    QVERIFY(!asked.budget && asked.error.isConstant() && asked.values.size() == 1);
+    QCOMPARE(asked.window->border, WindowBorder::Intersecting);
+    QVERIFY(!query().isUniform());
+    session_->setRange({.enabled = true, .fine = 9, .coarse = 4, .bornAbove = 1});
+    QCOMPARE(query().range.coarse, 9.0); // pushed
+    ShownMesh mesh;
+    mesh.query = asked;
+    mesh.keptTetrahedra = 30;
+    mesh.wholeTetrahedra = 2000;
+    QCOMPARE(meshText(mesh, *model_),
+             QString("Shown: tetrahedra of the meshes of errors from 0.5 % to 4 %. 30 of 2000 are chosen."));
+    session_->undoStack().undo();
+    session_->undoStack().undo();
+    QVERIFY(meshQuery(query(), *model_).budget.has_value());
 }
 
 void QueryTest::aBudgetKeepsTheProportion()

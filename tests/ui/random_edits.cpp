@@ -127,7 +127,7 @@ void RandomEdits::editTransfer()
 FocusState RandomEdits::anyFocus()
 {
     FocusState focus = session_.view().query.focus;
-    focus.shape = static_cast<FocusState::Shape>(below(3));
+    focus.shape = static_cast<FocusState::Shape>(below(6));
     const Eigen::AlignedBox3d bounds = session_.model()->description().bounds;
     for (int axis = 0; axis < 3; ++axis) {
         focus.centre[axis] = number(bounds.min()[axis], bounds.max()[axis]);
@@ -136,6 +136,14 @@ FocusState RandomEdits::anyFocus()
     focus.radius = number(0, 0.5) * bounds.diagonal().norm();
     focus.error = number(0, 5);
     focus.falloff = number(0, 0.5) * bounds.diagonal().norm();
+    focus.distance = number(-0.1, 1.1) * bounds.diagonal().norm();
+    focus.valueFalloff = value();
+    switch (below(4)) {
+    case 0: return focus.added();
+    case 1: return focus.removed();
+    case 2: return focus.selected(below(3));
+    default: break;
+    }
     return focus;
 }
 
@@ -151,7 +159,10 @@ WindowState RandomEdits::anyWindow()
 
 void RandomEdits::editQuery()
 {
-    switch (below(8)) {
+    switch (below(9)) {
+    case 8:
+        return session_.setRange({below(2) == 0, number(-1, 30), number(0, 120), number(0, 30), number(0, 120),
+                                  number(0, 30), number(0, 120)});
     case 7: return session_.setWarping({static_cast<WarpingLimit>(below(3)), number(-1, 120)});
     case 0: return session_.setBudget(below(200'000));
     case 1: return session_.setByBudget(below(2) == 0);

@@ -20,6 +20,7 @@ private slots:
     void cleanup() { window_.reset(); }
     void asTheWindowDrawsIt_data();
     void asTheWindowDrawsIt();
+    void aMovingCameraExtractsNothing();
     void aModelIsSeenAsAtFirst_data();
     void aModelIsSeenAsAtFirst();
     void aPictureHoldsItsSession();
@@ -99,6 +100,9 @@ void RenderedSessionTest::asTheWindowDrawsIt_data()
         QTest::addRow("%s, focus", mode) << QString(mode) << true << QString("focus");
         QTest::addRow("%s, window", mode) << QString(mode) << true << QString("window");
     }
+    for (const char* region : {"foci", "view", "isovalues", "opacity"}) // C3
+        QTest::addRow("volume, %s", region) << QString("volume") << true << QString(region);
+    QTest::addRow("isosurface, range") << QString("isosurface") << true << QString("range"); // C2
 }
 
 void RenderedSessionTest::asTheWindowDrawsIt()
@@ -126,6 +130,18 @@ void RenderedSessionTest::asTheWindowDrawsIt()
         focus.shape = FocusState::Shape::Sphere;
         focus.falloff = 1;
         session().setFocus(focus);
+    } else if (region == "foci") {
+        FocusState focus = session().view().query.focus;
+        focus.shape = FocusState::Shape::Sphere;
+        session().setFocus(focus.added());
+    } else if (region == "view" || region == "isovalues" || region == "opacity") {
+        FocusState focus = session().view().query.focus;
+        focus.shape = region == "view"        ? FocusState::Shape::View
+                      : region == "isovalues" ? FocusState::Shape::Isovalues
+                                              : FocusState::Shape::Opacity;
+        session().setFocus(focus);
+    } else if (region == "range") {
+        session().setRange({.enabled = true, .fine = 2, .coarse = 10, .bornAbove = 3});
     } else if (region == "window") {
         WindowState part = session().view().query.window;
         part.enabled = true;
@@ -141,6 +157,27 @@ void RenderedSessionTest::asTheWindowDrawsIt()
         differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
     QVERIFY2(difference.isEmpty(), difference);
     QVERIFY(differenceOf(drawn, QImage(path("program.png")).mirrored()) != QByteArray()); // there is something
+}
+
+/// C3: a mesh that is finer near the viewer is extracted again once the camera rests.
+void RenderedSessionTest::aMovingCameraExtractsNothing()
+{
+    FocusState focus = session().view().query.focus;
+    focus.shape = FocusState::Shape::View;
+    session().setFocus(focus);
+    QTRY_VERIFY(upToDate());
+    SceneBuilder& builder = window_->workbench.scenes().sceneBuilder();
+    const std::shared_ptr<const ExtractedMesh> before = builder.mesh();
+    Camera camera = window_->viewport().camera();
+    for (int step = 0; step < 3; ++step) {
+        camera.azimuth += 20;
+        window_->viewport().setCamera(camera);
+        QCoreApplication::processEvents();
+        QVERIFY(!builder.busy());
+    }
+    QVERIFY(!session().showsQuery() && builder.mesh() == before);
+    QTRY_VERIFY(upToDate());
+    QVERIFY(builder.mesh() != before);
 }
 
 void RenderedSessionTest::aModelIsSeenAsAtFirst_data()

@@ -34,12 +34,21 @@ SessionDocument randomDocument(std::mt19937& random)
     document.view.query.warping = {static_cast<WarpingLimit>(random() % 3), 100 * unit(random)};
     document.view.query.byBudget = random() % 2 == 0;
     document.view.query.budget = random();
-    document.view.query.focus = {static_cast<FocusState::Shape>(random() % 3),
+    document.view.query.focus = {static_cast<FocusState::Shape>(random() % 6),
                                  randomVector(random),
                                  randomVector(random),
+                                 unit(random),
+                                 unit(random),
                                  unit(random),
                                  unit(random),
                                  unit(random)};
+    for (unsigned count = random() % 4; count > 0; --count)
+        document.view.query.focus.others.push_back(
+            random() % 2 == 0 ? MovableRegion(Sphere{randomVector(random), unit(random)})
+                              : MovableRegion(Box{randomVector(random), randomVector(random)}));
+    document.view.query.focus.number = static_cast<std::uint32_t>(document.view.query.focus.others.size());
+    document.view.query.range = {random() % 2 == 0, unit(random), unit(random), unit(random),
+                                 unit(random),      unit(random), unit(random)};
     document.view.query.window.enabled = random() % 2 == 0;
     document.view.query.window.window = {{randomVector(random), randomVector(random)},
                                          static_cast<WindowBorder>(random() % 3)};

@@ -12,6 +12,7 @@
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -47,24 +48,34 @@ void addRow(QGridLayout& grid, int row, QLabel* label, QWidget* input)
 } // namespace
 
 FocusPanel::FocusPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), settings_(new QWidget), radiusLabel_(new QLabel(tr("Rad&ius"))),
-      radius_(new ValueSlider("focus.radius", session)), error_(new AccuracySlider), errorBox_(new AccuracyBox),
-      falloff_(new ValueSlider("focus.falloff", session)), clamped_(dimLabel("focus.clamped")),
+    : QWidget(parent), session_(session), settings_(new QWidget), buttons_(new QWidget), regions_(new QComboBox),
+      add_(new QPushButton(tr("A&dd"))), remove_(new QPushButton(tr("Remo&ve"))),
+      radiusLabel_(new QLabel(tr("Rad&ius"))), radius_(new ValueSlider("focus.radius", session)),
+      error_(new AccuracySlider), errorBox_(new AccuracyBox), falloffLabel_(new QLabel(tr("Fa&ll-off"))),
+      falloff_(new ValueSlider("focus.falloff", session)), distanceLabel_(new QLabel(tr("Dis&tance"))),
+      distance_(new ValueSlider("focus.distance", session)), valueFalloffLabel_(new QLabel(tr("Value ran&ge"))),
+      valueFalloff_(new ValueSlider("focus.valueFalloff", session)), clamped_(dimLabel("focus.clamped")),
       outside_(dimLabel("focus.outside")), expectation_(dimLabel("focus.expectation")), hint_(dimLabel("focus.hint"))
 {
     setObjectName("focus");
-    hint_->setText(tr("A part of the domain with its own error. Choose a shape, then drag its handles in the picture; "
-                      "a double click on a surface moves the focus there."));
+    hint_->setText(tr("Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles "
+                      "in the picture; a double click on a surface moves it there. Or let the error grow with the "
+                      "distance from the viewer or from the isovalues, or where little is seen."));
     auto* settings = new QVBoxLayout(settings_);
     settings->setContentsMargins({});
     settings->addLayout(makeInputs());
     settings->addWidget(clamped_);
     settings->addWidget(outside_);
     settings->addWidget(expectation_);
-    settings->addLayout(makeButtons());
+    auto* ofRegions = new QVBoxLayout(buttons_);
+    ofRegions->setContentsMargins({});
+    ofRegions->addLayout(makeRegions());
+    ofRegions->addLayout(makeButtons());
+    settings->addWidget(buttons_);
 
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
+    layout->addWidget(new QLabel(tr("Accuracy varies with")));
     layout->addLayout(makeShapes());
     layout->addWidget(hint_);
     layout->addWidget(settings_);
@@ -77,6 +88,7 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     connect(&session_, &Session::modelChanged, this, &FocusPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &FocusPanel::showFocus);
     session_.whenChanged(ViewPart::Query, this, &FocusPanel::showFocus);
+    session_.whenChanged(ViewPart::Isovalues, this, &FocusPanel::showExpectation);
     showModel();
 }
 
@@ -97,13 +109,21 @@ QLayout* FocusPanel::makeShapes()
         QString toolTip;
         std::optional<Glyph> glyph;
     };
-    const std::array<Entry, 3> entries{{
+    const std::array<Entry, 6> entries{{
         {"focus.none", tr("None"), tr("The same error everywhere"), std::nullopt},
         {"focus.box", tr("Box"), tr("A box with its own error (B)"), Glyph::Box},
         {"focus.sphere", tr("Sphere"), tr("A sphere with its own error (F)"), Glyph::Sphere},
+        {"focus.view", tr("Viewer"),
+         tr("The error grows with the distance from the viewer. While you move the camera, the mesh stays as it is."),
+         std::nullopt},
+        {"focus.isovalues", tr("Isovalues"), tr("The error grows with the distance from the isovalues that are shown"),
+         std::nullopt},
+        {"focus.opacity", tr("Opacity"), tr("The error is smaller where the transfer function is more opaque"),
+         std::nullopt},
     }};
-    auto* row = new QHBoxLayout;
-    row->setSpacing(2);
+    auto* rows = new QGridLayout;
+    rows->setSpacing(2);
+    constexpr int inRow = 3;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         auto* button = new QToolButton;
         button->setObjectName(entries[i].name);
@@ -116,9 +136,33 @@ QLayout* FocusPanel::makeShapes()
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         connect(button, &QToolButton::clicked, this,
                 [this, i] { edit([i](FocusState& changed) { changed.shape = static_cast<FocusState::Shape>(i); }); });
-        row->addWidget(button);
+        rows->addWidget(button, static_cast<int>(i) / inRow, static_cast<int>(i) % inRow);
         shapes_[i] = button;
     }
+    return rows;
+}
+
+/// Several regions, of which one is edited.
+QLayout* FocusPanel::makeRegions()
+{
+    regions_->setObjectName("focus.region");
+    regions_->setAccessibleName(tr("Region"));
+    regions_->setToolTip(tr("The region that place and size are of; all have the same error and fall-off"));
+    add_->setObjectName("focus.add");
+    add_->setToolTip(tr("Add another region of the same size"));
+    remove_->setObjectName("focus.remove");
+    remove_->setToolTip(tr("Remove this region"));
+    connect(regions_, &QComboBox::activated, this, [this](int index) {
+        edit([index](FocusState& changed) { changed = changed.selected(static_cast<std::uint32_t>(index)); });
+    });
+    connect(add_, &QPushButton::clicked, this,
+            [this] { edit([](FocusState& changed) { changed = changed.added(); }); });
+    connect(remove_, &QPushButton::clicked, this,
+            [this] { edit([](FocusState& changed) { changed = changed.removed(); }); });
+    auto* row = new QHBoxLayout;
+    row->addWidget(regions_, 1);
+    row->addWidget(add_);
+    row->addWidget(remove_);
     return row;
 }
 
@@ -126,12 +170,19 @@ QLayout* FocusPanel::makeInputs()
 {
     auto* grid = new QGridLayout;
     addAxisNames(*grid, 0);
+    for (int column = 0; column < grid->columnCount(); ++column)
+        if (const QLayoutItem* item = grid->itemAtPosition(0, column); item != nullptr && item->widget() != nullptr)
+            axisNames_.push_back(item->widget());
     centre_ = new VectorInput("focus.centre", tr("&Centre"), tr("Centre of the focus, in the coordinates of the data"),
                               session_, *grid, 1, this);
     size_ = new VectorInput("focus.size", tr("&Size"), tr("Edges of the box, in data units"), session_, *grid, 2, this);
     radius_->setTexts(tr("Radius of the sphere"), tr("Radius of the sphere, in data units"));
     falloff_->setTexts(tr("Fall-off"), tr("The distance over which the error grows from that in the focus to that "
                                           "outside, in data units; 0 is a sharp border"));
+    distance_->setTexts(tr("Distance"), tr("The distance over which the error grows from that inside, at the part of "
+                                           "the data that is nearest to the viewer, to that outside, in data units"));
+    valueFalloff_->setTexts(tr("Range of values"), tr("The difference from an isovalue over which the error grows from "
+                                                      "that inside to that outside, in the units of the values"));
     error_->setObjectName("focus.error.slider");
     errorBox_->setObjectName("focus.error.box");
     for (QWidget* input : std::initializer_list<QWidget*>{error_, errorBox_}) {
@@ -147,7 +198,9 @@ QLayout* FocusPanel::makeInputs()
     errors->setFocusProxy(errorBox_);
     addRow(*grid, 3, radiusLabel_, radius_);
     addRow(*grid, 4, new QLabel(tr("Error i&nside")), errors);
-    addRow(*grid, 5, new QLabel(tr("Fa&ll-off")), falloff_);
+    addRow(*grid, 5, falloffLabel_, falloff_);
+    addRow(*grid, 6, distanceLabel_, distance_);
+    addRow(*grid, 7, valueFalloffLabel_, valueFalloff_);
     return grid;
 }
 
@@ -165,6 +218,10 @@ void FocusPanel::connectInputs()
     connect(errorBox_, &AccuracyBox::chosen, this, choose);
     connect(falloff_, &ValueSlider::edited, this,
             [this](double length) { edit([length](FocusState& changed) { changed.falloff = length; }); });
+    connect(distance_, &ValueSlider::edited, this,
+            [this](double length) { edit([length](FocusState& changed) { changed.distance = length; }); });
+    connect(valueFalloff_, &ValueSlider::edited, this,
+            [this](double values) { edit([values](FocusState& changed) { changed.valueFalloff = values; }); });
 }
 
 QLayout* FocusPanel::makeButtons()
@@ -206,10 +263,15 @@ void FocusPanel::showModel()
         size_->setRange(Eigen::Vector3d::Zero(), 2 * bounds.sizes());
         radius_->setRange(0, model->diagonal() / 2);
         falloff_->setRange(0, model->diagonal() / 2);
+        distance_->setRange(0, model->diagonal());
+        valueFalloff_->setRange(0, model->description().range.extent());
     }
-    const int width = std::max(
-        {radius_->box()->sizeHint().width(), errorBox_->sizeHint().width(), falloff_->box()->sizeHint().width()});
-    for (QWidget* box : std::initializer_list<QWidget*>{radius_->box(), errorBox_, falloff_->box()})
+    const std::initializer_list<QWidget*> boxes{radius_->box(), errorBox_, falloff_->box(), distance_->box(),
+                                                valueFalloff_->box()};
+    int width = 0;
+    for (const QWidget* box : boxes)
+        width = std::max(width, box->sizeHint().width());
+    for (QWidget* box : boxes)
         box->setFixedWidth(width);
     showFocus();
 }
@@ -221,17 +283,39 @@ void FocusPanel::showFocus()
         showChecked(*shapes_[i], i == static_cast<std::size_t>(shown.shape));
     settings_->setVisible(shown.isOn());
     hint_->setVisible(!shown.isOn());
-    const bool isSphere = shown.shape == FocusState::Shape::Sphere;
-    size_->setVisible(!isSphere);
-    radiusLabel_->setVisible(isSphere);
-    radius_->setVisible(isSphere);
+    const auto onlyFor = [](bool shows, std::initializer_list<QWidget*> widgets) {
+        for (QWidget* widget : widgets)
+            widget->setVisible(shows);
+    };
+    for (QWidget* name : axisNames_)
+        name->setVisible(shown.isRegion());
+    centre_->setVisible(shown.isRegion());
+    size_->setVisible(shown.shape == FocusState::Shape::Box);
+    onlyFor(shown.shape == FocusState::Shape::Sphere, {radiusLabel_, radius_});
+    onlyFor(shown.isRegion(), {falloffLabel_, falloff_, buttons_});
+    onlyFor(shown.shape == FocusState::Shape::View, {distanceLabel_, distance_});
+    onlyFor(shown.shape == FocusState::Shape::Isovalues, {valueFalloffLabel_, valueFalloff_});
+    showRegions();
     centre_->setValue(shown.centre);
     size_->setValue(shown.size);
     radius_->setValue(shown.radius);
     error_->setAccuracy(shown.error);
     errorBox_->setAccuracy(shown.error);
     falloff_->setValue(shown.falloff);
+    distance_->setValue(shown.distance);
+    valueFalloff_->setValue(shown.valueFalloff);
     showExpectation();
+}
+
+void FocusPanel::showRegions()
+{
+    const std::vector<MovableRegion> regions = focus().regions();
+    regions_->clear();
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        regions_->addItem((std::holds_alternative<Sphere>(regions[i]) ? tr("%1: sphere") : tr("%1: box"))
+                              .arg(static_cast<qulonglong>(i + 1)));
+    regions_->setCurrentIndex(static_cast<int>(focus().number));
+    add_->setEnabled(regions.size() < mostFocusRegions);
 }
 
 /// What is known before anything is extracted: the mesh lies between the uniform ones of the two errors.
@@ -251,6 +335,10 @@ void FocusPanel::showExpectation()
     if (query.byBudget) {
         outside_->setText(tr("With the budget the error outside is %1 times this one.")
                               .arg(QLocale().toString(query.error / std::max(inner, 1e-3), 'g', 3)));
+        return;
+    }
+    if (query.focus.shape == FocusState::Shape::Isovalues && session_.view().isovalues.empty()) {
+        outside_->setText(tr("There is no isovalue, so the error is %1 everywhere.").arg(percentText(query.error)));
         return;
     }
     outside_->setText(tr("Outside %1, as chosen under Accuracy.").arg(percentText(query.error)));

@@ -6,8 +6,11 @@
 #include <QWidget>
 
 #include <array>
+#include <vector>
 
+class QComboBox;
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace tetra {
@@ -17,8 +20,8 @@ class AccuracySlider;
 class ValueSlider;
 class VectorInput;
 
-/// The region where the mesh has an accuracy of its own (R25): shape, place, size, error and fall-off. What the tools
-/// in the picture do by hand, by numbers.
+/// What the accuracy varies with (R25, C3): regions, with shape, place, size, error and fall-off, which the tools in
+/// the picture move by hand; the distance from the viewer; the isovalues that are shown; or the opacity.
 class FocusPanel : public QWidget {
     Q_OBJECT
 public:
@@ -33,6 +36,7 @@ protected:
 
 private:
     QLayout* makeShapes();
+    QLayout* makeRegions();
     QLayout* makeInputs();
     void connectInputs();
     QLayout* makeButtons();
@@ -40,18 +44,29 @@ private:
     template <class Change> void edit(Change change);
     void showModel();
     void showFocus();
+    void showRegions();
     void showExpectation();
 
     Session& session_;
-    std::array<QToolButton*, 3> shapes_{}; ///< in the order of FocusState::Shape
+    std::array<QToolButton*, 6> shapes_{}; ///< in the order of FocusState::Shape
     QWidget* settings_;                    ///< all that is of use with a focus only
+    QWidget* buttons_;                     ///< of regions only
+    QComboBox* regions_;
+    QPushButton* add_;
+    QPushButton* remove_;
+    std::vector<QWidget*> axisNames_;
     VectorInput* centre_ = nullptr;
     VectorInput* size_ = nullptr;
     QLabel* radiusLabel_;
     ValueSlider* radius_;
     AccuracySlider* error_;
     AccuracyBox* errorBox_;
+    QLabel* falloffLabel_;
     ValueSlider* falloff_;
+    QLabel* distanceLabel_;
+    ValueSlider* distance_;
+    QLabel* valueFalloffLabel_;
+    ValueSlider* valueFalloff_;
     QLabel* clamped_;
     QLabel* outside_;
     QLabel* expectation_;

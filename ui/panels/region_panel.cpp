@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/region_panel.h"
 
+#include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "plugins/widgets/value_box.h"
+#include "ui/panels/accuracy_inputs.h"
 #include "ui/widgets/value_slider.h"
 #include "ui/widgets/vector_input.h"
 
@@ -26,7 +28,8 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), window_(new QCheckBox(tr("Only a &window"))), windowSettings_(new QWidget),
       border_(new QComboBox), values_(new QCheckBox(tr("&Limit to a range of values"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
-      reset_(new QPushButton(tr("&Reset to Whole Domain")))
+      reset_(new QPushButton(tr("&Reset to Whole Domain"))),
+      range_(new QCheckBox(tr("All that lived in a range of &errors"))), rangeSettings_(new QWidget)
 {
     setObjectName("region");
     window_->setObjectName("region.window");
@@ -34,8 +37,13 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     values_->setObjectName("region.values");
     values_->setToolTip(tr("Show only tetrahedra that can contain a value of a range. Isosurfaces of other values are "
                            "not seen, or only in part."));
+    range_->setObjectName("region.range");
+    range_->setToolTip(
+        tr("In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as "
+           "surfaces. A window keeps them whole."));
     windowSettings_->setLayout(makeWindow());
     valueSettings_->setLayout(makeValues());
+    rangeSettings_->setLayout(makeRange());
 
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
@@ -47,6 +55,9 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
     layout->addSpacing(6);
     layout->addWidget(values_);
     layout->addWidget(valueSettings_);
+    layout->addSpacing(6);
+    layout->addWidget(range_);
+    layout->addWidget(rangeSettings_);
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
@@ -56,6 +67,8 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
             [this](bool on) { editWindow([on](WindowState& window) { window.enabled = on; }); });
     connect(values_, &QCheckBox::clicked, this,
             [this](bool on) { editValues([on](ValueFilter& values) { values.enabled = on; }); });
+    connect(range_, &QCheckBox::clicked, this,
+            [this](bool on) { editRange([on](RangeState& range) { range.enabled = on; }); });
     connect(&session_, &Session::modelChanged, this, &RegionPanel::showModel);
     session_.whenChanged(ViewPart::Query, this, &RegionPanel::showQuery);
     showModel();
@@ -75,6 +88,14 @@ template <class Change> void RegionPanel::editValues(Change change)
     ValueFilter changed = session_.view().query.values;
     change(changed);
     session_.setValueFilter(changed);
+    showQuery();
+}
+
+template <class Change> void RegionPanel::editRange(Change change)
+{
+    RangeState changed = session_.view().query.range;
+    change(changed);
+    session_.setRange(changed);
     showQuery();
 }
 
@@ -135,6 +156,59 @@ QLayout* RegionPanel::makeValues()
     return grid;
 }
 
+/// Two errors, and what of the tetrahedra between them is chosen: that only filters what is there.
+QLayout* RegionPanel::makeRange()
+{
+    struct Row {
+        const char* name;
+        double RangeState::*percent;
+        QString label;
+        QString accessibleName;
+        QString toolTip;
+    };
+    const QString noLimit = tr("in percent of the value range; 100 is no limit");
+    const std::array<Row, 6> rows{{
+        {"fine", &RangeState::fine, tr("F&inest"), tr("Smallest error of the range"),
+         tr("The mesh of this error is the finest of the range, in percent of the value range")},
+        {"coarse", &RangeState::coarse, tr("&Coarsest"), tr("Largest error of the range"),
+         tr("The mesh of this error is the coarsest of the range, in percent of the value range")},
+        {"bornAbove", &RangeState::bornAbove, tr("Bor&n above"), tr("Born above"),
+         tr("Only tetrahedra that are in meshes from an error above this one on, in percent of the value range")},
+        {"bornTo", &RangeState::bornTo, tr("Born &up to"), tr("Born up to"),
+         tr("Only tetrahedra that are in no mesh of a larger error than this, %1").arg(noLimit)},
+        {"diedFrom", &RangeState::diedFrom, tr("Replace&d from"), tr("Replaced from"),
+         tr("Only tetrahedra that are replaced at this error or before, in percent of the value range")},
+        {"diedTo", &RangeState::diedTo, tr("Re&placed up to"), tr("Replaced up to"),
+         tr("Only tetrahedra that are still in the mesh of this error, %1").arg(noLimit)},
+    }};
+    auto* grid = new QGridLayout;
+    grid->setContentsMargins({});
+    grid->setColumnStretch(1, 1);
+    for (const Row& row : rows) {
+        const RangeInput input{row.percent, new AccuracySlider, new AccuracyBox};
+        input.slider->setObjectName(QString("region.%1.slider").arg(row.name));
+        input.box->setObjectName(QString("region.%1.box").arg(row.name));
+        for (QWidget* widget : std::initializer_list<QWidget*>{input.slider, input.box}) {
+            widget->setAccessibleName(row.accessibleName);
+            widget->setToolTip(row.toolTip);
+            new GestureWatcher(widget, session_);
+        }
+        const auto choose = [this, member = row.percent](double percent) {
+            editRange([member, percent](RangeState& range) { range.*member = percent; });
+        };
+        connect(input.slider, &AccuracySlider::chosen, this, choose);
+        connect(input.box, &AccuracyBox::chosen, this, choose);
+        auto* label = new QLabel(row.label);
+        label->setBuddy(input.box);
+        const int number = static_cast<int>(rangeInputs_.size());
+        grid->addWidget(label, number, 0);
+        grid->addWidget(input.slider, number, 1);
+        grid->addWidget(input.box, number, 2);
+        rangeInputs_.push_back(input);
+    }
+    return grid;
+}
+
 void RegionPanel::showModel()
 {
     setEnabled(session_.model() != nullptr);
@@ -170,6 +244,12 @@ void RegionPanel::showQuery()
     valueSettings_->setVisible(query.values.enabled);
     least_->setValue(query.values.least);
     largest_->setValue(query.values.largest);
+    range_->setChecked(query.range.enabled);
+    rangeSettings_->setVisible(query.range.enabled);
+    for (const RangeInput& input : rangeInputs_) {
+        input.slider->setAccuracy(query.range.*input.percent);
+        input.box->setAccuracy(query.range.*input.percent);
+    }
 }
 
 } // namespace tetra

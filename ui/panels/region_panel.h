@@ -5,17 +5,21 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
 class QPushButton;
 
 namespace tetra {
 
+class AccuracyBox;
+class AccuracySlider;
 class ValueSlider;
 class VectorInput;
 
 /// Which part of the mesh is seen: a window into the domain, and what becomes of the tetrahedra at its border (S17);
-/// and a range of values.
+/// a range of values; and in place of one mesh what lived between two errors, chosen by births and deaths (C2).
 class RegionPanel : public QWidget {
     Q_OBJECT
 public:
@@ -24,8 +28,10 @@ public:
 private:
     QLayout* makeWindow();
     QLayout* makeValues();
+    QLayout* makeRange();
     template <class Change> void editWindow(Change change);
     template <class Change> void editValues(Change change);
+    template <class Change> void editRange(Change change);
     void showModel();
     void showQuery();
 
@@ -40,6 +46,15 @@ private:
     ValueSlider* least_;
     ValueSlider* largest_;
     QPushButton* reset_;
+    /// An error of the range.
+    struct RangeInput {
+        double RangeState::*percent;
+        AccuracySlider* slider;
+        AccuracyBox* box;
+    };
+    QCheckBox* range_;
+    QWidget* rangeSettings_;
+    std::vector<RangeInput> rangeInputs_;
 };
 
 } // namespace tetra

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace tetra {
 namespace {
@@ -31,6 +33,21 @@ Eigen::Vector3d numbersOr(const Eigen::Vector3d& values, const Eigen::Vector3d& 
     return result;
 }
 
+Box corrected(const Box& box, const Box& before, const Model& model);
+
+/// A further region of a focus, which had better be there.
+MovableRegion corrected(const MovableRegion& region, const FocusState& usual, const Model& model)
+{
+    if (const Box* const box = std::get_if<Box>(&region))
+        return corrected(*box, std::get<Box>(FocusState{FocusState::Shape::Box, usual.centre, usual.size}.region()),
+                         model);
+    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    Sphere sphere = std::get<Sphere>(region);
+    sphere.centre = numbersOr(sphere.centre, usual.centre).cwiseMax(bounds.min()).cwiseMin(bounds.max());
+    sphere.radius = std::clamp(numberOr(sphere.radius, usual.radius), leastPart * model.diagonal(), model.diagonal());
+    return sphere;
+}
+
 FocusState corrected(FocusState focus, const FocusState& before, const Model& model)
 {
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
@@ -40,6 +57,14 @@ FocusState corrected(FocusState focus, const FocusState& before, const Model& mo
     focus.radius = std::clamp(numberOr(focus.radius, before.radius), leastPart * diagonal, diagonal);
     focus.error = std::clamp(numberOr(focus.error, before.error), 0.0, 100.0);
     focus.falloff = std::clamp(numberOr(focus.falloff, before.falloff), 0.0, diagonal);
+    focus.distance = std::clamp(numberOr(focus.distance, before.distance), leastPart * diagonal, diagonal);
+    const double extent = model.description().range.extent();
+    focus.valueFalloff =
+        std::clamp(numberOr(focus.valueFalloff, before.valueFalloff), leastPart * extent, extent);
+    focus.others.resize(std::min(focus.others.size(), mostFocusRegions - 1), Sphere());
+    for (MovableRegion& region : focus.others)
+        region = corrected(region, focus, model);
+    focus.number = std::min(focus.number, static_cast<std::uint32_t>(focus.others.size()));
     return focus;
 }
 
@@ -63,12 +88,117 @@ ValueFilter corrected(const ValueFilter& values, const ValueFilter& before, cons
     return {values.enabled, std::min(one, other), std::max(one, other)};
 }
 
-Region regionOf(const FocusState& focus)
+RangeState corrected(RangeState range, const RangeState& before)
 {
-    return std::visit([](const auto& region) { return Region(region); }, focus.region());
+    const auto bring = [](double& percent, double otherwise) {
+        percent = std::clamp(numberOr(percent, otherwise), 0.0, 100.0);
+    };
+    bring(range.fine, before.fine);
+    bring(range.coarse, before.coarse);
+    bring(range.bornAbove, before.bornAbove);
+    bring(range.bornTo, before.bornTo);
+    bring(range.diedFrom, before.diedFrom);
+    bring(range.diedTo, before.diedTo);
+    // The end that was moved pushes the other one.
+    const auto order = [](double& least, double& largest, bool leastMoved) {
+        if (least > largest)
+            (leastMoved ? largest : least) = leastMoved ? least : largest;
+    };
+    order(range.fine, range.coarse, range.fine != before.fine);
+    order(range.bornAbove, range.bornTo, range.bornAbove != before.bornAbove);
+    order(range.diedFrom, range.diedTo, range.diedFrom != before.diedFrom);
+    return range;
+}
+
+/// What the error varies with; in the same way whatever the numbers are.
+ErrorField focusField(const FocusState& focus, double inner, double outer, const Model& model,
+                      const PresentView& present)
+{
+    switch (focus.shape) {
+    case FocusState::Shape::None: break;
+    case FocusState::Shape::Isovalues:
+        return ErrorField::nearValues(present.isovalues, inner, outer, focus.valueFalloff);
+    case FocusState::Shape::Opacity: return ErrorField::byOpacity(present.opacity, inner, outer);
+    case FocusState::Shape::View:
+        if (present.eye)
+            return SpaceRamp{Sphere{*present.eye, model.description().bounds.exteriorDistance(*present.eye)}, inner,
+                             outer, focus.distance};
+        break;
+    case FocusState::Shape::Box:
+    case FocusState::Shape::Sphere: {
+        std::optional<ErrorField> field;
+        for (const MovableRegion& region : focus.regions()) {
+            const Region place = std::visit([](const auto& shape) { return Region(shape); }, region);
+            const ErrorField ramp = SpaceRamp{place, inner, outer, focus.falloff};
+            field = field ? smallerOf(*field, ramp) : ramp;
+        }
+        return *field;
+    }
+    }
+    return outer;
+}
+
+/// Of many meshes in place of one.
+LifeRange lifeRange(const RangeState& range, const WarpingChoice& warping)
+{
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    const auto least = [](double percent) { return percent > 0 ? percent : -unlimited; };
+    const auto most = [](double percent) { return percent < 100 ? percent : unlimited; };
+    return {warping.with(range.fine),
+            warping.with(range.coarse),
+            {least(range.bornAbove), most(range.bornTo)},
+            {least(range.diedFrom), most(range.diedTo)}};
 }
 
 } // namespace
+
+std::vector<MovableRegion> FocusState::regions() const
+{
+    if (!isRegion())
+        return {};
+    std::vector<MovableRegion> all = others;
+    all.insert(all.begin() + std::min<std::ptrdiff_t>(number, std::ssize(all)), region());
+    return all;
+}
+
+FocusState FocusState::selected(std::uint32_t other) const
+{
+    std::vector<MovableRegion> all = regions();
+    if (other >= all.size() || other == number)
+        return *this;
+    FocusState result = *this;
+    result.shape = std::holds_alternative<Sphere>(all[other]) ? Shape::Sphere : Shape::Box;
+    result = result.movedTo(all[other]);
+    all.erase(all.begin() + other);
+    result.others = std::move(all);
+    result.number = other;
+    return result;
+}
+
+FocusState FocusState::added() const
+{
+    if (!isRegion() || others.size() + 1 >= mostFocusRegions)
+        return *this;
+    FocusState result = *this;
+    result.others = regions();
+    result.number = static_cast<std::uint32_t>(result.others.size());
+    result.centre.x() += shape == Shape::Sphere ? radius : size.x() / 2; // so that both are seen
+    return result;
+}
+
+FocusState FocusState::removed() const
+{
+    FocusState result = *this;
+    if (!isRegion() || others.empty()) {
+        result.shape = Shape::None;
+        return result;
+    }
+    const std::uint32_t gone = number;
+    result = selected(gone == 0 ? 1 : gone - 1);
+    result.others.erase(result.others.begin() + (gone == 0 ? 0 : gone - 1));
+    result.number = gone == 0 ? 0 : gone - 1;
+    return result;
+}
 
 MovableRegion FocusState::region() const
 {
@@ -93,7 +223,7 @@ FocusState FocusState::movedTo(const MovableRegion& region) const
 
 bool QueryState::has(RegionKind kind) const noexcept
 {
-    return (kind == RegionKind::Focus && focus.isOn()) || (kind == RegionKind::Window && window.enabled);
+    return (kind == RegionKind::Focus && focus.isRegion()) || (kind == RegionKind::Window && window.enabled);
 }
 
 MovableRegion QueryState::place(RegionKind kind) const
@@ -115,7 +245,7 @@ QueryState QueryState::without(RegionKind kind) const
 {
     QueryState result = *this;
     if (kind == RegionKind::Focus)
-        result.focus.shape = FocusState::Shape::None;
+        result.focus = focus.removed();
     else if (kind == RegionKind::Window)
         result.window.enabled = false;
     return result;
@@ -131,6 +261,8 @@ QueryState startingQuery(const Model& model, double error)
     query.focus.size = bounds.sizes() / 5;
     query.focus.radius = model.diagonal() / 16;
     query.focus.falloff = 0; // the fewest tetrahedra
+    query.focus.distance = model.diagonal() / 2;
+    query.focus.valueFalloff = range.extent() / 10;
     // The finest preset that is not more than a quarter: a difference that is seen.
     query.focus.error = 0;
     for (const double preset : accuracyPresets)
@@ -150,6 +282,7 @@ QueryState corrected(QueryState query, const QueryState& before, const Model& mo
     query.focus = corrected(query.focus, before.focus, model);
     query.window.window.box = corrected(query.window.window.box, before.window.window.box, model);
     query.values = corrected(query.values, before.values, model.description().range);
+    query.range = corrected(query.range, before.range);
     return query;
 }
 
@@ -158,12 +291,22 @@ double focusErrorOf(const QueryState& query)
     return std::min(query.focus.error, query.error);
 }
 
-MeshQuery meshQuery(const QueryState& query, const Model& model)
+MeshQuery meshQuery(const QueryState& query, const Model& model, const PresentView& present)
 {
+    MeshQuery result;
+    if (query.window.enabled)
+        result.window = query.window.window;
+    if (query.values.enabled)
+        result.values = {{query.values.least, query.values.largest}};
+    if (query.range.enabled) {
+        result.range = lifeRange(query.range, query.warping);
+        if (result.window && result.window->border == WindowBorder::Clipped)
+            result.window->border = WindowBorder::Intersecting; // what is cut has no life
+        return result;
+    }
     double inner = focusErrorOf(query);
     double outer = query.error;
     WarpingChoice warping = query.warping;
-    MeshQuery result;
     if (query.byBudget) {
         result.budget = query.budget;
         const double larger = std::max({query.focus.isOn() ? inner : 0, outer, finestWithBudget});
@@ -172,22 +315,15 @@ MeshQuery meshQuery(const QueryState& query, const Model& model)
         outer = std::max(outer * factor, finestWithBudget);
         warping.percent = std::max(warping.percent * factor, finestWithBudget);
     }
-    const auto fieldOf = [&query](double within, double elsewhere) {
-        return query.focus.isOn() && within < elsewhere
-                   ? ErrorField(SpaceRamp{regionOf(query.focus), within, elsewhere, query.focus.falloff})
-                   : ErrorField(elsewhere);
+    const auto fieldOf = [&](double within, double elsewhere) {
+        return within < elsewhere ? focusField(query.focus, within, elsewhere, model, present) : ErrorField(elsewhere);
     };
-    result.error = query.focus.isOn() ? ErrorField(SpaceRamp{regionOf(query.focus), inner, outer, query.focus.falloff})
-                                      : ErrorField(outer);
+    result.error = focusField(query.focus, inner, outer, model, present);
     if (model.description().warpingWeight > 0)
         result.warping = warping.limit == WarpingLimit::AsError ? result.error
                          : warping.limit == WarpingLimit::None
                              ? ErrorField(anyWarping)
                              : fieldOf(std::min(inner, warping.percent), warping.percent);
-    if (query.window.enabled)
-        result.window = query.window.window;
-    if (query.values.enabled)
-        result.values = {{query.values.least, query.values.largest}};
     return result;
 }
 

@@ -125,6 +125,8 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
             return tr("Change Window");
         if (before.query.values != after.query.values)
             return tr("Change Values");
+        if (before.query.range != after.query.range)
+            return tr("Change Range");
         if (before.query.warping != after.query.warping)
             return tr("Change Warping");
         return after.query.byBudget ? tr("Change Budget") : tr("Change Accuracy");
@@ -323,6 +325,11 @@ void Session::setValueFilter(const ValueFilter& values)
     edit([&](ViewValue& view) { view.query.values = values; });
 }
 
+void Session::setRange(const RangeState& range)
+{
+    edit([&](ViewValue& view) { view.query.range = range; });
+}
+
 void Session::setMode(const std::string& mode)
 {
     edit([&](ViewValue& view) { view.appearance.mode = mode; });
@@ -403,7 +410,7 @@ bool Session::hasIsovalue(int index) const
 
 bool Session::showsQuery() const
 {
-    return shown_ && model_ && shown_->query == meshQuery(view_.query, *model_);
+    return shown_ && model_ && shown_->query == meshQuery(view_.query, *model_, presentView(view_));
 }
 
 void Session::setShown(const ShownMesh& shown)

@@ -73,6 +73,7 @@ public:
     void setFocus(const FocusState& focus);
     void setWindow(const WindowState& window);
     void setValueFilter(const ValueFilter& values);
+    void setRange(const RangeState& range);
     /// The id of a renderer plugin.
     void setMode(const std::string& mode);
     void setTransfer(const TransferFunction& transfer);

@@ -46,9 +46,17 @@ QString partText(const ShownMesh& mesh)
 
 QString errorText(const ShownMesh& mesh)
 {
+    if (mesh.query.range)
+        return MeshText::tr("errors from %1 to %2")
+            .arg(percentText(std::min(mesh.query.range->one.error, mesh.query.range->other.error)),
+                 percentText(std::max(mesh.query.range->one.error, mesh.query.range->other.error)));
     if (const SpaceRamp* ramp = mesh.query.error.asSpaceRamp())
         return MeshText::tr("error %1 in the focus, %2 outside")
             .arg(keptText(ramp->inner, mesh.scale), keptText(ramp->outer, mesh.scale));
+    if (!mesh.query.error.isConstant())
+        return MeshText::tr("error %1 to %2")
+            .arg(keptText(mesh.query.error.bounds().minimum, mesh.scale),
+                 keptText(mesh.query.error.bounds().maximum, mesh.scale));
     return MeshText::tr("error %1").arg(keptText(mesh.query.error.bounds().maximum, mesh.scale));
 }
 
@@ -63,6 +71,9 @@ QString piecesText(const ShownMesh& mesh)
 QString meshText(const ShownMesh& mesh, const Model& model)
 {
     const QString errors = errorText(mesh);
+    if (mesh.query.range)
+        return MeshText::tr("Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.")
+            .arg(errors, countText(mesh.keptTetrahedra), countText(mesh.wholeTetrahedra));
     const double warping = mesh.query.warping.bounds().maximum;
     const bool warps = model.description().warpingWeight > 0;
     QStringList sentences{

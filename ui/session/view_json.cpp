@@ -13,7 +13,7 @@
 namespace tetra {
 namespace {
 
-constexpr std::array shapeNames = {"none", "box", "sphere"};
+constexpr std::array shapeNames = {"none", "box", "sphere", "view", "isovalues", "opacity"};
 constexpr std::array warpingNames = {"asError", "own", "none"};
 constexpr std::array borderNames = {"intersecting", "contained", "clipped"};
 constexpr std::array filmNames = {"turntable", "keyFrames"};
@@ -51,6 +51,56 @@ void readBudget(const JsonFields& fields, std::uint64_t& budget)
     budget = static_cast<std::uint64_t>(std::clamp(wide, 0.0, mostTetrahedra));
 }
 
+QJsonArray toJson(const std::vector<MovableRegion>& regions)
+{
+    QJsonArray list;
+    for (const MovableRegion& region : regions) {
+        if (const Box* const box = std::get_if<Box>(&region))
+            list.append(QJsonObject{{"least", three(box->least)}, {"largest", three(box->largest)}});
+        else
+            list.append(QJsonObject{{"centre", three(std::get<Sphere>(region).centre)},
+                                    {"radius", std::get<Sphere>(region).radius}});
+    }
+    return list;
+}
+
+void readRegions(const JsonFields& fields, std::vector<MovableRegion>& regions)
+{
+    if (fields.has("others"))
+        regions.clear();
+    for (const JsonFields& one : fields.list("others")) {
+        if (one.has("radius")) {
+            Sphere sphere;
+            one.readThree("centre", sphere.centre);
+            one.read("radius", sphere.radius);
+            regions.emplace_back(sphere);
+        } else {
+            Box box;
+            one.readThree("least", box.least);
+            one.readThree("largest", box.largest);
+            regions.emplace_back(box);
+        }
+    }
+}
+
+QJsonObject toJson(const RangeState& range)
+{
+    return {{"on", range.enabled},          {"fine", range.fine},     {"coarse", range.coarse},
+            {"bornAbove", range.bornAbove}, {"bornTo", range.bornTo}, {"diedFrom", range.diedFrom},
+            {"diedTo", range.diedTo}};
+}
+
+void readRange(const JsonFields& fields, RangeState& range)
+{
+    fields.read("on", range.enabled);
+    fields.read("fine", range.fine);
+    fields.read("coarse", range.coarse);
+    fields.read("bornAbove", range.bornAbove);
+    fields.read("bornTo", range.bornTo);
+    fields.read("diedFrom", range.diedFrom);
+    fields.read("diedTo", range.diedTo);
+}
+
 QJsonObject toJson(const QueryState& query)
 {
     const FocusState& focus = query.focus;
@@ -66,7 +116,12 @@ QJsonObject toJson(const QueryState& query)
                               {"size", three(focus.size)},
                               {"radius", focus.radius},
                               {"error", focus.error},
-                              {"falloff", focus.falloff}}},
+                              {"falloff", focus.falloff},
+                              {"distance", focus.distance},
+                              {"valueFalloff", focus.valueFalloff},
+                              {"others", toJson(focus.others)},
+                              {"number", static_cast<qint64>(focus.number)}}},
+        {"range", toJson(query.range)},
         {"window", QJsonObject{{"on", query.window.enabled},
                                {"least", three(window.box.least)},
                                {"largest", three(window.box.largest)},
@@ -90,6 +145,13 @@ void readQuery(const JsonFields& fields, QueryState& query)
     focus.read("radius", query.focus.radius);
     focus.read("error", query.focus.error);
     focus.read("falloff", query.focus.falloff);
+    focus.read("distance", query.focus.distance);
+    focus.read("valueFalloff", query.focus.valueFalloff);
+    readRegions(focus, query.focus.others);
+    double number = query.focus.number;
+    focus.read("number", number);
+    query.focus.number = static_cast<std::uint32_t>(std::clamp(number, 0.0, static_cast<double>(mostFocusRegions)));
+    readRange(fields.fields("range"), query.range);
     const JsonFields window = fields.fields("window");
     window.read("on", query.window.enabled);
     window.readThree("least", query.window.window.box.least);

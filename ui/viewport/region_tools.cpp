@@ -298,6 +298,9 @@ void RegionTools::showOutlines()
     for (const RegionKind kind : kinds)
         if (query().has(kind) && !(drag_ && kind == selected_))
             outlined.push_back({query().place(kind), regionColour(kind, palette())});
+    if (query().has(RegionKind::Focus))
+        for (const MovableRegion& other : query().focus.others)
+            outlined.push_back({other, regionColour(RegionKind::Focus, palette())});
     if (outlined == outlined_)
         return;
     outlined_ = std::move(outlined);

@@ -70,7 +70,7 @@ void RegionActions::follow()
     const bool isOpen = session_.model() != nullptr;
     for (QAction* action : {sphere_, box_, window_})
         action->setEnabled(isOpen);
-    toView_->setEnabled(isOpen && query.focus.isOn());
+    toView_->setEnabled(isOpen && query.focus.isRegion());
     sphere_->setChecked(query.focus.shape == FocusState::Shape::Sphere);
     box_->setChecked(query.focus.shape == FocusState::Shape::Box);
     window_->setChecked(query.window.enabled);

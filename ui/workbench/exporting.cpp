@@ -66,7 +66,8 @@ void Exporting::saveFilm(const FilmOrder& order)
 /// extracted.
 MeshOrder Exporting::meshOrder(const std::filesystem::path& target) const
 {
-    MeshOrder order{session_.model(), nullptr, meshQuery(session_.view().query, *session_.model()), target};
+    MeshOrder order{session_.model(), nullptr,
+                    meshQuery(session_.view().query, *session_.model(), presentView(session_.view())), target};
     const Renderer* renderer = scenes_.renderer();
     const bool isBlended = renderer != nullptr && renderer->needs().focusMesh;
     // While the worker is busy its mesh may be that of a picture to come.

@@ -27,6 +27,11 @@ void addErrors(MeshFacts& facts, const std::string& name, const ErrorField& fiel
 MeshFacts factsOf(const Model& model, const MeshQuery& query, double scale)
 {
     MeshFacts facts = {{"model", model.path().filename().string()}, {"dataset", model.description().sourceName}};
+    if (query.range) {
+        facts.emplace_back("smallest error in percent", std::min(query.range->one.error, query.range->other.error));
+        facts.emplace_back("largest error in percent", std::max(query.range->one.error, query.range->other.error));
+        return facts;
+    }
     addErrors(facts, "error in percent", query.error, scale);
     if (model.description().warpingWeight > 0)
         addErrors(facts, "warping in percent", query.warping, scale);
@@ -94,6 +99,9 @@ Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progr
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
     content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
     content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
+    if (!extracted.birthErrors.empty())
+        content.cellArrays = {{"birth_error", std::span<const float>(extracted.birthErrors)},
+                              {"death_error", std::span<const float>(extracted.deathErrors)}};
     content.facts = factsOf(*order.model, order.query, extracted.scale);
     if (Status right = order.model->confirm(progress.withCallback({})); !right)
         return right;

@@ -48,6 +48,8 @@ MeshQuery coarserQuery(MeshQuery query, std::uint64_t budget)
 std::vector<MeshQuery> coarserQueries(const MeshQuery& query, const ShownMesh& shown, const MovingQuality& quality)
 {
     std::vector<MeshQuery> queries;
+    if (query.range)
+        return queries; // no coarser mesh stands for many
     const double whole = static_cast<double>(shown.wholeTetrahedra) / static_cast<double>(shown.tetrahedra);
     switch (quality.kind) {
     case MovingQuality::Kind::FrameRate:

@@ -4,13 +4,24 @@
 #include "ui/session/message_text.h"
 #include "ui/workbench/view_picture.h"
 
+#include <chrono>
+
 namespace tetra {
+namespace {
+
+constexpr std::chrono::milliseconds settlingTime(300);
+
+} // namespace
 
 SceneService::SceneService(PluginHost& host, Session& session) : host_(host), session_(session)
 {
     connect(&session_, &Session::modelChanged, this, &SceneService::requestScene);
     connect(&session_, &Session::modelGrown, this, &SceneService::requestScene);
     session_.whenChanged(ViewPart::Scene, this, &SceneService::requestScene);
+    session_.whenChanged(ViewPart::Camera, this, &SceneService::followCamera);
+    settling_.setSingleShot(true);
+    settling_.setInterval(settlingTime);
+    connect(&settling_, &QTimer::timeout, this, &SceneService::requestScene);
     connect(&sceneBuilder_, &SceneBuilder::failed, this,
             [this](const Error& error) { emit failed(translatedMessage(error.message)); });
     connect(&sceneBuilder_, &SceneBuilder::sceneReady, &session_,
@@ -96,8 +107,9 @@ void SceneService::previewView(const std::optional<ViewValue>& view)
 }
 
 /// Seen as the viewport has it, which may be on its way to the camera of the view.
-SceneRequest SceneService::requestOf(const ViewValue& view) const
+SceneRequest SceneService::requestOf(ViewValue view) const
 {
+    view.camera = settled_;
     SceneRequest request = sceneOf(session_.model(), renderer(), renderingParameters(), view);
     request.camera = camera_;
     request.width = pixels_.width();
@@ -129,9 +141,18 @@ void SceneService::requestScene()
 {
     if (!session_.model() || renderer() == nullptr)
         return;
+    if (!settling_.isActive())
+        settled_ = session_.view().camera;
     const SceneRequest request = sceneRequest();
     draftBuilder_.requestAppearance(request);
     sceneBuilder_.request(request);
+}
+
+/// A mesh that is finer near the viewer is extracted again when the camera has come to rest, not for each picture.
+void SceneService::followCamera()
+{
+    if (session_.view().query.focus.shape == FocusState::Shape::View)
+        settling_.start();
 }
 
 /// Coarser ones of the scene, unless another one is on its way already.

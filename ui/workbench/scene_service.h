@@ -9,6 +9,7 @@
 #include <tan/data.h>
 
 #include <QSize>
+#include <QTimer>
 
 #include <optional>
 #include <string>
@@ -73,8 +74,9 @@ signals:
     void failed(const QString& text);
 
 private:
-    SceneRequest requestOf(const ViewValue& view) const;
+    SceneRequest requestOf(ViewValue view) const;
     void requestScene();
+    void followCamera();
     void requestDrafts(const BuiltScene& scene);
 
     PluginHost& host_;
@@ -83,7 +85,9 @@ private:
     FieldExtent field_;          ///< of the model that is open
     std::string wantedTransfer_; ///< to be edited, if the mode has it
     std::optional<ViewValue> preview_;
-    Camera camera_; ///< setSeenFrom() with these
+    Camera settled_;  ///< that error fields see (C3): the view's, when it has come to rest
+    QTimer settling_; ///< while that moves
+    Camera camera_;   ///< setSeenFrom() with these
     QSize pixels_{1024, 768};
     SceneBuilder sceneBuilder_;
     DraftBuilder draftBuilder_;

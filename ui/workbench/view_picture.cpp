@@ -45,6 +45,7 @@ void dropWhatDoesNotFit(SessionDocument& kept, const ViewValue& start)
     kept.view.query.focus = start.query.focus;
     kept.view.query.window = start.query.window;
     kept.view.query.values = start.query.values;
+    kept.view.query.range = start.query.range;
     kept.view.appearance.transfer = {};
     kept.view.appearance.settings.erase(clipId);
     kept.view.isovalues = start.isovalues;
@@ -87,6 +88,9 @@ SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Re
     if (!isOfSameField(kept, model))
         dropWhatDoesNotFit(kept, start);
     kept.view.appearance = known(std::move(kept.view.appearance), modes, start.appearance);
+    FocusState& focus = kept.view.query.focus; // earlier versions wrote no lengths for these
+    focus.distance = focus.distance > 0 ? focus.distance : start.query.focus.distance;
+    focus.valueFalloff = focus.valueFalloff > 0 ? focus.valueFalloff : start.query.focus.valueFalloff;
     kept.view.query = corrected(kept.view.query, start.query, model);
     for (Isovalue& isovalue : kept.view.isovalues)
         isovalue = corrected(isovalue, model.description().range);
@@ -102,8 +106,8 @@ const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const s
 SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
                      const std::vector<Parameter>& parameters, const ViewValue& view)
 {
-    return {model, renderer, meshQuery(view.query, *model), rendererValues(parameters, view.appearance, view.isovalues),
-            view.camera};
+    return {model, renderer, meshQuery(view.query, *model, presentView(view)),
+            rendererValues(parameters, view.appearance, view.isovalues), view.camera};
 }
 
 Colour usualBackground(bool isDark)

@@ -76,6 +76,43 @@ void moveFocusToView(ViewValue& view, const DrivenWindow&)
     view.query.focus.centre = view.camera.target;
 }
 
+/// With two regions, the second of which is edited.
+void withTwoRegions(DrivenWindow& window)
+{
+    withFocus(Shape::Sphere)(window);
+    window.session().setFocus(window.session().view().query.focus.added());
+}
+
+/// What the accuracy varies with besides regions (C3), and several of these.
+Drivers otherFocusControls()
+{
+    const auto distance = [](ViewValue& view) -> double& { return view.query.focus.distance; };
+    const auto values = [](ViewValue& view) -> double& { return view.query.focus.valueFalloff; };
+    const Ends diagonal = [](const DrivenWindow& window) -> TransferLimits {
+        return {0, window.session().model()->diagonal()};
+    };
+    const Ends extent = [](const DrivenWindow& window) -> TransferLimits {
+        return {0, window.session().range().extent()};
+    };
+    const auto regions = [](const QString& name, const Driver::Step& prepare, const auto& change) {
+        return edit(
+            "focus." + name,
+            [change](ViewValue& view, const DrivenWindow&) { view.query.focus = change(view.query.focus); }, prepare);
+    };
+    return {
+        toShape("view", Shape::None, Shape::View),
+        toShape("isovalues", Shape::None, Shape::Isovalues),
+        toShape("opacity", Shape::None, Shape::Opacity),
+        slides("focus.distance.slider", withFocus(Shape::View), distance, diagonal),
+        steps("focus.distance.box", withFocus(Shape::View), distance, diagonal),
+        slides("focus.valueFalloff.slider", withFocus(Shape::Isovalues), values, extent),
+        steps("focus.valueFalloff.box", withFocus(Shape::Isovalues), values, extent),
+        regions("add", withFocus(Shape::Box), [](const FocusState& focus) { return focus.added(); }),
+        regions("remove", &withTwoRegions, [](const FocusState& focus) { return focus.removed(); }),
+        regions("region", &withTwoRegions, [](const FocusState& focus) { return focus.selected(0); }),
+    };
+}
+
 Drivers focusControls()
 {
     const Driver::Step box = withFocus(Shape::Box);
@@ -97,7 +134,8 @@ Drivers focusControls()
         edit("focus.toView", &moveFocusToView, box),
         edit("focus.reset", &resetFocus, box),
     };
-    return allOf({others, vectorControls("focus.centre", box, centre), vectorControls("focus.size", box, size, 2)});
+    return allOf({others, otherFocusControls(), vectorControls("focus.centre", box, centre),
+                  vectorControls("focus.size", box, size, 2)});
 }
 
 /// A window and a range of values, smaller than all there is.
@@ -119,6 +157,34 @@ Driver ofQuery(const QString& name, const std::function<void(QueryState&, const 
     return edit(
         "region." + name, [change](ViewValue& view, const DrivenWindow& window) { change(view.query, window); },
         prepare);
+}
+
+/// What lived in a range of errors (C2): by the arrows from 1.5 %, the slider to a finer one, the box to a coarser one.
+Drivers rangeControls()
+{
+    const auto begin = [](double RangeState::*percent) {
+        return [percent](DrivenWindow& window) {
+            RangeState range = window.session().view().query.range;
+            range.enabled = true;
+            range.*percent = 1.5;
+            window.session().setRange(range);
+            window.raise("dock.region");
+        };
+    };
+    Drivers drivers{ofQuery(
+        "range", [](QueryState& query, const DrivenWindow&) { query.range.enabled = true; }, inDock("dock.region"))};
+    for (const auto& [name, percent] : {std::pair{"fine", &RangeState::fine},
+                                        {"coarse", &RangeState::coarse},
+                                        {"bornAbove", &RangeState::bornAbove},
+                                        {"bornTo", &RangeState::bornTo},
+                                        {"diedFrom", &RangeState::diedFrom},
+                                        {"diedTo", &RangeState::diedTo}})
+        for (const auto& [part, to] : {std::pair{".slider", 1.2}, {".box", 2.0}})
+            drivers.push_back(ofQuery(
+                QString(name) + part,
+                [member = percent, to = to](QueryState& query, const DrivenWindow&) { query.range.*member = to; },
+                begin(percent)));
+    return drivers;
 }
 
 } // namespace
@@ -153,8 +219,8 @@ Drivers regionControls()
         slides("region.largest.slider", begin, largest, &rangeOf),
         steps("region.largest.box", begin, largest, &rangeOf),
     };
-    return allOf(
-        {focusControls(), others, vectorControls("region.from", begin, from), vectorControls("region.to", begin, to)});
+    return allOf({focusControls(), others, rangeControls(), vectorControls("region.from", begin, from),
+                  vectorControls("region.to", begin, to)});
 }
 
 } // namespace tetra
