@@ -65,6 +65,12 @@ void FocusModeTest::aFocusIsBlendedInItsMode()
     const testing::FinePart shown = *testing::partsOf(*window_->viewport().scene()).focus;
     QCOMPARE(shown.border, 1.5);
     QCOMPARE(std::get<Sphere>(shown.region).radius, session().view().query.focus.radius);
+    // C5: isosurfaces of both meshes, too.
+    session().setSetting("shows", std::string("both"));
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).surfaces.size() == 2);
+    const testing::SceneParts both = testing::partsOf(*window_->viewport().scene());
+    QVERIFY(both.focus && !both.surfaces[0].share->fine && both.surfaces[1].share->fine);
+    session().setSetting("shows", std::string("volume"));
     focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Box;
     session().setFocus(focus);

@@ -20,8 +20,9 @@ constexpr std::uint32_t none = 0xffffffff;
 constexpr double flatness = 1e-12;
 /// Pieces of less volume than this part of a cube of their longest edge show nothing.
 constexpr double leastVolume = 1e-12;
-/// So many faces of a group are tried.
+/// So many faces of a group are tried, and so many of its cells looked at for each, unless no face parts them.
 constexpr std::size_t mostPlanes = 48;
+constexpr std::size_t mostSides = 256;
 
 /// A corner that the mesh does not have.
 struct CutPoint {
@@ -305,23 +306,26 @@ private:
                 if (other != none && other > one.node && isHere(other))
                     inner.push_back({one.node, face});
             }
-        std::optional<Plane> best = bestOf(inner, parts);
-        return best ? best : bestOf(all, parts);
+        std::optional<Plane> best = bestOf(inner, mostPlanes, parts, mostSides);
+        if (!best)
+            best = bestOf(all, mostPlanes, parts, mostSides);
+        return best ? best : bestOf(all, all.size(), parts, parts.size());
     }
 
-    std::optional<Plane> bestOf(std::span<const NodeFace> faces, std::span<const Part> parts) const
+    /// Of `most` of the faces, as so many of the parts tell, each about as far from the next as the others.
+    std::optional<Plane> bestOf(std::span<const NodeFace> faces, std::size_t most, std::span<const Part> parts,
+                                std::size_t asked) const
     {
         std::optional<Plane> best;
         std::size_t leastCost = 0;
-        const std::size_t tried =
-            std::min(faces.size(), std::max(mostPlanes, 4 * std::min<std::size_t>(parts.size(), mostPlanes)));
+        const std::size_t tried = std::min(faces.size(), most), looked = std::min(parts.size(), asked);
         for (std::size_t i = 0; i < tried; ++i) {
             const std::optional<Plane> plane = planeOf(faces[i * faces.size() / tried]);
             if (!plane)
                 continue;
             Sides sides;
-            for (const Part& one : parts) {
-                const auto [before, behind] = reach(one, *plane);
+            for (std::size_t place = 0; place < looked; ++place) {
+                const auto [before, behind] = reach(parts[place * parts.size() / looked], *plane);
                 sides.near += before || !behind ? 1 : 0;
                 sides.far += behind ? 1 : 0;
                 sides.cut += before && behind ? 1 : 0;

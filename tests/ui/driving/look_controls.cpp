@@ -61,6 +61,15 @@ Driver boundarySetting(const QString& id, const ParameterValue& value,
     return driver;
 }
 
+/// What the blend of two resolutions shows.
+Driver shows()
+{
+    Driver driver = setting("shows", std::string("surfaces"),
+                            [](const SceneFacts& scene) { return !scene.hasVolume && scene.surfaces == 1; });
+    driver.prepare = inMode("focus", "dock.rendering");
+    return driver;
+}
+
 /// What is drawn then: the entry of this number.
 void whileMoving(DrivenWindow& window, int kind)
 {
@@ -85,6 +94,7 @@ Drivers renderingControls()
             inDock("dock.rendering")),
         setting("shaded", true, [](const SceneFacts& scene) { return scene.shaded; }),
         setting("order", std::string("with-cell"), [](const SceneFacts& scene) { return scene.withCell; }),
+        shows(),
         setting("outline", false, [](const SceneFacts& scene) { return scene.lines == 0; }),
         setting("boundary", std::string("translucent"),
                 [](const SceneFacts& scene) { return scene.surfaces == 2 && scene.lastOpacity == 0.25F; }),
