@@ -167,8 +167,12 @@ private slots:
         const Dataset dataset = sample(qPrintable(name), static_cast<std::uint32_t>(size));
         const auto plugin = host_->builder(builder.toStdString());
         QVERIFY(plugin);
-        const ParameterValues values = plugin->plugin->detail(error, dataset.domain);
+        ParameterValues values = plugin->plugin->detail(error, dataset.domain);
         QVERIFY(!values.empty());
+        std::erase_if(values, [&, known = plugin->plugin->parameters()](const auto& value) { // as forms do
+            return !matters(*std::ranges::find(known, value.first, &Parameter::id), known,
+                            {{domainId, domainNameOf(dataset)}});
+        });
         const auto built = buildModel(*host_, dataset, builder.toStdString(), values, path("estimated.tan"));
         QVERIFY(built);
         const BuildSize needed = buildSizeOf(dataset);
