@@ -369,6 +369,40 @@ private slots:
         QCOMPARE(content.size() - end, count("vertex") * 28 + count("face") * (13 + 8));
     }
 
+    /// Foci and fields on real irregular meshes are proved, boundary included (C3, R25).
+    void irregularFociAreProved_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QStringList>("options");
+        const auto row = [](const char* file, const char* name, const QStringList& options) {
+            QTest::addRow("%s, %s", file, name) << QString(file) << options;
+        };
+        row("spx.vtu", "sphere",
+            {"--error", "40", "--focus", "sphere:6,2,-4,1.5", "--focus-error", "0", "--falloff", "0.2"});
+        row("spx.vtu", "boxes",
+            {"--error", "60", "--focus", "box:4,0,-8,6,3,-6", "--focus", "sphere:9,5,0,1", "--focus-error", "0.5"});
+        row("spx.vtu", "field", {"--field", "min(halfspace(1,0,0,6;0,60),values(0.2:1,0.5:60))"});
+        row("spx.vtu", "budget",
+            {"--error", "20", "--focus", "sphere:8,3,-3,2", "--focus-error", "0", "--budget", "4000"});
+        row("bracket_57k.vtu", "half", {"--field", "halfspace(1,0,0,0;0.5,50)"});
+    }
+    void irregularFociAreProved()
+    {
+        QFETCH(QString, file);
+        QFETCH(QStringList, options);
+        const QString data = TAN_SOURCE_DIR "/../shared/data/irregular/" + file;
+        if (!QFile::exists(data))
+            QSKIP("skipped: no data");
+        const QString model = file + ".tan";
+        if (!QFile::exists(path(model)))
+            QCOMPARE(tan({"build", data, "-o", model}).exitCode, 0);
+        const Run verified = tan(QStringList{"verify", model, "--against", data, "--json"} + options);
+        QVERIFY2(verified.exitCode == 0, verified.output + verified.messages);
+        const QJsonObject mesh = verified.json()["levels"].toArray()[0].toObject();
+        const QJsonObject all = tan({"info", model, "--lod", "0", "--json"}).json()["levels"].toArray()[0].toObject();
+        QVERIFY(mesh["sites"].toInteger() > 0 && mesh["sites"].toInteger() < all["sites"].toInteger());
+    }
+
     void warpingIsLimited()
     {
         const auto size = [&](const QStringList& options) {
