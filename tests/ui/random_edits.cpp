@@ -161,8 +161,8 @@ void RandomEdits::editQuery()
 {
     switch (below(9)) {
     case 8:
-        return session_.setRange({below(2) == 0, number(-1, 30), number(0, 120), number(0, 30), number(0, 120),
-                                  number(0, 30), number(0, 120)});
+        return session_.setRange({session_.view().appearance.mode == "isosurface" && below(2) == 0, number(-1, 30),
+                                  number(0, 120), number(0, 30), number(0, 120), number(0, 30), number(0, 120)});
     case 7: return session_.setWarping({static_cast<WarpingLimit>(below(3)), number(-1, 120)});
     case 0: return session_.setBudget(below(200'000));
     case 1: return session_.setByBudget(below(2) == 0);
@@ -181,7 +181,8 @@ void RandomEdits::editLook()
     case 1: return session_.setSetting("outline", below(2) == 0);
     case 2: return session_.setSetting("outline", std::string("of another type"));
     case 3: return session_.setSetting("clip", std::string(below(2) == 0 ? "" : "1,0,0,4"));
-    default: return session_.setMode(modes_[below(modes_.size())]);
+    default: // volumes of a range are refused
+        return session_.setMode(session_.view().query.range.enabled ? "isosurface" : modes_[below(modes_.size())]);
     }
 }
 

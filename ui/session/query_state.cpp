@@ -33,19 +33,28 @@ Eigen::Vector3d numbersOr(const Eigen::Vector3d& values, const Eigen::Vector3d& 
     return result;
 }
 
-Box corrected(const Box& box, const Box& before, const Model& model);
-
-/// A further region of a focus, which had better be there.
+/// A further region of a focus, as it is if it is one.
 MovableRegion corrected(const MovableRegion& region, const FocusState& usual, const Model& model)
 {
-    if (const Box* const box = std::get_if<Box>(&region))
-        return corrected(*box, std::get<Box>(FocusState{FocusState::Shape::Box, usual.centre, usual.size}.region()),
-                         model);
+    constexpr double slack = 1e-9; // of what was corrected and written
+    const double diagonal = model.diagonal();
+    const double least = leastPart * diagonal;
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
-    Sphere sphere = std::get<Sphere>(region);
-    sphere.centre = numbersOr(sphere.centre, usual.centre).cwiseMax(bounds.min()).cwiseMin(bounds.max());
-    sphere.radius = std::clamp(numberOr(sphere.radius, usual.radius), leastPart * model.diagonal(), model.diagonal());
-    return sphere;
+    const Eigen::Vector3d around = Eigen::Vector3d::Constant(slack * diagonal);
+    FocusState place = usual.movedTo(region);
+    const auto fits = [&](double length, double most) {
+        return length >= least - around[0] && length <= most + around[0];
+    };
+    const bool isSphere = std::holds_alternative<Sphere>(region);
+    if (Eigen::AlignedBox3d(bounds.min() - around, bounds.max() + around).contains(place.centre) &&
+        (isSphere ? fits(place.radius, diagonal)
+                  : fits(place.size.minCoeff(), 2 * diagonal) && fits(place.size.maxCoeff(), 2 * diagonal)))
+        return region;
+    place.centre = numbersOr(place.centre, usual.centre).cwiseMax(bounds.min()).cwiseMin(bounds.max());
+    place.size = numbersOr(place.size, usual.size).cwiseMax(least).cwiseMin(2 * diagonal);
+    place.radius = std::clamp(numberOr(place.radius, usual.radius), least, diagonal);
+    place.shape = isSphere ? FocusState::Shape::Sphere : FocusState::Shape::Box;
+    return place.region();
 }
 
 FocusState corrected(FocusState focus, const FocusState& before, const Model& model)
@@ -59,8 +68,7 @@ FocusState corrected(FocusState focus, const FocusState& before, const Model& mo
     focus.falloff = std::clamp(numberOr(focus.falloff, before.falloff), 0.0, diagonal);
     focus.distance = std::clamp(numberOr(focus.distance, before.distance), leastPart * diagonal, diagonal);
     const double extent = model.description().range.extent();
-    focus.valueFalloff =
-        std::clamp(numberOr(focus.valueFalloff, before.valueFalloff), leastPart * extent, extent);
+    focus.valueFalloff = std::clamp(numberOr(focus.valueFalloff, before.valueFalloff), leastPart * extent, extent);
     focus.others.resize(std::min(focus.others.size(), mostFocusRegions - 1), Sphere());
     for (MovableRegion& region : focus.others)
         region = corrected(region, focus, model);
