@@ -72,6 +72,14 @@ void FocusModeTest::aFocusIsBlendedInItsMode()
     QVERIFY(both.focus && !both.surfaces[0].share->fine && both.surfaces[1].share->fine);
     session().setSetting("shows", std::string("volume"));
     focus = session().view().query.focus;
+    focus.others = {Sphere{focus.centre + Eigen::Vector3d(1, 2, 3), 2}};
+    session().setFocus(focus);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).focus->more.size() == 1);
+    focus = session().view().query.focus;
+    focus.others.clear();
+    session().setFocus(focus);
+    QTRY_VERIFY(window_->settled() && testing::partsOf(*window_->viewport().scene()).focus->more.empty());
+    focus = session().view().query.focus;
     focus.shape = FocusState::Shape::Box;
     session().setFocus(focus);
     QTRY_VERIFY(window_->settled() &&
