@@ -3,9 +3,11 @@
 
 #include "core/base/checksum.h"
 #include "core/base/guarded.h"
+#include "core/base/scratch_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/disk_need.h"
 #include "core/build/thresholds.h"
+#include "core/data/point_weights.h"
 #include "core/history/blocks/block_runs.h"
 #include "core/history/blocks/merged_model.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"
@@ -14,7 +16,9 @@
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -179,6 +183,40 @@ Result<std::uint32_t> blocksFor(const Dataset& dataset, const Refinement& refine
     return cells;
 }
 
+/// The weights of a build's points: in memory, or of blocks in a file that the system may keep there.
+class BuildWeights {
+public:
+    static Result<BuildWeights> make(const Refinement& refinement, const Dataset& dataset, bool inBlocks,
+                                     const std::filesystem::path& workFolder, const Progress& progress)
+    {
+        BuildWeights weights;
+        if (refinement.weighting.empty())
+            return weights;
+        if (!inBlocks) {
+            Result<std::vector<float>> all = pointWeights(refinement.weighting, dataset, progress);
+            if (!all)
+                return all.error();
+            weights.memory_ = *std::move(all);
+            return weights;
+        }
+        const Result<ScratchFile> file = ScratchFile::create(workFolder, dataset.pointCount() * sizeof(float));
+        if (!file)
+            return file.error();
+        weights.file_ = *file;
+        if (const Status weighed = weighPoints(refinement.weighting, dataset, weights.file_->as<float>(), progress);
+            !weighed)
+            return weighed.error();
+        return weights;
+    }
+
+    /// One a point, or none.
+    std::span<const float> all() const { return file_ ? file_->as<const float>() : std::span<const float>(memory_); }
+
+private:
+    std::vector<float> memory_;
+    std::optional<ScratchFile> file_;
+};
+
 Result<BuildReport> buildLattice(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
                                  const Progress& progress)
 {
@@ -186,12 +224,13 @@ Result<BuildReport> buildLattice(const Dataset& dataset, const Refinement& refin
     const auto cells = blocksFor(dataset, refinement, target);
     if (!cells)
         return cells.error();
-    const Result<std::vector<float>> weights = pointWeights(refinement.weighting, dataset, progress);
+    const Result<BuildWeights> weights =
+        BuildWeights::make(refinement, dataset, *cells > 0, target.workFolder, progress);
     if (!weights)
         return weights.error();
     if (*cells == 0)
-        return refineAsWhole(dataset, stopError, *weights, target, progress);
-    return refineInBlocks(dataset, stopError, {*cells, *weights, {}}, target, progress);
+        return refineAsWhole(dataset, stopError, weights->all(), target, progress);
+    return refineInBlocks(dataset, stopError, {*cells, weights->all(), {}}, target, progress);
 }
 
 Result<BuildReport> refineCurvilinearInBlocks(const Dataset& dataset, const ThresholdKey& key,
@@ -222,7 +261,8 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     const auto cells = blocksFor(dataset, refinement, target);
     if (!cells)
         return cells.error();
-    const Result<std::vector<float>> weights = pointWeights(refinement.weighting, dataset, progress);
+    const Result<BuildWeights> weights =
+        BuildWeights::make(refinement, dataset, *cells > 0, target.workFolder, progress);
     if (!weights)
         return weights.error();
     const BuildThresholds thresholds{refinement.error, refinement.warping, refinement.orderedBy};
@@ -234,7 +274,7 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
                                   "one of them alone. Take the normalised selection, or order by both.")};
     const ThresholdKey key = thresholdKey(thresholds, dataset);
     if (*cells > 0)
-        return refineCurvilinearInBlocks(dataset, key, {*cells, *weights, {key.warpingWeight}}, target, progress);
+        return refineCurvilinearInBlocks(dataset, key, {*cells, weights->all(), {key.warpingWeight}}, target, progress);
     CurvilinearRefinementOptions options;
     options.valueExtent = key.valueExtent;
     options.positionExtent = key.positionExtent;
@@ -244,7 +284,7 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     const Result<CurvilinearRefinementResult> result =
         visitSampleType(dataset.values.type(), [&]<class T>() -> Result<CurvilinearRefinementResult> {
             return refineCurvilinear(dataset.lattice.size, *dataset.positions,
-                                     LatticeSamples(dataset.values.as<T>(), *weights), options, target.history,
+                                     LatticeSamples(dataset.values.as<T>(), weights->all()), options, target.history,
                                      progress);
         });
     if (!result)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
-
-#include <tan/data.h>
+#include "core/data/point_weights.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -37,12 +36,10 @@ double Weighting::weight(const Eigen::Vector3d& position, double value) const
     return largest;
 }
 
-namespace {
-
-Result<std::vector<float>> weigh(const Weighting& weighting, const Dataset& dataset, const Progress& progress)
+Status weighPoints(const Weighting& weighting, const Dataset& dataset, std::span<float> weights,
+                   const Progress& progress)
 {
     constexpr std::uint64_t pointsAtOnce = 16384;
-    std::vector<float> weights(dataset.pointCount());
     visitSampleType(dataset.values.type(), [&]<class T>() {
         const std::span<const T> values = dataset.values.as<T>();
         tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, weights.size(), pointsAtOnce), [&](const auto& range) {
@@ -53,12 +50,8 @@ Result<std::vector<float>> weigh(const Weighting& weighting, const Dataset& data
                     static_cast<float>(weighting.weight(dataset.position(point), static_cast<double>(values[point])));
         });
     });
-    if (progress.cancelled())
-        return cancelledError(Message::marked("Weighting the points"));
-    return weights;
+    return progress.cancelled() ? Status(cancelledError(Message::marked("Weighting the points"))) : Status();
 }
-
-} // namespace
 
 Result<std::vector<float>> pointWeights(const Weighting& weighting, const Dataset& dataset, const Progress& progress)
 {
@@ -67,7 +60,13 @@ Result<std::vector<float>> pointWeights(const Weighting& weighting, const Datase
     return guarded(
         Message::marked(
             "Not enough memory for the weights of %1 points. Build without weights, or close other programs."),
-        [&] { return weigh(weighting, dataset, progress); }, dataset.pointCount());
+        [&]() -> Result<std::vector<float>> {
+            std::vector<float> weights(dataset.pointCount());
+            if (const Status weighed = weighPoints(weighting, dataset, weights, progress); !weighed)
+                return weighed.error();
+            return weights;
+        },
+        dataset.pointCount());
 }
 
 namespace {
