@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Building the synthetic C60 in blocks, file and all, on two threads against one (R10, B6), in turn.
+// Building the synthetic C60 and a curvilinear grid in blocks, file and all, on two threads against one (R10, B6, C7),
+// in turn.
 
 #include "tests/bench/bench_report.h"
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -62,18 +64,22 @@ int main(int argc, char** argv)
     parser.process(application);
     PluginHost host({.folders = {TAN_BINARY_DIR "/lib/tan/plugins"}});
     const QString size = parser.value("size"), block = parser.value("block");
-    const Dataset dataset = makeSample({"c60", size.toUInt(), SampleType::UInt16}).value();
-    const auto built = buildInTurn(host, dataset, block, std::max(1, parser.value("repeats").toInt()));
-    if (!built) {
-        std::fprintf(stderr, "%s\n", built.error().text().c_str());
-        return 4;
-    }
-    BenchCase one;
-    one.name = QString("c60 %1^3 uint16 in blocks of %2 into a file, 2 threads").arg(size, block);
-    one.seconds = median(built->seconds[1]);
-    one.more["file_bytes"] = qint64(built->fileBytes);
     std::vector<BenchCase> cases;
-    addCompared(one, {{"the same on one thread", median(built->seconds[0])}}, cases);
+    for (const auto& [sample, type] :
+         {std::pair("c60", SampleType::UInt16), std::pair("o-grid", SampleType::Float32)}) {
+        const Dataset dataset = makeSample({sample, size.toUInt(), type}).value();
+        const auto built = buildInTurn(host, dataset, block, std::max(1, parser.value("repeats").toInt()));
+        if (!built) {
+            std::fprintf(stderr, "%s\n", built.error().text().c_str());
+            return 4;
+        }
+        BenchCase one;
+        one.name = QString("%1 %2^3 %3 in blocks of %4 into a file, 2 threads")
+                       .arg(sample, size, QString::fromStdString(std::string(sampleTypeName(type))), block);
+        one.seconds = median(built->seconds[1]);
+        one.more["file_bytes"] = qint64(built->fileBytes);
+        addCompared(one, {{"the same on one thread", median(built->seconds[0])}}, cases);
+    }
     printReport("threads", cases, parser.isSet("json"));
     return 0;
 }

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
 namespace tetra {
 
@@ -63,28 +66,49 @@ double valueOf(std::string_view name, const State& state)
     return state.mach();
 }
 
-using Quantities = std::array<std::vector<double>, 5>;
-
-Result<Quantities> readQuantities(const Plot3dFile& solution, std::size_t grid, const Progress& progress)
+/// Which of the five quantities an array is made of: a bit for each.
+unsigned quantitiesOf(std::string_view name)
 {
-    Quantities quantities;
-    for (std::size_t number = 0; number < quantities.size(); ++number) {
-        const double share = 1.0 / static_cast<double>(quantities.size());
-        const double begin = share * static_cast<double>(number);
-        auto component = readComponent(solution, grid, number, progress.part(begin, begin + share));
-        if (!component)
-            return component.error();
-        quantities[number] = *std::move(component);
-    }
-    return quantities;
+    constexpr std::array<unsigned, 4> stored = {1, 2, 4, 8};
+    constexpr unsigned density = stored[0], momenta = stored[1] | stored[2] | stored[3], energy = 16;
+    if (name == "density")
+        return density;
+    if (name == "energy")
+        return energy;
+    if (name == "velocity_magnitude")
+        return density | momenta;
+    if (name.starts_with("momentum_"))
+        return momenta;
+    return density | momenta | energy;
 }
 
-std::vector<double> evaluate(std::string_view name, const Quantities& q)
+/// Of an array of a solution.
+struct SolutionArray {
+    std::string_view name;
+    const Plot3dFile& solution;
+    std::size_t grid;
+};
+
+/// Calls visit(first, values), which gives a Status, for some points at a time: a file may be larger than memory.
+template <class Visit> Status forValues(const SolutionArray& source, const Progress& progress, const Visit& visit)
 {
-    std::vector<double> values(q[0].size());
-    for (std::size_t point = 0; point < values.size(); ++point)
-        values[point] = valueOf(name, {q[0][point], q[1][point], q[2][point], q[3][point], q[4][point]});
-    return values;
+    std::array<std::vector<double>, 5> q;
+    std::vector<double> values;
+    const unsigned needed = quantitiesOf(source.name);
+    const std::uint64_t points = pointCountOf(source.solution, source.grid);
+    return forPieces(points, progress, [&](std::uint64_t first, std::uint64_t count) -> Status {
+        for (std::size_t number = 0; number < q.size(); ++number) {
+            q[number].resize(count);
+            if ((needed >> number & 1) == 0)
+                continue;
+            if (const Status read = readComponent(source.solution, source.grid, number, first, q[number]); !read)
+                return read;
+        }
+        values.resize(count);
+        for (std::size_t i = 0; i < count; ++i)
+            values[i] = valueOf(source.name, {q[0][i], q[1][i], q[2][i], q[3][i], q[4][i]});
+        return visit(first, std::span<const double>(values));
+    });
 }
 
 /// Which points count.
@@ -95,38 +119,68 @@ bool counts(Blanked blanked, std::size_t point)
     return blanked.empty() || blanked[point] == 0;
 }
 
-/// Whether there is something to see: two values, of those that are finite numbers.
-bool varies(const std::vector<double>& values, Blanked blanked)
+/// Whether there is something to see: two values, of those that are finite numbers. Errors: damaged, cancelled.
+Result<bool> varies(const SolutionArray& source, Blanked blanked, const Progress& progress)
 {
-    const double* first = nullptr;
-    for (std::size_t point = 0; point < values.size(); ++point)
-        if (counts(blanked, point) && std::isfinite(values[point])) {
-            if (first != nullptr && values[point] != *first)
-                return true;
-            first = &values[point];
-        }
-    return false;
+    std::optional<double> one;
+    bool differ = false;
+    const Status read = forValues(source, progress, [&](std::uint64_t first, std::span<const double> values) {
+        for (std::size_t i = 0; i < values.size() && !differ; ++i)
+            if (counts(blanked, first + i) && std::isfinite(values[i])) {
+                differ = one && values[i] != *one;
+                one = values[i];
+            }
+        return differ ? Status(Error{ErrorKind::Cancelled, {}}) : Status(); // enough was seen
+    });
+    if (!read && !differ)
+        return read.error();
+    return differ;
 }
 
 /// Arrays that can be taken, for messages.
-Message usableNames(const Quantities& quantities, Blanked blanked)
+Message usableNames(const SolutionArray& source, Blanked blanked)
 {
     std::string list;
     for (const std::string_view name : names)
-        if (varies(evaluate(name, quantities), blanked))
+        if (const auto usable = varies({name, source.solution, source.grid}, blanked, {}); usable && *usable)
             list += (list.empty() ? "" : ", ") + std::string(name);
     return list.empty() ? Message::say("No array of this solution varies.")
                         : Message::say("These can be taken: %1.", list);
 }
 
-Status checkUsable(const Plot3dArray& array, const Quantities& quantities, Blanked blanked, const Plot3dFile& solution)
+/// The values as T; none if one does not fit.
+template <class T> Result<std::optional<ScalarField>> fieldAs(const SolutionArray& source, const Progress& progress)
 {
-    if (!varies(array.values, blanked))
-        return inPlot3dFile(
-            solution.path(),
-            Message::say("the array '%1' has one value everywhere. %2", array.name, usableNames(quantities, blanked)),
-            ErrorKind::WrongUsage);
-    return {};
+    const std::uint64_t points = pointCountOf(source.solution, source.grid);
+    auto samples = allocateSamples(sampleTypeOf<T>(), points);
+    if (!samples)
+        return samples.error();
+    T* const to = reinterpret_cast<T*>(samples->get());
+    bool fits = true;
+    const Status read = forValues(source, progress, [&](std::uint64_t first, std::span<const double> values) {
+        std::ranges::transform(values, to + first, [&](double value) {
+            fits = fits && (!std::isfinite(value) || std::abs(value) <= std::numeric_limits<T>::max());
+            return static_cast<T>(value);
+        });
+        return Status();
+    });
+    if (!read)
+        return read.error();
+    if (!fits)
+        return std::optional<ScalarField>();
+    return std::optional(ScalarField(sampleTypeOf<T>(), points, *std::move(samples)));
+}
+
+Result<Plot3dArray> arrayOf(const SolutionArray& source, const Progress& progress)
+{
+    Result<std::optional<ScalarField>> field = std::optional<ScalarField>();
+    if (source.solution.layout.realBytes == 4)
+        field = fieldAs<float>(source, progress);
+    if (field && !*field)
+        field = fieldAs<double>(source, progress);
+    if (!field)
+        return field.error();
+    return Plot3dArray{std::string(source.name), **std::move(field)};
 }
 
 } // namespace
@@ -139,18 +193,21 @@ std::span<const std::string_view> plot3dArrayNames()
 Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid, const std::string& name,
                                     std::span<const std::uint8_t> blanked, const Progress& progress)
 {
-    const auto quantities = readQuantities(solution, grid, progress);
-    if (!quantities)
-        return quantities.error();
-    if (name != "automatic") {
-        Plot3dArray array{name, evaluate(name, *quantities)};
-        if (const Status usable = checkUsable(array, *quantities, blanked, solution); !usable)
+    for (const std::string_view candidate : names) {
+        const SolutionArray source{candidate, solution, grid};
+        if (name != "automatic" && name != candidate)
+            continue;
+        const Result<bool> usable = varies(source, blanked, progress.withCallback([](double, const Message&) {}));
+        if (!usable)
             return usable.error();
-        return array;
+        if (*usable)
+            return arrayOf(source, progress);
+        if (name != "automatic")
+            return inPlot3dFile(
+                solution.path(),
+                Message::say("the array '%1' has one value everywhere. %2", name, usableNames(source, blanked)),
+                ErrorKind::WrongUsage);
     }
-    for (const std::string_view candidate : names)
-        if (auto values = evaluate(candidate, *quantities); varies(values, blanked))
-            return Plot3dArray{std::string(candidate), std::move(values)};
     return inPlot3dFile(solution.path(), Message::say("none of its arrays varies, so there is nothing to see."));
 }
 

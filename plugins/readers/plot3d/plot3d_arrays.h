@@ -3,10 +3,11 @@
 
 #include "plugins/readers/plot3d/plot3d_file.h"
 
+#include <tan/data.h>
+
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace tetra {
 
@@ -17,7 +18,7 @@ std::span<const std::string_view> plot3dArrayNames();
 /// A scalar of every point.
 struct Plot3dArray {
     std::string name;
-    std::vector<double> values;
+    ScalarField values; ///< in single precision if the solution was and they fit
 };
 
 /// The array called `name`; or for "automatic" the first one that is defined everywhere and varies, density first, then

@@ -127,31 +127,28 @@ Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
     return grid;
 }
 
-Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number,
-                                          const Progress& progress)
+std::uint64_t pointCountOf(const Plot3dFile& file, std::size_t grid)
 {
-    constexpr std::uint64_t pointsAtOnce = 1 << 20;
+    return plot3dBlock(file.layout, file.kind, grid).points;
+}
+
+Status readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number, std::uint64_t first,
+                     std::span<double> to)
+{
     const Plot3dBlock block = plot3dBlock(file.layout, file.kind, grid);
+    const std::uint64_t begin = number * block.points + first;
     if (file.source.text) {
-        const double* const first = file.source.text->numbers.data() + block.reals + number * block.points;
-        return std::vector<double>(first, first + block.points);
+        std::copy_n(file.source.text->numbers.data() + block.reals + begin, to.size(), to.begin());
+        return {};
     }
     const std::uint32_t realBytes = file.layout.realBytes;
-    const std::byte* const first = file.source.file->bytes().data() + block.reals + number * block.points * realBytes;
-    std::vector<double> component(block.points);
-    for (std::uint64_t point = 0; point < block.points; ++point) {
-        if (point % pointsAtOnce == 0) {
-            if (progress.cancelled())
-                return cancelledError(Message::marked("Reading"));
-            progress.report(static_cast<double>(point) / static_cast<double>(block.points), Message::marked("Reading"));
-        }
-        const std::byte* const place = first + point * realBytes;
-        component[point] = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)
-                                          : realAt<double, std::uint64_t>(place, file.layout.order);
+    const std::byte* place = file.source.file->bytes().data() + block.reals + begin * realBytes;
+    for (double& real : to) {
+        real = realBytes == 4 ? realAt<float, std::uint32_t>(place, file.layout.order)
+                              : realAt<double, std::uint64_t>(place, file.layout.order);
+        place += realBytes;
     }
-    if (file.source.file->damaged())
-        return changedMeanwhile(file.path());
-    return component;
+    return file.source.file->damaged() ? Status(changedMeanwhile(file.path())) : Status();
 }
 
 std::vector<std::uint8_t> blankedPoints(const Plot3dFile& file, std::size_t grid)

@@ -5,8 +5,11 @@
 
 #include <tan/base.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace tetra {
@@ -38,10 +41,28 @@ Result<Plot3dFile> openPlot3d(const Plot3dSource& source, Plot3dKind kind);
 /// The number of the grid that `wanted` (1 for the first; 0 if the user said nothing) means in this file.
 Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted);
 
-/// Component `number` of a grid's reals: of a grid file 0 to 2 are x, y, z, of a solution file 0 to 4 density, the
-/// three momenta and energy. May throw std::bad_alloc. Errors: damaged while it was read, cancelled.
-Result<std::vector<double>> readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number,
-                                          const Progress& progress);
+/// How many points a grid has.
+std::uint64_t pointCountOf(const Plot3dFile& file, std::size_t grid);
+
+/// Of some points from `first` on component `number` of a grid's reals: of a grid file 0 to 2 are x, y, z, of a
+/// solution file 0 to 4 density, the three momenta and energy. Error: damaged while it was read.
+Status readComponent(const Plot3dFile& file, std::size_t grid, std::size_t number, std::uint64_t first,
+                     std::span<double> to);
+
+/// Calls visit(first, count), which gives a Status, for all points of a grid, some at a time. Errors: its first one,
+/// cancelled.
+template <class Visit> Status forPieces(std::uint64_t points, const Progress& progress, const Visit& visit)
+{
+    constexpr std::uint64_t pointsAtOnce = 1 << 16;
+    for (std::uint64_t first = 0; first < points; first += pointsAtOnce) {
+        if (progress.cancelled())
+            return cancelledError(Message::marked("Reading"));
+        progress.report(static_cast<double>(first) / static_cast<double>(points), Message::marked("Reading"));
+        if (const Status visited = visit(first, std::min(pointsAtOnce, points - first)); !visited)
+            return visited;
+    }
+    return {};
+}
 
 /// One number a point of a grid file, not 0 for those with iblank 0, which are no part of the domain. Empty if there
 /// are none. May throw std::bad_alloc.

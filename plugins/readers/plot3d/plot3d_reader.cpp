@@ -99,16 +99,20 @@ Result<OpenPair> openPair(const Pair& pair, std::int64_t wanted, const Progress&
 
 Result<std::vector<Eigen::Vector3d>> readPositions(const OpenPair& pair, const Progress& progress)
 {
-    std::vector<Eigen::Vector3d> positions;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double begin = static_cast<double>(axis) / 3;
-        const auto component = readComponent(pair.grid, pair.number, axis, progress.part(begin, begin + 1. / 3));
-        if (!component)
-            return component.error();
-        positions.resize(component->size());
-        for (std::size_t point = 0; point < component->size(); ++point)
-            positions[point][static_cast<Eigen::Index>(axis)] = (*component)[point];
-    }
+    std::vector<Eigen::Vector3d> positions(pointCountOf(pair.grid, pair.number));
+    std::vector<double> component;
+    const Status read = forPieces(positions.size(), progress, [&](std::uint64_t first, std::uint64_t count) -> Status {
+        component.resize(count);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (const Status got = readComponent(pair.grid, pair.number, axis, first, component); !got)
+                return got;
+            for (std::size_t i = 0; i < count; ++i)
+                positions[first + i][static_cast<Eigen::Index>(axis)] = component[i];
+        }
+        return {};
+    });
+    if (!read)
+        return read.error();
     return positions;
 }
 
@@ -131,24 +135,6 @@ std::shared_ptr<const std::vector<GridCell>> cellsWithout(std::span<const std::u
     return std::make_shared<const std::vector<GridCell>>(std::move(cells));
 }
 
-/// Single precision if the solution was and its values fit.
-Result<ScalarField> fieldOf(const Plot3dArray& array, std::uint32_t realBytes)
-{
-    const bool fits = std::ranges::all_of(array.values, [](double value) {
-        return !std::isfinite(value) || std::abs(value) <= std::numeric_limits<float>::max();
-    });
-    const SampleType type = realBytes == 4 && fits ? SampleType::Float32 : SampleType::Float64;
-    auto samples = allocateSamples(type, array.values.size());
-    if (!samples)
-        return samples.error();
-    if (type == SampleType::Float32)
-        std::ranges::transform(array.values, reinterpret_cast<float*>(samples->get()),
-                               [](double value) { return static_cast<float>(value); });
-    else
-        std::ranges::copy(array.values, reinterpret_cast<double*>(samples->get()));
-    return ScalarField(type, array.values.size(), *std::move(samples));
-}
-
 Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const std::string& arrayName,
                             const Progress& progress)
 {
@@ -159,14 +145,11 @@ Result<Dataset> readDataset(const fs::path& path, const OpenPair& pair, const st
     auto array = readPlot3dArray(pair.solution, pair.number, arrayName, blanked, progress.part(0.3, 0.7));
     if (!array)
         return array.error();
-    const auto values = fieldOf(*array, pair.solution.layout.realBytes);
-    if (!values)
-        return values.error();
     Dataset dataset;
     dataset.domain = DomainClass::Curvilinear;
     dataset.lattice.size = pair.grid.layout.sizes[pair.number];
     dataset.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(*std::move(positions));
-    dataset.values = *values;
+    dataset.values = array->values;
     dataset.source = {pair.grid.path().filename().string() + ", " + array->name, path, 0};
     dataset.cells = cellsWithout(blanked, dataset.lattice);
     if (const Status usable = hasHoles(dataset) ? Status() : checkGrid(dataset); !usable)
