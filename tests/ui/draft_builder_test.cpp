@@ -4,6 +4,8 @@
 #include "ui/viewport/canvas.h"
 #include "ui/workbench/scene_builder.h"
 
+#include <tan/query.h>
+
 #include <QProxyStyle>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -280,7 +282,9 @@ void DraftBuilderTest::theChosenMeshIsPrepared()
     QTRY_VERIFY_WITH_TIMEOUT(!ready.isEmpty() && last().size() == 1, 60'000);
     MeshQuery coarse = full.request.query;
     coarse.error = 5;
-    QCOMPARE(last()[0].tetrahedra, std::uint64_t(extractMesh(*model_, coarse).value()->mesh.tetrahedronCount()));
+    const auto mesh = MeshExtractor(model_).extract(coarse);
+    QVERIFY(mesh.ok());
+    QCOMPARE(last()[0].tetrahedra, (*mesh)->wholeTetrahedra);
 
     builder.setQuality({MovingQuality::Kind::Share, 20});
     QVERIFY(last().empty()); // at once

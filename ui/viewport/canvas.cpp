@@ -315,7 +315,7 @@ void Canvas::arrived(const Order& order, const Drawn& drawn)
     // An older picture is still news while the camera moves, but not over a newer fine one.
     if (!isNewest && (settled_ || !order.moving))
         return;
-    show(order, drawn.image);
+    showPicture(order, drawn.image);
     settled_ = isNewest && order.isLast;
     emit framePainted({drawn.seconds, order.moving, order.moving ? clock_.tick() : 0, order.reduction,
                        order.level.tetrahedra, drawn.statistics.cells, drawn.statistics.cutCells,
@@ -338,7 +338,7 @@ void Canvas::tellError(const Order& order, const QString& error)
 }
 
 /// A finer picture of what a coarse one shows fades in; what moves is there at once.
-void Canvas::show(const Order& order, const QImage& image)
+void Canvas::showPicture(const Order& order, const QImage& image)
 {
     const bool fades = isShownCoarse_ && !order.moving && !shown_.isNull() && order.camera == shownCamera_ &&
                        isVisible() && mayGlide(*this);

@@ -117,7 +117,7 @@ private:
     void submit(Order order);
     void arrived(const Order& order, const Drawn& drawn);
     void tellError(const Order& order, const QString& error);
-    void show(const Order& order, const QImage& image);
+    void showPicture(const Order& order, const QImage& image);
     void paint(QPainter& painter, const QRect& area) const;
 
     const bool usesGl_;
