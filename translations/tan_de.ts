@@ -452,6 +452,14 @@
         <source>Remove Isovalue</source>
         <translation>Isowert entfernen</translation>
     </message>
+    <message>
+        <source>Change Range</source>
+        <translation>Bereich ändern</translation>
+    </message>
+    <message>
+        <source>Change Warping</source>
+        <translation>Verwerfung ändern</translation>
+    </message>
 </context>
 <context>
     <name>Desktop</name>
@@ -742,6 +750,26 @@
         <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
         <translation>%1 Tetraeder in %2 Stücken, wie das Fenster sie schneidet</translation>
     </message>
+    <message>
+        <source>errors from %1 to %2</source>
+        <translation>Fehler von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>error %1 to %2</source>
+        <translation>Fehler %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
+        <translation>Gezeigt: Tetraeder der Netze mit %1. %2 von %3 sind ausgewählt.</translation>
+    </message>
+    <message>
+        <source>Shown: %1, warping %2.</source>
+        <translation>Gezeigt: %1, Verwerfung %2.</translation>
+    </message>
+    <message>
+        <source>Shown: %1, whatever the warping.</source>
+        <translation>Gezeigt: %1, bei beliebiger Verwerfung.</translation>
+    </message>
 </context>
 <context>
     <name>NumberText</name>
@@ -1024,8 +1052,12 @@
         <translation>Zyklen der Sichtfolge</translation>
     </message>
     <message>
-        <source>%1, in which cells are drawn by their distance</source>
-        <translation>%1, in denen die Zellen nach ihrer Entfernung gezeichnet werden</translation>
+        <source>%1 tetrahedra were cut to order them</source>
+        <translation>%1 Tetraeder zum Ordnen zerschnitten</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were cut to order them; %2 groups overlap and are drawn by distance</source>
+        <translation>%1 Tetraeder zum Ordnen zerschnitten; %2 Gruppen überlappen sich und werden nach Entfernung gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -1122,10 +1154,6 @@
 ± %1</translation>
     </message>
     <message>
-        <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
-        <translation>Was der Prozentsatz in Einheiten der Daten heißt. Bei krummlinigen Daten gilt er für den Fehler und für die Verwerfung: den Abstand des Netzes vom Gitter, in Prozent der Diagonale des Quaders darum.</translation>
-    </message>
-    <message>
         <source>Bu&amp;dget</source>
         <translation>Bud&amp;get</translation>
     </message>
@@ -1150,6 +1178,48 @@
 warping %2</source>
         <translation>± %1 im Wert
 Verwerfung %2</translation>
+    </message>
+    <message>
+        <source>War&amp;ping</source>
+        <translation>&amp;Verwerfung</translation>
+    </message>
+    <message>
+        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these.</source>
+        <translation>Was die Prozentsätze in Einheiten der Daten bedeuten. Die Verwerfung krummliniger und unregelmäßiger Daten ist der Abstand des Netzes von den Daten, in Prozent der Diagonale des Quaders um diese.</translation>
+    </message>
+    <message>
+        <source>Same as the error</source>
+        <translation>Wie der Fehler</translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Limit of the warping</source>
+        <translation>Grenze der Verwerfung</translation>
+    </message>
+    <message>
+        <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
+        <translation>Grenze der Verwerfung, des Abstands des Netzes von den Daten: der Prozentsatz des Fehlers, dann von der Diagonale; ein eigener; oder keine, für das kleinste Netz, dessen Werte innerhalb des Fehlers liegen</translation>
+    </message>
+    <message>
+        <source>Warping in percent of the diagonal</source>
+        <translation>Verwerfung in Prozent der Diagonale</translation>
+    </message>
+    <message>
+        <source>Warping in percent of the diagonal of the box around the data</source>
+        <translation>Verwerfung in Prozent der Diagonale des Quaders um die Daten</translation>
+    </message>
+    <message>
+        <source>± %1 in value
+any warping</source>
+        <translation>± %1 im Wert
+beliebige Verwerfung</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +1547,10 @@ Verwerfung %2</translation>
     <message>
         <source>Detail (model size, build time)</source>
         <translation>Detailgrad (Modellgröße, Bauzeit)</translation>
+    </message>
+    <message>
+        <source>rectilinear grid of %1 points, %2 cells</source>
+        <translation>rechtwinkliges Gitter mit %1 Punkten, %2 Zellen</translation>
     </message>
 </context>
 <context>
@@ -1819,10 +1893,6 @@ Verwerfung %2</translation>
 <context>
     <name>tetra::FocusPanel</name>
     <message>
-        <source>A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there.</source>
-        <translation>Ein Teil des Gebiets mit eigenem Fehler. Eine Form wählen, dann die Griffe im Bild ziehen; ein Doppelklick auf eine Fläche holt den Fokus dorthin.</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keiner</translation>
     </message>
@@ -1933,6 +2003,98 @@ Verwerfung %2</translation>
     <message>
         <source>A focus is not coarser than what is around it, so it gets %1.</source>
         <translation>Ein Fokus ist nicht gröber als seine Umgebung, also erhält er %1.</translation>
+    </message>
+    <message>
+        <source>A&amp;dd</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tance</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>Value ran&amp;ge</source>
+        <translation>&amp;Wertebereich</translation>
+    </message>
+    <message>
+        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
+        <translation>Wo das Netz genauer ist als anderswo. Wählen Sie einen Quader oder eine Kugel und ziehen Sie an den Griffen im Bild; ein Doppelklick auf eine Fläche verschiebt den Bereich dorthin. Oder lassen Sie den Fehler mit dem Abstand vom Betrachter oder von den Isowerten wachsen, oder dort, wo wenig zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Accuracy varies with</source>
+        <translation>Genauigkeit hängt ab von</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>Betrachter</translation>
+    </message>
+    <message>
+        <source>The error grows with the distance from the viewer. While you move the camera, the mesh stays as it is.</source>
+        <translation>Der Fehler wächst mit dem Abstand vom Betrachter. Während Sie die Kamera bewegen, bleibt das Netz, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isowerte</translation>
+    </message>
+    <message>
+        <source>The error grows with the distance from the isovalues that are shown</source>
+        <translation>Der Fehler wächst mit dem Abstand von den gezeigten Isowerten</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>The error is smaller where the transfer function is more opaque</source>
+        <translation>Der Fehler ist kleiner, wo die Transferfunktion deckender ist</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>The region that place and size are of; all have the same error and fall-off</source>
+        <translation>Der Bereich, zu dem Ort und Größe gehören; alle haben denselben Fehler und Übergang</translation>
+    </message>
+    <message>
+        <source>Add another region of the same size</source>
+        <translation>Einen weiteren Bereich derselben Größe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove this region</source>
+        <translation>Diesen Bereich entfernen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
+        <translation>Der Abstand, über den der Fehler vom inneren, am dem Betrachter nächsten Teil der Daten, auf den äußeren wächst, in Einheiten der Daten</translation>
+    </message>
+    <message>
+        <source>Range of values</source>
+        <translation>Bereich der Werte</translation>
+    </message>
+    <message>
+        <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
+        <translation>Der Unterschied zu einem Isowert, über den der Fehler vom inneren auf den äußeren wächst, in Einheiten der Werte</translation>
+    </message>
+    <message>
+        <source>%1: sphere</source>
+        <translation>%1: Kugel</translation>
+    </message>
+    <message>
+        <source>%1: box</source>
+        <translation>%1: Quader</translation>
+    </message>
+    <message>
+        <source>There is no isovalue, so the error is %1 everywhere.</source>
+        <translation>Es gibt keinen Isowert, daher ist der Fehler überall %1.</translation>
     </message>
 </context>
 <context>
@@ -2948,10 +3110,6 @@ Verwerfung %2</translation>
         <translation>Der feinste Fehler (%1 %) ist größer als der Fehler, bei dem aufgehört wird (%2 %). Wählen Sie einen kleineren feinsten Fehler, oder 0, um alles zu behalten.</translation>
     </message>
     <message>
-        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
-        <translation>Verstreute Punkte haben keine Tetraeder, mit denen die Vergröberung beginnen könnte. Verfeinern Sie sie stattdessen.</translation>
-    </message>
-    <message>
         <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
         <translation>Ein Tetraedernetz braucht eine Zelle: zwei Punkte oder mehr entlang jeder Achse.</translation>
     </message>
@@ -2998,10 +3156,6 @@ Verwerfung %2</translation>
     <message>
         <source>A tetrahedral mesh needs four points or more.</source>
         <translation>Ein Tetraedernetz braucht vier Punkte oder mehr.</translation>
-    </message>
-    <message>
-        <source>Refinement does not take %1 data.</source>
-        <translation>Die Verfeinerung nimmt Daten dieser Art nicht: %1.</translation>
     </message>
     <message>
         <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
@@ -3112,14 +3266,6 @@ Verwerfung %2</translation>
         <translation>%1 Tetraeder waren doppelt da.</translation>
     </message>
     <message>
-        <source>1 tetrahedron was left out where parts of the mesh touched only in an edge or a point.</source>
-        <translation>1 Tetraeder wurde weggelassen, wo sich Teile des Netzes nur in einer Kante oder einem Punkt berührten.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra were left out where parts of the mesh touched only in an edge or a point.</source>
-        <translation>%1 Tetraeder wurden weggelassen, wo sich Teile des Netzes nur in einer Kante oder einem Punkt berührten.</translation>
-    </message>
-    <message>
         <source>1 point belongs to no cell and was left out.</source>
         <translation>1 Punkt gehört zu keiner Zelle und wurde weggelassen.</translation>
     </message>
@@ -3212,22 +3358,6 @@ Verwerfung %2</translation>
         <translation>%1 Tetraeder, die einen Nachbarn auf derselben Seite überlappen, zum Beispiel bei %2</translation>
     </message>
     <message>
-        <source>1 edge in which parts of it only touch, one at %1</source>
-        <translation>1 Kante, in der sich Teile nur berühren, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 edges in which parts of it only touch, one at %2</source>
-        <translation>%1 Kanten, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 point in which parts of it only touch, one at %1</source>
-        <translation>1 Punkt, in dem sich Teile nur berühren, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 points in which parts of it only touch, one at %2</source>
-        <translation>%1 Punkte, in denen sich Teile nur berühren, zum Beispiel bei %2</translation>
-    </message>
-    <message>
         <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
         <translation>Der Datensatz ist kein unregelmäßiges Netz: Er hat keine Positionen oder keine Tetraeder.</translation>
     </message>
@@ -3242,22 +3372,6 @@ Verwerfung %2</translation>
     <message>
         <source>The mesh has %1 points that no tetrahedron uses.</source>
         <translation>Das Netz hat %1 Punkte, die kein Tetraeder benutzt.</translation>
-    </message>
-    <message>
-        <source>1 pair of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %1</source>
-        <translation>1 Paar von Randflächen, die sich schneiden oder berühren: Zellen überlappen sich oder passen dort nicht zusammen, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 pairs of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %2</source>
-        <translation>%1 Paare von Randflächen, die sich schneiden oder berühren: Zellen überlappen sich oder passen dort nicht zusammen, zum Beispiel bei %2</translation>
-    </message>
-    <message>
-        <source>1 part inside another part, one at %1</source>
-        <translation>1 Teil in einem anderen Teil, bei %1</translation>
-    </message>
-    <message>
-        <source>%1 parts inside other parts, one at %2</source>
-        <translation>%1 Teile in anderen Teilen, zum Beispiel bei %2</translation>
     </message>
     <message>
         <source>The mesh has more than %1 tetrahedra. Take a part of it.</source>
@@ -3318,10 +3432,6 @@ Verwerfung %2</translation>
     <message>
         <source>it has %1 values for %2 points. Give one a point.</source>
         <translation>Er hat %1 Werte für %2 Punkte. Geben Sie jedem Punkt einen.</translation>
-    </message>
-    <message>
-        <source>the position or the value of point %1 is no finite number, or too large. Leave it out.</source>
-        <translation>Die Position oder der Wert von Punkt %1 ist keine endliche Zahl oder zu groß. Lassen Sie ihn weg.</translation>
     </message>
     <message>
         <source>it has no points.</source>
@@ -3944,10 +4054,6 @@ Verwerfung %2</translation>
         <translation>Netze mehrerer Genauigkeiten können nicht an einem Fenster geschnitten werden: Was geschnitten ist, hat kein eigenes Leben. Verlangen Sie die Tetraeder, die das Fenster schneiden, oder die es enthält.</translation>
     </message>
     <message>
-        <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.</source>
-        <translation>Der Arbeitsspeicher reicht nicht für alle Netze bis %1 Stützstellen. Wählen Sie einen größeren Fehler oder ein Fenster.</translation>
-    </message>
-    <message>
         <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
         <translation>Das gröbste Netz hat %1 Tetraeder, mehr als das Budget von %2. Erlauben Sie mindestens so viele.</translation>
     </message>
@@ -4086,10 +4192,6 @@ Verwerfung %2</translation>
     <message>
         <source>the state of the refinement&apos;s tetrahedra</source>
         <translation>den Zustand der Tetraeder bei der Verfeinerung</translation>
-    </message>
-    <message>
-        <source>the numbers of the sites</source>
-        <translation>die Nummern der Stützstellen</translation>
     </message>
     <message>
         <source>The mesh grew beyond what was reserved for it.</source>
@@ -4696,10 +4798,6 @@ Verwerfung %2</translation>
         <translation>Verwerfung</translation>
     </message>
     <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Für krummlinige und unregelmäßige Daten: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines der beiden 0, gilt dafür die Zahl des anderen.</translation>
-    </message>
-    <message>
         <source>% of the diagonal</source>
         <translation>% der Diagonale</translation>
     </message>
@@ -4750,10 +4848,6 @@ Verwerfung %2</translation>
     <message>
         <source>Block</source>
         <translation>Block</translation>
-    </message>
-    <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
-        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig verfeinert werden, mit Speicher für einige davon; „keine“ verfeinert den Datensatz als Ganzes; „automatisch“ nimmt Blöcke, wo ein Gitter groß ist. Die Blöcke krummliniger Gitter werden gemeinsam verfeinert, alle im Speicher.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -5712,10 +5806,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Diese können genommen werden: %1.</translation>
     </message>
     <message>
-        <source>the array &apos;%1&apos; is not a finite number at %2 of its points. %3</source>
-        <translation>Das Feld „%1“ ist an %2 ihrer Punkte keine endliche Zahl. %3</translation>
-    </message>
-    <message>
         <source>the array &apos;%1&apos; has one value everywhere. %2</source>
         <translation>Das Feld „%1“ hat überall denselben Wert. %2</translation>
     </message>
@@ -6516,14 +6606,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Werte der Zellen wurden zu den Punkten gebracht, als Mittel der Zellen ringsum.</translation>
     </message>
     <message>
-        <source>some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular mesh, which is too large for that. Take a part of it, or replace those values by numbers.</source>
-        <translation>Einige ihrer %1 Zellen sind ausgeblendet oder haben Werte, die keine Zahlen sind, sodass sie ein unregelmäßiges Netz ist, das dafür zu groß ist. Nehmen Sie einen Teil davon, oder ersetzen Sie diese Werte durch Zahlen.</translation>
-    </message>
-    <message>
-        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
-        <translation>Ein Gitter mit ausgeblendeten Zellen oder Werten, die keine Zahlen sind: ein unregelmäßiges Netz ohne diese.</translation>
-    </message>
-    <message>
         <source>The samples were multiplied and shifted as the header of the file asks.</source>
         <translation>Die Abtastwerte wurden multipliziert und verschoben, wie der Kopf der Datei es verlangt.</translation>
     </message>
@@ -6758,14 +6840,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>the position of point %1 (from 0) is no number, or too large. Repair the file.</source>
         <translation>Die Position von Punkt %1 (ab 0) ist keine Zahl oder zu groß. Reparieren Sie die Datei.</translation>
-    </message>
-    <message>
-        <source>%1 points whose value is no number were left out.</source>
-        <translation>%1 Punkte, deren Wert keine Zahl ist, wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>none of its values is a number.</source>
-        <translation>Keiner ihrer Werte ist eine Zahl.</translation>
     </message>
     <message>
         <source>VTK legacy (*.vtk)</source>
@@ -7323,6 +7397,326 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>&apos;%1&apos; is of use only with &apos;%2&apos;. Leave it out, or give both.</source>
         <translation>„%1“ ist nur mit „%2“ von Nutzen. Lassen Sie es weg, oder geben Sie beide an.</translation>
     </message>
+    <message>
+        <source>one-sided</source>
+        <translation>einseitig</translation>
+    </message>
+    <message>
+        <source>physical</source>
+        <translation>im physikalischen Raum</translation>
+    </message>
+    <message>
+        <source>computational</source>
+        <translation>im Rechenraum</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a regular lattice, which has no warping. Leave out what is asked of it.</source>
+        <translation>„%1“ ist ein regelmäßiges Gitter, das keine Verwerfung hat. Lassen Sie weg, was von ihr verlangt wird.</translation>
+    </message>
+    <message>
+        <source>Decimation takes the mesh of scattered points, and these are the points alone.</source>
+        <translation>Die Vergröberung nimmt das Netz verstreuter Punkte, und dies sind nur die Punkte.</translation>
+    </message>
+    <message>
+        <source>Only irregular data have a boundary that moves, so that there is a distance from both sides to limit. Leave that out.</source>
+        <translation>Nur unregelmäßige Daten haben einen Rand, der sich bewegt, sodass es einen Abstand von beiden Seiten zu begrenzen gibt. Lassen Sie das weg.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
+        <translation>Die Auswahl der Punkte wie im Artikel ist mit Blöcken nicht möglich: Unabhängig verfeinerte Blöcke könnten sich über ihre Seitenflächen nicht einigen. Setzen Sie den Block auf „none“.</translation>
+    </message>
+    <message>
+        <source>Looking at the cells</source>
+        <translation>Zellen werden untersucht</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
+        <translation>Die Auswahl des Aufsatzes vergleicht Fehler und Verwerfung, ein Aufbau kann daher nicht nach einem von beiden allein geordnet sein. Nehmen Sie die normierte Auswahl, oder ordnen Sie nach beiden.</translation>
+    </message>
+    <message>
+        <source>The domain of this mesh is not convex, and refinement would fill what its boundary leaves out. Decimation keeps it.</source>
+        <translation>Das Gebiet dieses Netzes ist nicht konvex, und die Verfeinerung würde füllen, was sein Rand auslässt. Die Vergröberung erhält es.</translation>
+    </message>
+    <message>
+        <source>Refining a rectilinear grid of %1 points in physical space takes about %2 of memory, and this machine has %3. Refine it in computational space, as a curvilinear grid, or take a region of it or fewer samples.</source>
+        <translation>Ein rechtwinkliges Gitter aus %1 Punkten im physikalischen Raum zu verfeinern braucht etwa %2 Speicher, und dieser Rechner hat %3. Verfeinern Sie es im Rechenraum, als krummliniges Gitter, oder nehmen Sie einen Ausschnitt oder weniger Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is none.</source>
+        <translation>Nur rechtwinklige Gitter können im einen oder im anderen Raum verfeinert werden, und „%1“ ist keines.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a rectilinear grid, which is refined in physical space: there it has no warping and no blocks. Leave these out, or refine it in computational space.</source>
+        <translation>„%1“ ist ein rechtwinkliges Gitter, das im physikalischen Raum verfeinert wird: Dort hat es keine Verwerfung und keine Blöcke. Lassen Sie diese weg, oder verfeinern Sie es im Rechenraum.</translation>
+    </message>
+    <message>
+        <source>Refined, &apos;%1&apos; has no warping. Leave out what is asked of it.</source>
+        <translation>Verfeinert hat „%1“ keine Verwerfung. Lassen Sie weg, was von ihr verlangt wird.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no grid, so it has no blocks. Leave them out.</source>
+        <translation>„%1“ ist kein Gitter und hat deshalb keine Blöcke. Lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>Refinement takes the points of a convex mesh, and this is the mesh itself.</source>
+        <translation>Die Verfeinerung nimmt die Punkte eines konvexen Netzes, und dies ist das Netz selbst.</translation>
+    </message>
+    <message>
+        <source>Ordered by the error alone, a build has no threshold of warping. Leave that out, or order by both.</source>
+        <translation>Nach dem Fehler allein geordnet, hat ein Aufbau keine Schwelle der Verwerfung. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
+    </message>
+    <message>
+        <source>Ordered by the warping alone, a build has no threshold of error. Leave that out, or order by both.</source>
+        <translation>Nach der Verwerfung allein geordnet, hat ein Aufbau keine Schwelle des Fehlers. Lassen Sie diese weg, oder ordnen Sie nach beiden.</translation>
+    </message>
+    <message>
+        <source>it has a value that is not finite</source>
+        <translation>sie hat einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>it has no volume</source>
+        <translation>sie hat kein Volumen</translation>
+    </message>
+    <message>
+        <source>it is too warped to be cut into tetrahedra</source>
+        <translation>sie ist zu verzogen, um in Tetraeder zerlegt zu werden</translation>
+    </message>
+    <message>
+        <source>it is there twice</source>
+        <translation>sie ist doppelt vorhanden</translation>
+    </message>
+    <message>
+        <source>more than two cells share one of its faces</source>
+        <translation>mehr als zwei Zellen haben eine ihrer Seiten gemeinsam</translation>
+    </message>
+    <message>
+        <source>it is inverted and overlaps its neighbours</source>
+        <translation>sie ist umgestülpt und überlappt ihre Nachbarn</translation>
+    </message>
+    <message>
+        <source>it overlaps others</source>
+        <translation>sie überlappt andere</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: more than two cells share one of its faces.</source>
+        <translation>1 Zelle wurde weggelassen: Mehr als zwei Zellen haben eine ihrer Seiten gemeinsam.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: more than two cells share one of their faces.</source>
+        <translation>%1 Zellen wurden weggelassen: Mehr als zwei Zellen haben eine ihrer Seiten gemeinsam.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: it is inverted and overlaps its neighbours.</source>
+        <translation>1 Zelle wurde weggelassen: Sie ist umgestülpt und überlappt ihre Nachbarn.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: they are inverted and overlap their neighbours.</source>
+        <translation>%1 Zellen wurden weggelassen: Sie sind umgestülpt und überlappen ihre Nachbarn.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: it overlaps others.</source>
+        <translation>1 Zelle wurde weggelassen: Sie überlappt andere.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: they overlap others.</source>
+        <translation>%1 Zellen wurden weggelassen: Sie überlappen andere.</translation>
+    </message>
+    <message>
+        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than a thousandth. The first is cell %3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.</source>
+        <translation>Mindestens %1 der %2 Zellen des Netzes sind fehlerhaft, mehr als ein Tausendstel. Die erste ist Zelle %3 bei (%4, %5, %6): %7. Reparieren Sie das Netz in dem Programm, das es erzeugt hat.</translation>
+    </message>
+    <message>
+        <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
+        <translation>Es hat Löcher, Punkte, die ausgeblendet sind oder keinen endlichen Wert haben, und ist deshalb ein irreguläres Netz: bis zu %1 Tetraeder, die %2 Speicher brauchen, von %3. Nehmen Sie einen Bereich oder jeden n-ten Punkt davon, oder ersetzen Sie diese Werte durch Zahlen.</translation>
+    </message>
+    <message>
+        <source>No cell of the grid has a finite value at each of its corners, or all are blanked out: nothing is left.</source>
+        <translation>Keine Zelle des Gitters hat an jeder Ecke einen endlichen Wert, oder alle sind ausgeblendet: Es bleibt nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The grid has become an irregular mesh with holes.</source>
+        <translation>Das Gitter ist zu einem irregulären Netz mit Löchern geworden.</translation>
+    </message>
+    <message>
+        <source>%1 Left out with the cells around them: %2 of its %3 points, blanked out or without a finite value.</source>
+        <translation>%1 Weggelassen wurden mit den Zellen um sie herum %2 seiner %3 Punkte, ausgeblendet oder ohne endlichen Wert.</translation>
+    </message>
+    <message>
+        <source>It says of %1 cells whether they are blanked out, and has %2. It is damaged.</source>
+        <translation>Es sagt von %1 Zellen, ob sie ausgeblendet sind, und hat %2. Es ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>1 pair of tetrahedra that overlap, one at %1</source>
+        <translation>1 Paar sich überlappender Tetraeder, eines bei %1</translation>
+    </message>
+    <message>
+        <source>%1 pairs of tetrahedra that overlap, one at %2</source>
+        <translation>%1 Paare sich überlappender Tetraeder, eines bei %2</translation>
+    </message>
+    <message>
+        <source>the position of point %1 is no finite number, or too large. Leave it out.</source>
+        <translation>Die Position von Punkt %1 ist keine endliche Zahl oder zu groß. Lassen Sie ihn weg.</translation>
+    </message>
+    <message>
+        <source>none of its values is a finite number.</source>
+        <translation>Keiner seiner Werte ist eine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>1 point without a finite value was left out.</source>
+        <translation>1 Punkt ohne endlichen Wert wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 points without a finite value were left out.</source>
+        <translation>%1 Punkte ohne endlichen Wert wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The tetrahedrization</source>
+        <translation>Die Zerlegung in Tetraeder</translation>
+    </message>
+    <message>
+        <source>Tetrahedrizing the points</source>
+        <translation>Die Punkte werden zu Tetraedern verbunden</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no four points that do not lie in one plane, or two on one place.</source>
+        <translation>„%1“ hat keine vier Punkte, die nicht in einer Ebene liegen, oder zwei an einem Ort.</translation>
+    </message>
+    <message>
+        <source>Testing the boundary</source>
+        <translation>Der Rand wird geprüft</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s position</source>
+        <translation>der Ort der Kamera</translation>
+    </message>
+    <message>
+        <source>the isovalues</source>
+        <translation>die Isowerte</translation>
+    </message>
+    <message>
+        <source>the opacities</source>
+        <translation>die Deckkräfte</translation>
+    </message>
+    <message>
+        <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error.</source>
+        <translation>Nicht genug Speicher für alle Netze mit bis zu %1 Punkten. Wählen Sie einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>Choosing tetrahedra by their lives</source>
+        <translation>Tetraeder werden nach ihrem Leben ausgewählt</translation>
+    </message>
+    <message>
+        <source>An end of the range of accuracies is not a number. Give both in percent.</source>
+        <translation>Ein Ende des Bereichs von Genauigkeiten ist keine Zahl. Geben Sie beide in Prozent an.</translation>
+    </message>
+    <message>
+        <source>A range of births or deaths goes from a smaller error to a larger one: %1 and %2 do not.</source>
+        <translation>Ein Bereich von Entstehung oder Ersetzung geht von einem kleineren Fehler zu einem größeren: %1 und %2 nicht.</translation>
+    </message>
+    <message>
+        <source>A budget is for one mesh, and a range of accuracies has many. Leave one of the two out.</source>
+        <translation>Ein Budget gilt für ein Netz, und ein Bereich von Genauigkeiten hat viele. Lassen Sie eines von beiden weg.</translation>
+    </message>
+    <message>
+        <source>OpenGL draws at most %1 focus regions. Take fewer, or use the CPU back end.</source>
+        <translation>OpenGL zeichnet höchstens %1 Fokusbereiche. Nehmen Sie weniger, oder zeichnen Sie mit dem Prozessor.</translation>
+    </message>
+    <message>
+        <source>rectilinear</source>
+        <translation>rechtwinklig</translation>
+    </message>
+    <message>
+        <source>Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Für Daten, deren Gebiet sich verwerfen kann: die Verwerfung, bei der aufgehört wird. Ihr Verhältnis zum Fehler sagt, wie viel die Form gegenüber den Werten zählt. Ist eines von beiden 0, ist es dieselbe Zahl wie das andere.</translation>
+    </message>
+    <message>
+        <source>Ordered by</source>
+        <translation>Geordnet nach</translation>
+    </message>
+    <message>
+        <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
+        <translation>Für Daten, deren Gebiet sich verwerfen kann: „both“ ordnet das Modell nach dem größeren von Fehler und Verwerfung im Verhältnis ihrer Schwellen; „error“ oder „warping“ nach diesem allein, für die wenigsten Punkte, wo das andere keine Rolle spielt.</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>warping</source>
+        <translation>Verwerfung</translation>
+    </message>
+    <message>
+        <source>two-sided</source>
+        <translation>beidseitig</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
+        <translation>Was die Verformung unregelmäßiger Daten misst: „one-sided“, wie in der Arbeit, wie weit die Punkte des Randes der Daten von dem eines Netzes entfernt sind; „two-sided“ auch, wie weit irgendeine Stelle des Randes eines Netzes von dem der Daten entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
+        <translation>Verstreute Punkte: Die Vergröberung beginnt mit dem Delaunay-Netz aller Punkte und braucht weniger von ihnen für dieselbe Genauigkeit, aber mehr Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>For rectilinear grids: &apos;physical&apos; refines their points where they lie, so that there is no warping; &apos;computational&apos; refines them as any curvilinear grid, which takes less memory, and has blocks.</source>
+        <translation>Für rechtwinklige Gitter: „physical“ verfeinert ihre Punkte dort, wo sie liegen, so dass es keine Verwerfung gibt; „computational“ verfeinert sie wie jedes krummlinige Gitter, was weniger Speicher braucht und Blöcke erlaubt.</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
+        <translation>Die Zellen entlang einer Kante der Blöcke, die unabhängig voneinander verfeinert werden, im Arbeitsspeicher für wenige davon; „none“ verfeinert den Datensatz als Ganzes; „automatic“ nimmt Blöcke, wenn ein Gitter groß ist.</translation>
+    </message>
+    <message>
+        <source>A rectilinear grid: refinement in physical space keeps the exact domain.</source>
+        <translation>Ein rechtwinkliges Gitter: Die Verfeinerung im physikalischen Raum erhält das genaue Gebiet.</translation>
+    </message>
+    <message>
+        <source>A mesh of convex domain: refinement keeps the exact domain, with tetrahedra of its own.</source>
+        <translation>Ein Netz mit konvexem Gebiet: Die Verfeinerung erhält das genaue Gebiet, mit eigenen Tetraedern.</translation>
+    </message>
+    <message>
+        <source>The mesh is too large to be looked at.</source>
+        <translation>Das Netz ist zu groß, um es anzusehen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a rectilinear grid</source>
+        <translation>„%1“ ist ein rechtwinkliges Gitter</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is for %2 data only, and %3. Leave it out, or choose &apos;%4 %5&apos;.</source>
+        <translation>„%1“ gilt nur für diese Art von Daten: %2; doch %3. Lassen Sie es weg, oder wählen Sie „%4 %5“.</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Zeigt</translation>
+    </message>
+    <message>
+        <source>What is shown, inside and outside of the focus: the volume, isosurfaces, or both.</source>
+        <translation>Was innerhalb und außerhalb des Fokus gezeigt wird: das Volumen, Isoflächen oder beides.</translation>
+    </message>
+    <message>
+        <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
+        <translation>Ein Bereich von Genauigkeiten hat Tetraeder, die übereinander liegen, daher kann ihr Volumen nicht gezeichnet werden. Wählen Sie Isoflächen, oder Grenzen, die ein Netz übrig lassen.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -7394,6 +7788,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Pictures with their sessions (*.png)</source>
         <translation>Bilder mit ihren Sitzungen (*.png)</translation>
+    </message>
+    <message>
+        <source>Datasets packed by gzip (*.gz)</source>
+        <translation>Mit gzip gepackte Datensätze (*.gz)</translation>
     </message>
 </context>
 <context>
@@ -7963,6 +8361,90 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
         <translation>Wie das Fenster endet: Tetraeder an seiner Grenze werden genau dort geschnitten oder ganz behalten oder ganz weggelassen</translation>
     </message>
+    <message>
+        <source>All that lived in a range of &amp;errors</source>
+        <translation>Alles, was in einem Bereich von &amp;Fehlern lebte</translation>
+    </message>
+    <message>
+        <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
+        <translation>Statt eines Netzes die Tetraeder aller Netze zwischen zwei Fehlern zeigen, übereinander, als Flächen. Ein Fenster lässt sie ganz.</translation>
+    </message>
+    <message>
+        <source>in percent of the value range; 100 is no limit</source>
+        <translation>in Prozent des Wertebereichs; 100 ist keine Grenze</translation>
+    </message>
+    <message>
+        <source>F&amp;inest</source>
+        <translation>F&amp;einster</translation>
+    </message>
+    <message>
+        <source>Smallest error of the range</source>
+        <translation>Kleinster Fehler des Bereichs</translation>
+    </message>
+    <message>
+        <source>The mesh of this error is the finest of the range, in percent of the value range</source>
+        <translation>Das Netz dieses Fehlers ist das feinste des Bereichs, in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>&amp;Coarsest</source>
+        <translation>&amp;Gröbster</translation>
+    </message>
+    <message>
+        <source>Largest error of the range</source>
+        <translation>Größter Fehler des Bereichs</translation>
+    </message>
+    <message>
+        <source>The mesh of this error is the coarsest of the range, in percent of the value range</source>
+        <translation>Das Netz dieses Fehlers ist das gröbste des Bereichs, in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Bor&amp;n above</source>
+        <translation>E&amp;ntstanden über</translation>
+    </message>
+    <message>
+        <source>Born above</source>
+        <translation>Entstanden über</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
+        <translation>Nur Tetraeder, die ab einem Fehler über diesem in Netzen sind, in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Born &amp;up to</source>
+        <translation>Entstanden &amp;bis</translation>
+    </message>
+    <message>
+        <source>Born up to</source>
+        <translation>Entstanden bis</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
+        <translation>Nur Tetraeder, die in keinem Netz eines größeren Fehlers sind, %1</translation>
+    </message>
+    <message>
+        <source>Replace&amp;d from</source>
+        <translation>Ersetzt a&amp;b</translation>
+    </message>
+    <message>
+        <source>Replaced from</source>
+        <translation>Ersetzt ab</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
+        <translation>Nur Tetraeder, die bei diesem Fehler oder vorher ersetzt werden, in Prozent des Wertebereichs</translation>
+    </message>
+    <message>
+        <source>Re&amp;placed up to</source>
+        <translation>Erset&amp;zt bis</translation>
+    </message>
+    <message>
+        <source>Replaced up to</source>
+        <translation>Ersetzt bis</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are still in the mesh of this error, %1</source>
+        <translation>Nur Tetraeder, die noch im Netz dieses Fehlers sind, %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::RenderingPanel</name>
@@ -7993,6 +8475,78 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Frame r&amp;ate</source>
         <translation>Bildr&amp;ate</translation>
+    </message>
+    <message>
+        <source>What to draw while moving</source>
+        <translation>Was bei Bewegung gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>What to draw while something moves. The picture at rest is always complete.</source>
+        <translation>Was gezeichnet wird, während sich etwas bewegt. Das Bild in Ruhe ist immer vollständig.</translation>
+    </message>
+    <message>
+        <source>As the frame rate allows</source>
+        <translation>Was die Bildrate erlaubt</translation>
+    </message>
+    <message>
+        <source>A mesh of a fixed error</source>
+        <translation>Ein Netz mit festem Fehler</translation>
+    </message>
+    <message>
+        <source>A share of the tetrahedra</source>
+        <translation>Ein Teil der Tetraeder</translation>
+    </message>
+    <message>
+        <source>Always full quality</source>
+        <translation>Immer volle Qualität</translation>
+    </message>
+    <message>
+        <source>Error while moving</source>
+        <translation>Fehler bei Bewegung</translation>
+    </message>
+    <message>
+        <source>The error of the mesh that is drawn while something moves, in percent of the value range.</source>
+        <translation>Der Fehler des Netzes, das gezeichnet wird, während sich etwas bewegt, in Prozent des Wertebereichs.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Share of the tetrahedra while moving</source>
+        <translation>Anteil der Tetraeder bei Bewegung</translation>
+    </message>
+    <message>
+        <source>How many of the tetrahedra are drawn while something moves, in percent.</source>
+        <translation>Wie viele der Tetraeder gezeichnet werden, während sich etwas bewegt, in Prozent.</translation>
+    </message>
+    <message>
+        <source>Time until the full picture</source>
+        <translation>Zeit bis zum vollen Bild</translation>
+    </message>
+    <message>
+        <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
+        <translation>Wenn sich so lange nichts bewegt hat, in Millisekunden, wird das volle Bild gezeichnet.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>While &amp;moving</source>
+        <translation>Bei &amp;Bewegung</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>&amp;Fehler</translation>
+    </message>
+    <message>
+        <source>&amp;Tetrahedra</source>
+        <translation>&amp;Tetraeder</translation>
+    </message>
+    <message>
+        <source>&amp;Full picture after</source>
+        <translation>&amp;Volles Bild nach</translation>
     </message>
 </context>
 <context>

@@ -452,6 +452,14 @@
         <source>Remove Isovalue</source>
         <translation>Rimuovi isovalore</translation>
     </message>
+    <message>
+        <source>Change Range</source>
+        <translation>Modifica intervallo</translation>
+    </message>
+    <message>
+        <source>Change Warping</source>
+        <translation>Cambia deformazione</translation>
+    </message>
 </context>
 <context>
     <name>Desktop</name>
@@ -742,6 +750,26 @@
         <source>%1 tetrahedra in %2 pieces, as the window cuts them</source>
         <translation>%1 tetraedri in %2 pezzi, tagliati dalla finestra</translation>
     </message>
+    <message>
+        <source>errors from %1 to %2</source>
+        <translation>errori da %1 a %2</translation>
+    </message>
+    <message>
+        <source>error %1 to %2</source>
+        <translation>errore da %1 a %2</translation>
+    </message>
+    <message>
+        <source>Shown: tetrahedra of the meshes of %1. %2 of %3 are chosen.</source>
+        <translation>Mostrati: tetraedri delle griglie di %1. Scelti %2 su %3.</translation>
+    </message>
+    <message>
+        <source>Shown: %1, warping %2.</source>
+        <translation>Mostrato: %1, deformazione %2.</translation>
+    </message>
+    <message>
+        <source>Shown: %1, whatever the warping.</source>
+        <translation>Mostrato: %1, qualunque sia la deformazione.</translation>
+    </message>
 </context>
 <context>
     <name>NumberText</name>
@@ -1024,8 +1052,12 @@
         <translation>Cicli di visibilità</translation>
     </message>
     <message>
-        <source>%1, in which cells are drawn by their distance</source>
-        <translation>%1, in cui le celle sono disegnate secondo la distanza</translation>
+        <source>%1 tetrahedra were cut to order them</source>
+        <translation>%1 tetraedri tagliati per ordinarli</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra were cut to order them; %2 groups overlap and are drawn by distance</source>
+        <translation>%1 tetraedri tagliati per ordinarli; %2 gruppi si sovrappongono e sono disegnati per distanza</translation>
     </message>
 </context>
 <context>
@@ -1122,10 +1154,6 @@
 ± %1</translation>
     </message>
     <message>
-        <source>What the percentage means in units of the data. Of curvilinear data it holds for the error and for the warping: the distance of the mesh from the grid, in percent of the diagonal of the box around it.</source>
-        <translation>Che cosa significa la percentuale nelle unità dei dati. Per dati curvilinei vale per l&apos;errore e per la deformazione: la distanza della mesh dalla griglia, in percento della diagonale del parallelepipedo che la contiene.</translation>
-    </message>
-    <message>
         <source>Bu&amp;dget</source>
         <translation>&amp;Limite</translation>
     </message>
@@ -1150,6 +1178,48 @@
 warping %2</source>
         <translation>± %1 nel valore
 deformazione %2</translation>
+    </message>
+    <message>
+        <source>War&amp;ping</source>
+        <translation>&amp;Deformazione</translation>
+    </message>
+    <message>
+        <source>What the percentages mean in units of the data. The warping of curvilinear and irregular data is the distance of the mesh from the data, in percent of the diagonal of the box around these.</source>
+        <translation>Che cosa significano le percentuali nelle unità dei dati. La deformazione di dati curvilinei e irregolari è la distanza della mesh dai dati, in percento della diagonale del parallelepipedo attorno a essi.</translation>
+    </message>
+    <message>
+        <source>Same as the error</source>
+        <translation>Come l'errore</translation>
+    </message>
+    <message>
+        <source>Its own</source>
+        <translation>Propria</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuna</translation>
+    </message>
+    <message>
+        <source>Limit of the warping</source>
+        <translation>Limite della deformazione</translation>
+    </message>
+    <message>
+        <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
+        <translation>Limite della deformazione, cioè della distanza della mesh dai dati: la percentuale dell'errore, riferita alla diagonale; una propria; oppure nessuno, per la mesh più piccola i cui valori rientrano nell'errore</translation>
+    </message>
+    <message>
+        <source>Warping in percent of the diagonal</source>
+        <translation>Deformazione in percento della diagonale</translation>
+    </message>
+    <message>
+        <source>Warping in percent of the diagonal of the box around the data</source>
+        <translation>Deformazione in percento della diagonale del parallelepipedo attorno ai dati</translation>
+    </message>
+    <message>
+        <source>± %1 in value
+any warping</source>
+        <translation>± %1 nel valore
+deformazione qualsiasi</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +1547,10 @@ deformazione %2</translation>
     <message>
         <source>Detail (model size, build time)</source>
         <translation>Dettaglio (dimensione del modello, tempo di costruzione)</translation>
+    </message>
+    <message>
+        <source>rectilinear grid of %1 points, %2 cells</source>
+        <translation>griglia rettilinea di %1 punti, %2 celle</translation>
     </message>
 </context>
 <context>
@@ -1819,10 +1893,6 @@ deformazione %2</translation>
 <context>
     <name>tetra::FocusPanel</name>
     <message>
-        <source>A part of the domain with its own error. Choose a shape, then drag its handles in the picture; a double click on a surface moves the focus there.</source>
-        <translation>Una parte del dominio con un errore proprio. Scegliere una forma, poi trascinarne le maniglie nell&apos;immagine; un doppio clic su una superficie vi porta il focus.</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Nessuno</translation>
     </message>
@@ -1933,6 +2003,98 @@ deformazione %2</translation>
     <message>
         <source>A focus is not coarser than what is around it, so it gets %1.</source>
         <translation>Un fuoco non è più grossolano di ciò che lo circonda, quindi riceve %1.</translation>
+    </message>
+    <message>
+        <source>A&amp;dd</source>
+        <translation>A&amp;ggiungi</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>Rimuo&amp;vi</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tance</source>
+        <translation>Dis&amp;tanza</translation>
+    </message>
+    <message>
+        <source>Value ran&amp;ge</source>
+        <translation>Intervallo di va&amp;lori</translation>
+    </message>
+    <message>
+        <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
+        <translation>Dove la griglia è più accurata che altrove. Scegliete un parallelepipedo o una sfera, poi trascinatene le maniglie nell'immagine; un doppio clic su una superficie li sposta lì. Oppure fate crescere l'errore con la distanza dall'osservatore o dagli isovalori, o dove si vede poco.</translation>
+    </message>
+    <message>
+        <source>Accuracy varies with</source>
+        <translation>L'accuratezza varia con</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>Osservatore</translation>
+    </message>
+    <message>
+        <source>The error grows with the distance from the viewer. While you move the camera, the mesh stays as it is.</source>
+        <translation>L'errore cresce con la distanza dall'osservatore. Mentre muovete la camera, la griglia resta com'è.</translation>
+    </message>
+    <message>
+        <source>Isovalues</source>
+        <translation>Isovalori</translation>
+    </message>
+    <message>
+        <source>The error grows with the distance from the isovalues that are shown</source>
+        <translation>L'errore cresce con la distanza dagli isovalori mostrati</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacità</translation>
+    </message>
+    <message>
+        <source>The error is smaller where the transfer function is more opaque</source>
+        <translation>L'errore è minore dove la funzione di trasferimento è più opaca</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Regione</translation>
+    </message>
+    <message>
+        <source>The region that place and size are of; all have the same error and fall-off</source>
+        <translation>La regione a cui si riferiscono posizione e dimensione; tutte hanno lo stesso errore e la stessa transizione</translation>
+    </message>
+    <message>
+        <source>Add another region of the same size</source>
+        <translation>Aggiunge un'altra regione della stessa dimensione</translation>
+    </message>
+    <message>
+        <source>Remove this region</source>
+        <translation>Rimuove questa regione</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanza</translation>
+    </message>
+    <message>
+        <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
+        <translation>La distanza su cui l'errore cresce da quello interno, nella parte dei dati più vicina all'osservatore, a quello esterno, nelle unità dei dati</translation>
+    </message>
+    <message>
+        <source>Range of values</source>
+        <translation>Intervallo di valori</translation>
+    </message>
+    <message>
+        <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
+        <translation>La differenza da un isovalore su cui l'errore cresce da quello interno a quello esterno, nelle unità dei valori</translation>
+    </message>
+    <message>
+        <source>%1: sphere</source>
+        <translation>%1: sfera</translation>
+    </message>
+    <message>
+        <source>%1: box</source>
+        <translation>%1: parallelepipedo</translation>
+    </message>
+    <message>
+        <source>There is no isovalue, so the error is %1 everywhere.</source>
+        <translation>Non c'è nessun isovalore, quindi l'errore è %1 ovunque.</translation>
     </message>
 </context>
 <context>
@@ -2948,10 +3110,6 @@ deformazione %2</translation>
         <translation>L&apos;errore minimo (%1 %) è maggiore dell&apos;errore a cui fermarsi (%2 %). Scegliere un errore minimo più piccolo, o 0 per tenere tutto.</translation>
     </message>
     <message>
-        <source>Scattered points have no tetrahedra that decimation could begin with. Refine them instead.</source>
-        <translation>I punti sparsi non hanno tetraedri da cui la decimazione possa partire. Usare il raffinamento.</translation>
-    </message>
-    <message>
         <source>A tetrahedral mesh needs a cell: two points or more along each axis.</source>
         <translation>Una mesh di tetraedri richiede una cella: due o più punti lungo ogni asse.</translation>
     </message>
@@ -2998,10 +3156,6 @@ deformazione %2</translation>
     <message>
         <source>A tetrahedral mesh needs four points or more.</source>
         <translation>Una mesh di tetraedri richiede quattro punti o più.</translation>
-    </message>
-    <message>
-        <source>Refinement does not take %1 data.</source>
-        <translation>Il raffinamento non accetta dati di questo tipo: %1.</translation>
     </message>
     <message>
         <source>Blocks of %1 cells cut this dataset into %2 pieces; %3 are the most. Choose larger blocks.</source>
@@ -3112,14 +3266,6 @@ deformazione %2</translation>
         <translation>%1 tetraedri c&apos;erano due volte.</translation>
     </message>
     <message>
-        <source>1 tetrahedron was left out where parts of the mesh touched only in an edge or a point.</source>
-        <translation>1 tetraedro è stato omesso dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
-    </message>
-    <message>
-        <source>%1 tetrahedra were left out where parts of the mesh touched only in an edge or a point.</source>
-        <translation>%1 tetraedri sono stati omessi dove parti della mesh si toccavano solo in uno spigolo o in un punto.</translation>
-    </message>
-    <message>
         <source>1 point belongs to no cell and was left out.</source>
         <translation>1 punto non appartiene a nessuna cella ed è stato omesso.</translation>
     </message>
@@ -3212,22 +3358,6 @@ deformazione %2</translation>
         <translation>%1 tetraedri che si sovrappongono a un vicino dallo stesso lato di una faccia, per esempio in %2</translation>
     </message>
     <message>
-        <source>1 edge in which parts of it only touch, one at %1</source>
-        <translation>1 spigolo in cui le sue parti si toccano soltanto, in %1</translation>
-    </message>
-    <message>
-        <source>%1 edges in which parts of it only touch, one at %2</source>
-        <translation>%1 spigoli in cui le sue parti si toccano soltanto, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 point in which parts of it only touch, one at %1</source>
-        <translation>1 punto in cui le sue parti si toccano soltanto, in %1</translation>
-    </message>
-    <message>
-        <source>%1 points in which parts of it only touch, one at %2</source>
-        <translation>%1 punti in cui le sue parti si toccano soltanto, per esempio in %2</translation>
-    </message>
-    <message>
         <source>The dataset is no irregular mesh: it has no positions or no tetrahedra.</source>
         <translation>L&apos;insieme di dati non è una mesh irregolare: non ha posizioni o non ha tetraedri.</translation>
     </message>
@@ -3242,22 +3372,6 @@ deformazione %2</translation>
     <message>
         <source>The mesh has %1 points that no tetrahedron uses.</source>
         <translation>La mesh ha %1 punti che nessun tetraedro usa.</translation>
-    </message>
-    <message>
-        <source>1 pair of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %1</source>
-        <translation>1 coppia di facce del contorno che si tagliano o si toccano: le celle lì si sovrappongono o non combaciano, in %1</translation>
-    </message>
-    <message>
-        <source>%1 pairs of boundary faces that cut or touch each other: cells overlap or do not fit together there, one at %2</source>
-        <translation>%1 coppie di facce del contorno che si tagliano o si toccano: le celle lì si sovrappongono o non combaciano, per esempio in %2</translation>
-    </message>
-    <message>
-        <source>1 part inside another part, one at %1</source>
-        <translation>1 parte dentro un&apos;altra, in %1</translation>
-    </message>
-    <message>
-        <source>%1 parts inside other parts, one at %2</source>
-        <translation>%1 parti dentro altre, per esempio in %2</translation>
     </message>
     <message>
         <source>The mesh has more than %1 tetrahedra. Take a part of it.</source>
@@ -3318,10 +3432,6 @@ deformazione %2</translation>
     <message>
         <source>it has %1 values for %2 points. Give one a point.</source>
         <translation>ha %1 valori per %2 punti. Darne uno a ogni punto.</translation>
-    </message>
-    <message>
-        <source>the position or the value of point %1 is no finite number, or too large. Leave it out.</source>
-        <translation>la posizione o il valore del punto %1 non è un numero finito, o è troppo grande. Ometterlo.</translation>
     </message>
     <message>
         <source>it has no points.</source>
@@ -3944,10 +4054,6 @@ deformazione %2</translation>
         <translation>Mesh di più accuratezze non si possono tagliare a una finestra: ciò che è tagliato non ha vita propria. Chiedere i tetraedri che intersecano la finestra, o che essa contiene.</translation>
     </message>
     <message>
-        <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error, or a window.</source>
-        <translation>La memoria non basta per tutte le mesh fino a %1 siti. Scegliere un errore più grande, o una finestra.</translation>
-    </message>
-    <message>
         <source>The coarsest mesh has %1 tetrahedra, more than the budget of %2. Allow at least as many.</source>
         <translation>La mesh più grossolana ha %1 tetraedri, più del budget di %2. Permetterne almeno altrettanti.</translation>
     </message>
@@ -4086,10 +4192,6 @@ deformazione %2</translation>
     <message>
         <source>the state of the refinement&apos;s tetrahedra</source>
         <translation>lo stato dei tetraedri del raffinamento</translation>
-    </message>
-    <message>
-        <source>the numbers of the sites</source>
-        <translation>i numeri dei siti</translation>
     </message>
     <message>
         <source>The mesh grew beyond what was reserved for it.</source>
@@ -4696,10 +4798,6 @@ deformazione %2</translation>
         <translation>Deformazione</translation>
     </message>
     <message>
-        <source>For curvilinear and irregular data: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Per dati curvilinei e irregolari: la deformazione a cui fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, vale per esso il numero dell&apos;altro.</translation>
-    </message>
-    <message>
         <source>% of the diagonal</source>
         <translation>% della diagonale</translation>
     </message>
@@ -4750,10 +4848,6 @@ deformazione %2</translation>
     <message>
         <source>Block</source>
         <translation>Blocco</translation>
-    </message>
-    <message>
-        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice is large. The blocks of a curvilinear grid are refined together, all in memory.</source>
-        <translation>Le celle lungo uno spigolo dei blocchi raffinati indipendentemente, con memoria per pochi di essi; «nessuno» raffina l&apos;insieme di dati come un tutto; «automatico» usa blocchi dove un reticolo è grande. I blocchi delle griglie curvilinee sono raffinati insieme, tutti in memoria.</translation>
     </message>
     <message>
         <source>cells</source>
@@ -5712,10 +5806,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Si possono prendere: %1.</translation>
     </message>
     <message>
-        <source>the array &apos;%1&apos; is not a finite number at %2 of its points. %3</source>
-        <translation>il vettore «%1» non è un numero finito in %2 dei suoi punti. %3</translation>
-    </message>
-    <message>
         <source>the array &apos;%1&apos; has one value everywhere. %2</source>
         <translation>il vettore «%1» ha lo stesso valore ovunque. %2</translation>
     </message>
@@ -6516,14 +6606,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>I valori delle celle sono stati portati ai punti, come media delle celle attorno.</translation>
     </message>
     <message>
-        <source>some of its %1 cells are blanked out or have values that are no numbers, so that it is an irregular mesh, which is too large for that. Take a part of it, or replace those values by numbers.</source>
-        <translation>alcune delle sue %1 celle sono escluse o hanno valori che non sono numeri, perciò è una mesh irregolare, troppo grande per questo. Prenderne una parte, o sostituire quei valori con numeri.</translation>
-    </message>
-    <message>
-        <source>A grid with cells that are blanked out, or whose values are no numbers: an irregular mesh without them.</source>
-        <translation>Una griglia con celle escluse, o i cui valori non sono numeri: una mesh irregolare senza di esse.</translation>
-    </message>
-    <message>
         <source>The samples were multiplied and shifted as the header of the file asks.</source>
         <translation>I campioni sono stati moltiplicati e traslati come chiede l&apos;intestazione del file.</translation>
     </message>
@@ -6758,14 +6840,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>the position of point %1 (from 0) is no number, or too large. Repair the file.</source>
         <translation>la posizione del punto %1 (da 0) non è un numero, o è troppo grande. Riparare il file.</translation>
-    </message>
-    <message>
-        <source>%1 points whose value is no number were left out.</source>
-        <translation>%1 punti il cui valore non è un numero sono stati omessi.</translation>
-    </message>
-    <message>
-        <source>none of its values is a number.</source>
-        <translation>nessuno dei suoi valori è un numero.</translation>
     </message>
     <message>
         <source>VTK legacy (*.vtk)</source>
@@ -7323,6 +7397,326 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>&apos;%1&apos; is of use only with &apos;%2&apos;. Leave it out, or give both.</source>
         <translation>«%1» serve solo con «%2». Tralasciarlo, o indicare entrambi.</translation>
     </message>
+    <message>
+        <source>one-sided</source>
+        <translation>da un lato</translation>
+    </message>
+    <message>
+        <source>physical</source>
+        <translation>fisico</translation>
+    </message>
+    <message>
+        <source>computational</source>
+        <translation>computazionale</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a regular lattice, which has no warping. Leave out what is asked of it.</source>
+        <translation>«%1» è un reticolo regolare, che non ha deformazione. Omettere ciò che la riguarda.</translation>
+    </message>
+    <message>
+        <source>Decimation takes the mesh of scattered points, and these are the points alone.</source>
+        <translation>La decimazione prende la mesh di punti sparsi, e questi sono solo i punti.</translation>
+    </message>
+    <message>
+        <source>Only irregular data have a boundary that moves, so that there is a distance from both sides to limit. Leave that out.</source>
+        <translation>Solo i dati irregolari hanno un contorno che si sposta e quindi una distanza da entrambi i lati da limitare. Tralasciarla.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
+        <translation>La selezione dei punti come nell'articolo non è possibile con i blocchi: blocchi raffinati indipendentemente non potrebbero accordarsi sulle loro facce. Impostate il blocco su «none».</translation>
+    </message>
+    <message>
+        <source>Looking at the cells</source>
+        <translation>Esame delle celle</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
+        <translation>La selezione dell'articolo confronta errore e deformazione, quindi una costruzione non può essere ordinata in base a uno solo dei due. Scegli la selezione normalizzata, oppure ordina in base a entrambi.</translation>
+    </message>
+    <message>
+        <source>The domain of this mesh is not convex, and refinement would fill what its boundary leaves out. Decimation keeps it.</source>
+        <translation>Il dominio di questa mesh non è convesso e il raffinamento riempirebbe ciò che il suo bordo lascia fuori. La decimazione lo conserva.</translation>
+    </message>
+    <message>
+        <source>Refining a rectilinear grid of %1 points in physical space takes about %2 of memory, and this machine has %3. Refine it in computational space, as a curvilinear grid, or take a region of it or fewer samples.</source>
+        <translation>Raffinare una griglia rettilinea di %1 punti nello spazio fisico richiede circa %2 di memoria, e questo computer ne ha %3. Raffinarla nello spazio computazionale, come griglia curvilinea, oppure prenderne una regione o meno campioni.</translation>
+    </message>
+    <message>
+        <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is none.</source>
+        <translation>Solo le griglie rettilinee possono essere raffinate nell'uno o nell'altro spazio, e «%1» non lo è.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a rectilinear grid, which is refined in physical space: there it has no warping and no blocks. Leave these out, or refine it in computational space.</source>
+        <translation>«%1» è una griglia rettilinea, che viene raffinata nello spazio fisico: lì non ha deformazione né blocchi. Ometterli, oppure raffinarla nello spazio computazionale.</translation>
+    </message>
+    <message>
+        <source>Refined, &apos;%1&apos; has no warping. Leave out what is asked of it.</source>
+        <translation>Raffinato, «%1» non ha deformazione. Omettere ciò che la riguarda.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no grid, so it has no blocks. Leave them out.</source>
+        <translation>«%1» non è una griglia, quindi non ha blocchi. Ometterli.</translation>
+    </message>
+    <message>
+        <source>Refinement takes the points of a convex mesh, and this is the mesh itself.</source>
+        <translation>Il raffinamento prende i punti di una mesh convessa, e questa è la mesh stessa.</translation>
+    </message>
+    <message>
+        <source>Ordered by the error alone, a build has no threshold of warping. Leave that out, or order by both.</source>
+        <translation>Ordinata in base al solo errore, una costruzione non ha soglia di deformazione. Omettila, oppure ordina in base a entrambi.</translation>
+    </message>
+    <message>
+        <source>Ordered by the warping alone, a build has no threshold of error. Leave that out, or order by both.</source>
+        <translation>Ordinata in base alla sola deformazione, una costruzione non ha soglia di errore. Omettila, oppure ordina in base a entrambi.</translation>
+    </message>
+    <message>
+        <source>it has a value that is not finite</source>
+        <translation>ha un valore non finito</translation>
+    </message>
+    <message>
+        <source>it has no volume</source>
+        <translation>non ha volume</translation>
+    </message>
+    <message>
+        <source>it is too warped to be cut into tetrahedra</source>
+        <translation>è troppo deformata per essere suddivisa in tetraedri</translation>
+    </message>
+    <message>
+        <source>it is there twice</source>
+        <translation>è presente due volte</translation>
+    </message>
+    <message>
+        <source>more than two cells share one of its faces</source>
+        <translation>più di due celle condividono una delle sue facce</translation>
+    </message>
+    <message>
+        <source>it is inverted and overlaps its neighbours</source>
+        <translation>è invertita e si sovrappone alle vicine</translation>
+    </message>
+    <message>
+        <source>it overlaps others</source>
+        <translation>si sovrappone ad altre</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: more than two cells share one of its faces.</source>
+        <translation>1 cella è stata tralasciata: più di due celle condividono una delle sue facce.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: more than two cells share one of their faces.</source>
+        <translation>%1 celle sono state tralasciate: più di due celle condividono una delle loro facce.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: it is inverted and overlaps its neighbours.</source>
+        <translation>1 cella è stata tralasciata: è invertita e si sovrappone alle vicine.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: they are inverted and overlap their neighbours.</source>
+        <translation>%1 celle sono state tralasciate: sono invertite e si sovrappongono alle vicine.</translation>
+    </message>
+    <message>
+        <source>1 cell was left out: it overlaps others.</source>
+        <translation>1 cella è stata tralasciata: si sovrappone ad altre.</translation>
+    </message>
+    <message>
+        <source>%1 cells were left out: they overlap others.</source>
+        <translation>%1 celle sono state tralasciate: si sovrappongono ad altre.</translation>
+    </message>
+    <message>
+        <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than a thousandth. The first is cell %3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.</source>
+        <translation>Almeno %1 delle %2 celle della mesh sono difettose, più di un millesimo. La prima è la cella %3 in (%4, %5, %6): %7. Riparare la mesh nel programma che l'ha creata.</translation>
+    </message>
+    <message>
+        <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
+        <translation>Ha dei fori, punti nascosti o senza un valore finito, perciò è una mesh irregolare: fino a %1 tetraedri, che occupano %2 di memoria, su %3. Prendete una regione o un punto ogni n, oppure sostituite quei valori con numeri.</translation>
+    </message>
+    <message>
+        <source>No cell of the grid has a finite value at each of its corners, or all are blanked out: nothing is left.</source>
+        <translation>Nessuna cella della griglia ha un valore finito in ogni vertice, oppure sono tutte nascoste: non resta nulla.</translation>
+    </message>
+    <message>
+        <source>The grid has become an irregular mesh with holes.</source>
+        <translation>La griglia è diventata una mesh irregolare con fori.</translation>
+    </message>
+    <message>
+        <source>%1 Left out with the cells around them: %2 of its %3 points, blanked out or without a finite value.</source>
+        <translation>%1 Tralasciati con le celle attorno: %2 dei suoi %3 punti, nascosti o senza un valore finito.</translation>
+    </message>
+    <message>
+        <source>It says of %1 cells whether they are blanked out, and has %2. It is damaged.</source>
+        <translation>Indica per %1 celle se sono nascoste, e ne ha %2. È danneggiato.</translation>
+    </message>
+    <message>
+        <source>1 pair of tetrahedra that overlap, one at %1</source>
+        <translation>1 coppia di tetraedri sovrapposti, uno in %1</translation>
+    </message>
+    <message>
+        <source>%1 pairs of tetrahedra that overlap, one at %2</source>
+        <translation>%1 coppie di tetraedri sovrapposti, uno in %2</translation>
+    </message>
+    <message>
+        <source>the position of point %1 is no finite number, or too large. Leave it out.</source>
+        <translation>la posizione del punto %1 non è un numero finito, o è troppo grande. Tralasciatelo.</translation>
+    </message>
+    <message>
+        <source>none of its values is a finite number.</source>
+        <translation>nessuno dei suoi valori è un numero finito.</translation>
+    </message>
+    <message>
+        <source>1 point without a finite value was left out.</source>
+        <translation>1 punto senza un valore finito è stato tralasciato.</translation>
+    </message>
+    <message>
+        <source>%1 points without a finite value were left out.</source>
+        <translation>%1 punti senza un valore finito sono stati tralasciati.</translation>
+    </message>
+    <message>
+        <source>The tetrahedrization</source>
+        <translation>La tetraedrizzazione</translation>
+    </message>
+    <message>
+        <source>Tetrahedrizing the points</source>
+        <translation>Tetraedrizzazione dei punti</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no four points that do not lie in one plane, or two on one place.</source>
+        <translation>«%1» non ha quattro punti che non giacciono in un piano, oppure due in un solo posto.</translation>
+    </message>
+    <message>
+        <source>Testing the boundary</source>
+        <translation>Controllo del bordo</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s position</source>
+        <translation>la posizione della camera</translation>
+    </message>
+    <message>
+        <source>the isovalues</source>
+        <translation>gli isovalori</translation>
+    </message>
+    <message>
+        <source>the opacities</source>
+        <translation>le opacità</translation>
+    </message>
+    <message>
+        <source>Not enough memory for all meshes of up to %1 sites. Choose a larger error.</source>
+        <translation>Memoria insufficiente per tutte le griglie fino a %1 siti. Scegliete un errore maggiore.</translation>
+    </message>
+    <message>
+        <source>Choosing tetrahedra by their lives</source>
+        <translation>Scelta dei tetraedri secondo la loro vita</translation>
+    </message>
+    <message>
+        <source>An end of the range of accuracies is not a number. Give both in percent.</source>
+        <translation>Un estremo dell'intervallo di accuratezze non è un numero. Indicateli entrambi in percentuale.</translation>
+    </message>
+    <message>
+        <source>A range of births or deaths goes from a smaller error to a larger one: %1 and %2 do not.</source>
+        <translation>Un intervallo di nascite o morti va da un errore minore a uno maggiore: %1 e %2 no.</translation>
+    </message>
+    <message>
+        <source>A budget is for one mesh, and a range of accuracies has many. Leave one of the two out.</source>
+        <translation>Un budget vale per una griglia, e un intervallo di accuratezze ne ha molte. Omettete uno dei due.</translation>
+    </message>
+    <message>
+        <source>OpenGL draws at most %1 focus regions. Take fewer, or use the CPU back end.</source>
+        <translation>OpenGL disegna al massimo %1 regioni di focus. Usarne di meno, o disegnare con il processore.</translation>
+    </message>
+    <message>
+        <source>rectilinear</source>
+        <translation>rettilineo</translation>
+    </message>
+    <message>
+        <source>Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
+        <translation>Per dati il cui dominio può deformarsi: la deformazione alla quale fermarsi. Il suo rapporto con l'errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, è lo stesso numero dell'altro.</translation>
+    </message>
+    <message>
+        <source>Ordered by</source>
+        <translation>Ordinato per</translation>
+    </message>
+    <message>
+        <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
+        <translation>Per dati il cui dominio può deformarsi: 'both' ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; 'error' o 'warping' secondo questo solo, per il minor numero di punti dove l'altro non conta.</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>entrambi</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>errore</translation>
+    </message>
+    <message>
+        <source>warping</source>
+        <translation>deformazione</translation>
+    </message>
+    <message>
+        <source>two-sided</source>
+        <translation>da entrambi i lati</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanza</translation>
+    </message>
+    <message>
+        <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
+        <translation>Che cosa misura la deformazione dei dati irregolari: «one-sided», come nell'articolo, quanto i punti del contorno dei dati distano da quello di una mesh; «two-sided» anche quanto ogni punto del contorno di una mesh dista da quello dei dati.</translation>
+    </message>
+    <message>
+        <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
+        <translation>Punti sparsi: la decimazione comincia con la mesh di Delaunay di tutti i punti e ne richiede meno per la stessa accuratezza, ma più tempo e memoria.</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spazio</translation>
+    </message>
+    <message>
+        <source>For rectilinear grids: &apos;physical&apos; refines their points where they lie, so that there is no warping; &apos;computational&apos; refines them as any curvilinear grid, which takes less memory, and has blocks.</source>
+        <translation>Per griglie rettilinee: 'physical' raffina i punti dove si trovano, così che non c'è deformazione; 'computational' le raffina come ogni griglia curvilinea, il che richiede meno memoria e permette i blocchi.</translation>
+    </message>
+    <message>
+        <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
+        <translation>Le celle lungo uno spigolo dei blocchi, che vengono raffinati indipendentemente, con memoria solo per alcuni di essi; «none» raffina i dati come un tutto; «automatic» usa blocchi se un reticolo o una griglia è grande.</translation>
+    </message>
+    <message>
+        <source>A rectilinear grid: refinement in physical space keeps the exact domain.</source>
+        <translation>Una griglia rettilinea: il raffinamento nello spazio fisico conserva il dominio esatto.</translation>
+    </message>
+    <message>
+        <source>A mesh of convex domain: refinement keeps the exact domain, with tetrahedra of its own.</source>
+        <translation>Una mesh di dominio convesso: il raffinamento conserva il dominio esatto, con tetraedri propri.</translation>
+    </message>
+    <message>
+        <source>The mesh is too large to be looked at.</source>
+        <translation>La mesh è troppo grande per essere guardata.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a rectilinear grid</source>
+        <translation>«%1» è una griglia rettilinea</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is for %2 data only, and %3. Leave it out, or choose &apos;%4 %5&apos;.</source>
+        <translation>«%1» vale solo per questo tipo di dati: %2; ma %3. Ometterlo, o scegliere «%4 %5».</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>superfici</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>What is shown, inside and outside of the focus: the volume, isosurfaces, or both.</source>
+        <translation>Che cosa si mostra dentro e fuori dal focus: il volume, le isosuperfici o entrambi.</translation>
+    </message>
+    <message>
+        <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
+        <translation>Un intervallo di accuratezze ha tetraedri sovrapposti, quindi il loro volume non si può disegnare. Scegliete le isosuperfici, o limiti che lascino una sola griglia.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -7394,6 +7788,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Pictures with their sessions (*.png)</source>
         <translation>Immagini con le loro sessioni (*.png)</translation>
+    </message>
+    <message>
+        <source>Datasets packed by gzip (*.gz)</source>
+        <translation>Dati compressi con gzip (*.gz)</translation>
     </message>
 </context>
 <context>
@@ -7963,6 +8361,90 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>How the window ends: tetrahedra at its border are cut exactly there, or kept or left out as a whole</source>
         <translation>Come finisce la finestra: i tetraedri al suo bordo si tagliano esattamente lì, o si tengono o tralasciano interi</translation>
     </message>
+    <message>
+        <source>All that lived in a range of &amp;errors</source>
+        <translation>Tutto ciò che è vissuto in un intervallo di &amp;errori</translation>
+    </message>
+    <message>
+        <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
+        <translation>Al posto di una griglia mostra i tetraedri di tutte le griglie tra due errori, sovrapposti, come superfici. Una finestra li lascia interi.</translation>
+    </message>
+    <message>
+        <source>in percent of the value range; 100 is no limit</source>
+        <translation>in percentuale dell'intervallo di valori; 100 non è un limite</translation>
+    </message>
+    <message>
+        <source>F&amp;inest</source>
+        <translation>Più f&amp;ine</translation>
+    </message>
+    <message>
+        <source>Smallest error of the range</source>
+        <translation>Errore minimo dell'intervallo</translation>
+    </message>
+    <message>
+        <source>The mesh of this error is the finest of the range, in percent of the value range</source>
+        <translation>La griglia di questo errore è la più fine dell'intervallo, in percentuale dell'intervallo di valori</translation>
+    </message>
+    <message>
+        <source>&amp;Coarsest</source>
+        <translation>Più &amp;grossolana</translation>
+    </message>
+    <message>
+        <source>Largest error of the range</source>
+        <translation>Errore massimo dell'intervallo</translation>
+    </message>
+    <message>
+        <source>The mesh of this error is the coarsest of the range, in percent of the value range</source>
+        <translation>La griglia di questo errore è la più grossolana dell'intervallo, in percentuale dell'intervallo di valori</translation>
+    </message>
+    <message>
+        <source>Bor&amp;n above</source>
+        <translation>&amp;Nati sopra</translation>
+    </message>
+    <message>
+        <source>Born above</source>
+        <translation>Nati sopra</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
+        <translation>Solo i tetraedri presenti nelle griglie a partire da un errore maggiore di questo, in percentuale dell'intervallo di valori</translation>
+    </message>
+    <message>
+        <source>Born &amp;up to</source>
+        <translation>Nati fino &amp;a</translation>
+    </message>
+    <message>
+        <source>Born up to</source>
+        <translation>Nati fino a</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are in no mesh of a larger error than this, %1</source>
+        <translation>Solo i tetraedri che non sono in griglie di errore maggiore di questo, %1</translation>
+    </message>
+    <message>
+        <source>Replace&amp;d from</source>
+        <translation>Sostituiti &amp;da</translation>
+    </message>
+    <message>
+        <source>Replaced from</source>
+        <translation>Sostituiti da</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
+        <translation>Solo i tetraedri sostituiti a questo errore o prima, in percentuale dell'intervallo di valori</translation>
+    </message>
+    <message>
+        <source>Re&amp;placed up to</source>
+        <translation>Sostituiti &amp;fino a</translation>
+    </message>
+    <message>
+        <source>Replaced up to</source>
+        <translation>Sostituiti fino a</translation>
+    </message>
+    <message>
+        <source>Only tetrahedra that are still in the mesh of this error, %1</source>
+        <translation>Solo i tetraedri ancora presenti nella griglia di questo errore, %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::RenderingPanel</name>
@@ -7993,6 +8475,78 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Frame r&amp;ate</source>
         <translation>Frequen&amp;za</translation>
+    </message>
+    <message>
+        <source>What to draw while moving</source>
+        <translation>Che cosa disegnare durante il movimento</translation>
+    </message>
+    <message>
+        <source>What to draw while something moves. The picture at rest is always complete.</source>
+        <translation>Che cosa disegnare mentre qualcosa si muove. L'immagine ferma è sempre completa.</translation>
+    </message>
+    <message>
+        <source>As the frame rate allows</source>
+        <translation>Quanto consente la frequenza</translation>
+    </message>
+    <message>
+        <source>A mesh of a fixed error</source>
+        <translation>Una mesh di errore fisso</translation>
+    </message>
+    <message>
+        <source>A share of the tetrahedra</source>
+        <translation>Una parte dei tetraedri</translation>
+    </message>
+    <message>
+        <source>Always full quality</source>
+        <translation>Sempre qualità piena</translation>
+    </message>
+    <message>
+        <source>Error while moving</source>
+        <translation>Errore durante il movimento</translation>
+    </message>
+    <message>
+        <source>The error of the mesh that is drawn while something moves, in percent of the value range.</source>
+        <translation>L'errore della mesh disegnata mentre qualcosa si muove, in percento dell'intervallo dei valori.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Share of the tetrahedra while moving</source>
+        <translation>Parte dei tetraedri durante il movimento</translation>
+    </message>
+    <message>
+        <source>How many of the tetrahedra are drawn while something moves, in percent.</source>
+        <translation>Quanti dei tetraedri si disegnano mentre qualcosa si muove, in percento.</translation>
+    </message>
+    <message>
+        <source>Time until the full picture</source>
+        <translation>Tempo fino all'immagine completa</translation>
+    </message>
+    <message>
+        <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
+        <translation>Quando nulla si è mosso per questo tempo, in millisecondi, si disegna l'immagine completa.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>While &amp;moving</source>
+        <translation>Durante il &amp;movimento</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>&amp;Errore</translation>
+    </message>
+    <message>
+        <source>&amp;Tetrahedra</source>
+        <translation>&amp;Tetraedri</translation>
+    </message>
+    <message>
+        <source>&amp;Full picture after</source>
+        <translation>Immagine &amp;completa dopo</translation>
     </message>
 </context>
 <context>
