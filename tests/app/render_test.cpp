@@ -232,8 +232,8 @@ private slots:
     /// C5: the blend of two meshes shows surfaces, too, and has several regions.
     void theFocusHasSurfacesAndSeveralRegions()
     {
-        const QStringList one{"--error", "8", "--focus", "sphere:8,8,8,3", "--focus-error", "0.5", "--falloff", "2",
-                              "--no-outline"};
+        const QStringList one{"--error", "8",         "--focus", "sphere:8,8,8,3", "--focus-error",
+                              "0.5",     "--falloff", "2",       "--no-outline"};
         const auto [cloud, ofCloud] = drawn(one, "focus");
         const auto [clouds, ofTwo] = drawn(one + QStringList{"--focus", "box:1,1,1,4,4,14"}, "focus");
         QVERIFY(ofTwo["focus_tetrahedra"].toInteger() > ofCloud["focus_tetrahedra"].toInteger());

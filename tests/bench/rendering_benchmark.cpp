@@ -66,9 +66,8 @@ BenchCase measure(const RenderingScene& scene, const Prepared& prepared, int siz
         VisibilityOrder order;
         const double orderSeconds =
             secondsOn(threads, [&] { order = orderForCamera(prepared.mesh, camera, options).value(); });
-        const double drawSeconds = secondsOn(threads, [&] {
-            picture = drawVolume(prepared.mesh, prepared.transfer, order, camera, options).value();
-        });
+        const double drawSeconds = secondsOn(
+            threads, [&] { picture = drawVolume(prepared.mesh, prepared.transfer, order, camera, options).value(); });
         if (i == 0)
             continue;
         ordering.push_back(orderSeconds);

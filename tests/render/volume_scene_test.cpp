@@ -93,8 +93,7 @@ private slots:
                 const VolumeMesh& mesh = *scene.volume->mesh;
                 const VolumeOptions options{90, 70};
                 const auto order = orderForCamera(mesh, camera, options).value();
-                const auto samples =
-                    drawVolume(mesh, *scene.volume->transfer, order, camera, options).value().samples;
+                const auto samples = drawVolume(mesh, *scene.volume->transfer, order, camera, options).value().samples;
                 const Picture picture = rendered(scene, camera, {.width = 90, .height = 70, .samplesPerAxis = 1});
                 for (std::size_t i = 0; i < samples.size(); ++i) {
                     const auto& [red, green, blue, alpha] = samples[i];

@@ -8,6 +8,7 @@ that follows. --check writes nothing and says what is wrong: a page that is not 
 text that the window does not have, an option that the program does not have."""
 import argparse
 import functools
+import json
 import pathlib
 import re
 import subprocess
@@ -93,6 +94,8 @@ def window_texts(source):
     for file in sorted((source / "translations").rglob("*_de.ts")) + sorted((source / "plugins").rglob("*_de.ts")):
         for text in xml.etree.ElementTree.parse(file).getroot().iter("source"):
             yield (text.text or "").replace("&", "").rstrip(".…")
+    for file in (source / "plugins").rglob("*.json"):
+        yield json.loads(file.read_text(encoding="utf-8")).get("name")
 
 
 @functools.cache

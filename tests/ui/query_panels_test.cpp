@@ -194,7 +194,7 @@ void QueryPanelsTest::aWindowCutsTheMesh()
     QCOMPARE(session().shown()->tetrahedra, session().shown()->wholeTetrahedra);
 }
 
-/// B13 of the window's review: a coarse mesh whose cells are nearly all cut into several pieces each.
+/// A coarse mesh whose cells are nearly all cut into several pieces each.
 void QueryPanelsTest::cutCellsDoNotExceedTheirWhole()
 {
     session().setError(10);
@@ -244,7 +244,7 @@ void QueryPanelsTest::twoBlendedMeshesAreNoShareOfOne()
     QVERIFY(window_->find<QLabel>("accuracy.tetrahedronShare").text().contains("of all"));
 }
 
-/// B15 of the window's review. What was chosen comes back when the surroundings are coarser again.
+/// What was chosen comes back when the surroundings are coarser again.
 void QueryPanelsTest::aFocusIsNotCoarserThanItsSurroundings()
 {
     trigger("action.focusSphere");

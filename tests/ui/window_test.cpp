@@ -449,7 +449,7 @@ void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
 }
 
-/// B11 of the window's review: from the moment that the title names another model, nothing of the old one is seen.
+/// From the moment that the title names another model, nothing of the old one is seen.
 void WindowTest::thePictureGoesWithItsTitle()
 {
     openSample();
