@@ -1189,7 +1189,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Same as the error</source>
-        <translation>Come l'errore</translation>
+        <translation>Come l&apos;errore</translation>
     </message>
     <message>
         <source>Its own</source>
@@ -1205,7 +1205,7 @@ deformazione %2</translation>
     </message>
     <message>
         <source>Limit of the warping, the distance of the mesh from the data: the percentage of the error, of the diagonal then; one of its own; or none, for the smallest mesh whose values are within the error</source>
-        <translation>Limite della deformazione, cioè della distanza della mesh dai dati: la percentuale dell'errore, riferita alla diagonale; una propria; oppure nessuno, per la mesh più piccola i cui valori rientrano nell'errore</translation>
+        <translation>Limite della deformazione, cioè della distanza della mesh dai dati: la percentuale dell&apos;errore, riferita alla diagonale; una propria; oppure nessuno, per la mesh più piccola i cui valori rientrano nell&apos;errore</translation>
     </message>
     <message>
         <source>Warping in percent of the diagonal</source>
@@ -2022,11 +2022,11 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Where the mesh is more accurate than elsewhere. Choose a box or a sphere, then drag its handles in the picture; a double click on a surface moves it there. Or let the error grow with the distance from the viewer or from the isovalues, or where little is seen.</source>
-        <translation>Dove la griglia è più accurata che altrove. Scegliete un parallelepipedo o una sfera, poi trascinatene le maniglie nell'immagine; un doppio clic su una superficie li sposta lì. Oppure fate crescere l'errore con la distanza dall'osservatore o dagli isovalori, o dove si vede poco.</translation>
+        <translation>Dove la griglia è più accurata che altrove. Scegliete un parallelepipedo o una sfera, poi trascinatene le maniglie nell&apos;immagine; un doppio clic su una superficie li sposta lì. Oppure fate crescere l&apos;errore con la distanza dall&apos;osservatore o dagli isovalori, o dove si vede poco.</translation>
     </message>
     <message>
         <source>Accuracy varies with</source>
-        <translation>L'accuratezza varia con</translation>
+        <translation>L&apos;accuratezza varia con</translation>
     </message>
     <message>
         <source>Viewer</source>
@@ -2034,7 +2034,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The error grows with the distance from the viewer. While you move the camera, the mesh stays as it is.</source>
-        <translation>L'errore cresce con la distanza dall'osservatore. Mentre muovete la camera, la griglia resta com'è.</translation>
+        <translation>L&apos;errore cresce con la distanza dall&apos;osservatore. Mentre muovete la camera, la griglia resta com&apos;è.</translation>
     </message>
     <message>
         <source>Isovalues</source>
@@ -2042,7 +2042,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The error grows with the distance from the isovalues that are shown</source>
-        <translation>L'errore cresce con la distanza dagli isovalori mostrati</translation>
+        <translation>L&apos;errore cresce con la distanza dagli isovalori mostrati</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -2050,7 +2050,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The error is smaller where the transfer function is more opaque</source>
-        <translation>L'errore è minore dove la funzione di trasferimento è più opaca</translation>
+        <translation>L&apos;errore è minore dove la funzione di trasferimento è più opaca</translation>
     </message>
     <message>
         <source>Region</source>
@@ -2062,7 +2062,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>Add another region of the same size</source>
-        <translation>Aggiunge un'altra regione della stessa dimensione</translation>
+        <translation>Aggiunge un&apos;altra regione della stessa dimensione</translation>
     </message>
     <message>
         <source>Remove this region</source>
@@ -2074,7 +2074,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The distance over which the error grows from that inside, at the part of the data that is nearest to the viewer, to that outside, in data units</source>
-        <translation>La distanza su cui l'errore cresce da quello interno, nella parte dei dati più vicina all'osservatore, a quello esterno, nelle unità dei dati</translation>
+        <translation>La distanza su cui l&apos;errore cresce da quello interno, nella parte dei dati più vicina all&apos;osservatore, a quello esterno, nelle unità dei dati</translation>
     </message>
     <message>
         <source>Range of values</source>
@@ -2082,7 +2082,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>The difference from an isovalue over which the error grows from that inside to that outside, in the units of the values</source>
-        <translation>La differenza da un isovalore su cui l'errore cresce da quello interno a quello esterno, nelle unità dei valori</translation>
+        <translation>La differenza da un isovalore su cui l&apos;errore cresce da quello interno a quello esterno, nelle unità dei valori</translation>
     </message>
     <message>
         <source>%1: sphere</source>
@@ -2094,7 +2094,7 @@ deformazione qualsiasi</translation>
     </message>
     <message>
         <source>There is no isovalue, so the error is %1 everywhere.</source>
-        <translation>Non c'è nessun isovalore, quindi l'errore è %1 ovunque.</translation>
+        <translation>Non c&apos;è nessun isovalore, quindi l&apos;errore è %1 ovunque.</translation>
     </message>
 </context>
 <context>
@@ -7423,7 +7423,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The paper&apos;s selection of points does not go with blocks: blocks that are refined independently could not agree about their faces. Set the block to &quot;none&quot;.</source>
-        <translation>La selezione dei punti come nell'articolo non è possibile con i blocchi: blocchi raffinati indipendentemente non potrebbero accordarsi sulle loro facce. Impostate il blocco su «none».</translation>
+        <translation>La selezione dei punti come nell&apos;articolo non è possibile con i blocchi: blocchi raffinati indipendentemente non potrebbero accordarsi sulle loro facce. Impostate il blocco su «none».</translation>
     </message>
     <message>
         <source>Looking at the cells</source>
@@ -7431,7 +7431,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The paper&apos;s selection compares error and warping, so a build cannot be ordered by one of them alone. Take the normalised selection, or order by both.</source>
-        <translation>La selezione dell'articolo confronta errore e deformazione, quindi una costruzione non può essere ordinata in base a uno solo dei due. Scegli la selezione normalizzata, oppure ordina in base a entrambi.</translation>
+        <translation>La selezione dell&apos;articolo confronta errore e deformazione, quindi una costruzione non può essere ordinata in base a uno solo dei due. Scegli la selezione normalizzata, oppure ordina in base a entrambi.</translation>
     </message>
     <message>
         <source>The domain of this mesh is not convex, and refinement would fill what its boundary leaves out. Decimation keeps it.</source>
@@ -7443,7 +7443,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only rectilinear grids can be refined in one space or the other, and &apos;%1&apos; is none.</source>
-        <translation>Solo le griglie rettilinee possono essere raffinate nell'uno o nell'altro spazio, e «%1» non lo è.</translation>
+        <translation>Solo le griglie rettilinee possono essere raffinate nell&apos;uno o nell&apos;altro spazio, e «%1» non lo è.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a rectilinear grid, which is refined in physical space: there it has no warping and no blocks. Leave these out, or refine it in computational space.</source>
@@ -7523,7 +7523,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>At least %1 of the mesh&apos;s %2 cells are faulty, more than a thousandth. The first is cell %3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.</source>
-        <translation>Almeno %1 delle %2 celle della mesh sono difettose, più di un millesimo. La prima è la cella %3 in (%4, %5, %6): %7. Riparare la mesh nel programma che l'ha creata.</translation>
+        <translation>Almeno %1 delle %2 celle della mesh sono difettose, più di un millesimo. La prima è la cella %3 in (%4, %5, %6): %7. Riparare la mesh nel programma che l&apos;ha creata.</translation>
     </message>
     <message>
         <source>It has holes, points that are blanked out or without a finite value, so that it is an irregular mesh: up to %1 tetrahedra, which take %2 of memory, of %3. Take a region or every n-th point of it, or replace those values by numbers.</source>
@@ -7607,7 +7607,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>An end of the range of accuracies is not a number. Give both in percent.</source>
-        <translation>Un estremo dell'intervallo di accuratezze non è un numero. Indicateli entrambi in percentuale.</translation>
+        <translation>Un estremo dell&apos;intervallo di accuratezze non è un numero. Indicateli entrambi in percentuale.</translation>
     </message>
     <message>
         <source>A range of births or deaths goes from a smaller error to a larger one: %1 and %2 do not.</source>
@@ -7627,7 +7627,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Of data whose domain can warp: the warping at which to stop. Its ratio to the error says how much the shape counts against the values. If one of the two is 0, it is the same number as the other.</source>
-        <translation>Per dati il cui dominio può deformarsi: la deformazione alla quale fermarsi. Il suo rapporto con l'errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, è lo stesso numero dell'altro.</translation>
+        <translation>Per dati il cui dominio può deformarsi: la deformazione alla quale fermarsi. Il suo rapporto con l&apos;errore dice quanto conta la forma rispetto ai valori. Se uno dei due è 0, è lo stesso numero dell&apos;altro.</translation>
     </message>
     <message>
         <source>Ordered by</source>
@@ -7635,7 +7635,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Of data whose domain can warp: &apos;both&apos; orders the model by the larger of error and warping, in the ratio of their thresholds; &apos;error&apos; or &apos;warping&apos; by that alone, for the fewest points where the other one does not matter.</source>
-        <translation>Per dati il cui dominio può deformarsi: 'both' ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; 'error' o 'warping' secondo questo solo, per il minor numero di punti dove l'altro non conta.</translation>
+        <translation>Per dati il cui dominio può deformarsi: &apos;both&apos; ordina il modello secondo il maggiore tra errore e deformazione, nel rapporto delle loro soglie; &apos;error&apos; o &apos;warping&apos; secondo questo solo, per il minor numero di punti dove l&apos;altro non conta.</translation>
     </message>
     <message>
         <source>both</source>
@@ -7659,7 +7659,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>What the warping of irregular data measures: &apos;one-sided&apos;, as the paper did, how far the points of the data&apos;s boundary are from that of a mesh; &apos;two-sided&apos; also how far any place of a mesh&apos;s boundary is from that of the data.</source>
-        <translation>Che cosa misura la deformazione dei dati irregolari: «one-sided», come nell'articolo, quanto i punti del contorno dei dati distano da quello di una mesh; «two-sided» anche quanto ogni punto del contorno di una mesh dista da quello dei dati.</translation>
+        <translation>Che cosa misura la deformazione dei dati irregolari: «one-sided», come nell&apos;articolo, quanto i punti del contorno dei dati distano da quello di una mesh; «two-sided» anche quanto ogni punto del contorno di una mesh dista da quello dei dati.</translation>
     </message>
     <message>
         <source>Scattered points: decimation begins with the Delaunay mesh of all of them, and takes fewer of them for the same accuracy, but more time and memory.</source>
@@ -7671,7 +7671,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>For rectilinear grids: &apos;physical&apos; refines their points where they lie, so that there is no warping; &apos;computational&apos; refines them as any curvilinear grid, which takes less memory, and has blocks.</source>
-        <translation>Per griglie rettilinee: 'physical' raffina i punti dove si trovano, così che non c'è deformazione; 'computational' le raffina come ogni griglia curvilinea, il che richiede meno memoria e permette i blocchi.</translation>
+        <translation>Per griglie rettilinee: &apos;physical&apos; raffina i punti dove si trovano, così che non c&apos;è deformazione; &apos;computational&apos; le raffina come ogni griglia curvilinea, il che richiede meno memoria e permette i blocchi.</translation>
     </message>
     <message>
         <source>The cells along an edge of the blocks that are refined independently, in memory for a few of them; &apos;none&apos; refines the dataset as a whole; &apos;automatic&apos; takes blocks where a lattice or grid is large.</source>
@@ -8371,7 +8371,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>in percent of the value range; 100 is no limit</source>
-        <translation>in percentuale dell'intervallo di valori; 100 non è un limite</translation>
+        <translation>in percentuale dell&apos;intervallo di valori; 100 non è un limite</translation>
     </message>
     <message>
         <source>F&amp;inest</source>
@@ -8379,11 +8379,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Smallest error of the range</source>
-        <translation>Errore minimo dell'intervallo</translation>
+        <translation>Errore minimo dell&apos;intervallo</translation>
     </message>
     <message>
         <source>The mesh of this error is the finest of the range, in percent of the value range</source>
-        <translation>La griglia di questo errore è la più fine dell'intervallo, in percentuale dell'intervallo di valori</translation>
+        <translation>La griglia di questo errore è la più fine dell&apos;intervallo, in percentuale dell&apos;intervallo di valori</translation>
     </message>
     <message>
         <source>&amp;Coarsest</source>
@@ -8391,11 +8391,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Largest error of the range</source>
-        <translation>Errore massimo dell'intervallo</translation>
+        <translation>Errore massimo dell&apos;intervallo</translation>
     </message>
     <message>
         <source>The mesh of this error is the coarsest of the range, in percent of the value range</source>
-        <translation>La griglia di questo errore è la più grossolana dell'intervallo, in percentuale dell'intervallo di valori</translation>
+        <translation>La griglia di questo errore è la più grossolana dell&apos;intervallo, in percentuale dell&apos;intervallo di valori</translation>
     </message>
     <message>
         <source>Bor&amp;n above</source>
@@ -8407,7 +8407,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only tetrahedra that are in meshes from an error above this one on, in percent of the value range</source>
-        <translation>Solo i tetraedri presenti nelle griglie a partire da un errore maggiore di questo, in percentuale dell'intervallo di valori</translation>
+        <translation>Solo i tetraedri presenti nelle griglie a partire da un errore maggiore di questo, in percentuale dell&apos;intervallo di valori</translation>
     </message>
     <message>
         <source>Born &amp;up to</source>
@@ -8431,7 +8431,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Only tetrahedra that are replaced at this error or before, in percent of the value range</source>
-        <translation>Solo i tetraedri sostituiti a questo errore o prima, in percentuale dell'intervallo di valori</translation>
+        <translation>Solo i tetraedri sostituiti a questo errore o prima, in percentuale dell&apos;intervallo di valori</translation>
     </message>
     <message>
         <source>Re&amp;placed up to</source>
@@ -8482,7 +8482,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>What to draw while something moves. The picture at rest is always complete.</source>
-        <translation>Che cosa disegnare mentre qualcosa si muove. L'immagine ferma è sempre completa.</translation>
+        <translation>Che cosa disegnare mentre qualcosa si muove. L&apos;immagine ferma è sempre completa.</translation>
     </message>
     <message>
         <source>As the frame rate allows</source>
@@ -8506,7 +8506,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>The error of the mesh that is drawn while something moves, in percent of the value range.</source>
-        <translation>L'errore della mesh disegnata mentre qualcosa si muove, in percento dell'intervallo dei valori.</translation>
+        <translation>L&apos;errore della mesh disegnata mentre qualcosa si muove, in percento dell&apos;intervallo dei valori.</translation>
     </message>
     <message>
         <source> %</source>
@@ -8522,11 +8522,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Time until the full picture</source>
-        <translation>Tempo fino all'immagine completa</translation>
+        <translation>Tempo fino all&apos;immagine completa</translation>
     </message>
     <message>
         <source>When nothing has moved for this long, in milliseconds, the full picture is drawn.</source>
-        <translation>Quando nulla si è mosso per questo tempo, in millisecondi, si disegna l'immagine completa.</translation>
+        <translation>Quando nulla si è mosso per questo tempo, in millisecondi, si disegna l&apos;immagine completa.</translation>
     </message>
     <message>
         <source> ms</source>
