@@ -218,7 +218,7 @@ private slots:
     {
         QTest::addColumn<double>("border");
         QTest::addColumn<bool>("perspective");
-        for (const double border : {0.0, 0.05, 0.25})
+        for (const double border : {0.0, 0.25})
             for (const bool perspective : {true, false})
                 QTest::addRow("border %g, %s", border, perspective ? "perspective" : "orthographic")
                     << border << perspective;
@@ -229,8 +229,7 @@ private slots:
         QFETCH(bool, perspective);
         SceneParts scene = focusScene(Sphere{{0.25, 0.3, 0.4}, 0.15}, border, 0.3);
         scene.focus->more = {{Sphere{{0.75, 0.75, 0.6}, 0.15}, border}, {Box{{0.4, 0.4, 0.1}, {0.6, 0.6, 0.9}}, 0.1}};
-        for (const double turn : {0.0, 70.0})
-            compare(scene, turned(cameraAround(scene.bounds, perspective), turn, 0));
+        compare(scene, turned(cameraAround(scene.bounds, perspective), perspective ? 0 : 70, 0));
     }
 
     void sharedSurfaces_data()
