@@ -114,6 +114,33 @@ private slots:
         QCOMPARE(tan({"info", "body.tan", "--warping", "non"}).exitCode, 2);
     }
 
+    /// C1: of real data, each pair needs at most 1.2 times the sites of a build for that pair alone.
+    void pairsOfRealDataNeedFewSites()
+    {
+        const QString data = TAN_SOURCE_DIR "/../shared/data/bluntfin/bluntfinxyz.bin";
+        if (!QFileInfo::exists(data))
+            QSKIP("skipped: no data");
+        QCOMPARE(tan({"build", data, "-o", "fin.tan"}).exitCode, 0);
+        struct Pair {
+            QStringList limits;
+            QStringList build;
+        };
+        const std::vector<Pair> pairs = {
+            {{"--error", "1", "--warping", "5"}, {"--error", "1", "--warping", "5"}},
+            {{"--error", "5", "--warping", "1"}, {"--error", "5", "--warping", "1"}},
+            {{"--error", "1", "--warping", "none"}, {"--by", "error", "--error", "1"}},
+            {{"--error", "none", "--warping", "1"}, {"--by", "warping", "--warping", "1"}},
+        };
+        for (const Pair& pair : pairs) {
+            const Run build = tan(QStringList{"build", data, "-o", "alone.tan", "--json"} + pair.build);
+            const Run mesh = tan(QStringList{"verify", "fin.tan", "--against", data, "--json"} + pair.limits);
+            QVERIFY2(build.exitCode == 0 && mesh.exitCode == 0, mesh.output + mesh.messages);
+            const int sites = mesh.json()["levels"].toArray().first().toObject()["sites"].toInt();
+            const int alone = build.json()["sites"].toInt();
+            QVERIFY2(sites > 0 && sites <= 1.2 * alone, qPrintable(QString("%1 of %2").arg(sites).arg(alone)));
+        }
+    }
+
     /// C1: a build by one of the two alone; the model still says both.
     void buildsAreOrderedByOneAlone()
     {

@@ -37,7 +37,8 @@ private slots:
         std::mt19937 random(11);
         for (int number = 0; number < 200; ++number) {
             Case one = {datasetOf(random, number), nullptr};
-            const auto block = static_cast<std::uint32_t>(number % 2 == 0 ? 0 : 2 + random() % 5);
+            const auto edge = static_cast<std::uint32_t>(number % 2 == 0 ? 0 : 2 + random() % 5);
+            const std::uint32_t block = isOnLattice(one.dataset.domain) ? edge : 0;
             one.model = refinedModel(folder_.filePath(QString::number(number)).toStdString(), one.dataset, block,
                                      number % 9 == 8 ? 15 : 0);
             QVERIFY(one.model != nullptr);
