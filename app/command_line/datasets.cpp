@@ -209,7 +209,7 @@ void addFaultyCells(const Dataset& dataset, Outcome& outcome)
                 "Cell " + std::to_string(one.cell) + " was left out: " + std::string(cellFaultText(one.fault)) + ".\n";
     }
     if (cells.size() > mostLines)
-        outcome.text += "... and " + std::to_string(cells.size() - mostLines) + " more cells; --json lists them.\n";
+        outcome.text += "... and " + std::to_string(cells.size() - mostLines) + " more; --json lists them.\n";
     outcome.figures["faulty_cells"] = list;
     outcome.figures["faulty_cell_count"] = static_cast<qint64>(cells.size());
 }

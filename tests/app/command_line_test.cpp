@@ -10,6 +10,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <array>
+
 namespace tetra {
 
 class CommandLineTest : public QObject {
@@ -189,6 +192,69 @@ private slots:
         QCOMPARE(remarks.size(), 1);
         QVERIFY(remarks[0].toString().startsWith("1 point on the place of another one was merged"));
         QVERIFY(tan({"build", "twice.csv", "-o", "twice.tan"}).output.contains(remarks[0].toString().toUtf8()));
+    }
+
+    /// C10, C11: cells that overlap are listed alike by info, build and verify; the distance is limited from both
+    /// sides.
+    void faultyCellsAreListedAndBothSidesKept()
+    {
+        // 4 x 4 x 4 cubes in six tetrahedra each, and two tetrahedra among them, less than a thousandth of the volume.
+        constexpr int side = 5, cubes = side - 1;
+        QByteArray points, cells, values;
+        int pointCount = 0, cellCount = 0;
+        const auto addPoint = [&](double x, double y, double z) {
+            points += QByteArray::number(++pointCount) + ' ' + QByteArray::number(x) + ' ' + QByteArray::number(y) +
+                      ' ' + QByteArray::number(z) + '\n';
+            values += QByteArray::number(pointCount) + ' ' + QByteArray::number(x * x - y + 0.5 * z) + '\n';
+        };
+        const auto addCell = [&](int a, int b, int c, int d) {
+            cells += QByteArray::number(++cellCount) + " 1 tet";
+            for (const int corner : {a, b, c, d})
+                cells += ' ' + QByteArray::number(corner + 1);
+            cells += '\n';
+        };
+        for (int point = 0; point < side * side * side; ++point)
+            addPoint(point % side, point / side % side, point / side / side);
+        for (int cube = 0; cube < cubes * cubes * cubes; ++cube) {
+            const int first = cube % cubes + side * (cube / cubes % cubes) + side * side * (cube / cubes / cubes);
+            std::array<int, 3> steps{1, side, side * side};
+            std::ranges::sort(steps);
+            do
+                addCell(first, first + steps[0], first + steps[0] + steps[1], first + 1 + side + side * side);
+            while (std::ranges::next_permutation(steps).found);
+        }
+        const int sound = cellCount;
+        for (const double at : {1.2, 2.3}) {
+            const int first = pointCount;
+            addPoint(at, at, at);
+            addPoint(at + 0.5, at, at);
+            addPoint(at, at + 0.5, at);
+            addPoint(at, at, at + 0.5);
+            addCell(first, first + 1, first + 2, first + 3);
+        }
+        const QByteArray head = QByteArray::number(pointCount) + ' ' + QByteArray::number(cellCount) + " 1 0 0\n";
+        QVERIFY(writeFile(path("faulty.inp"), head + points + cells + "1 1\nvalue, none\n" + values));
+
+        const Run info = tan({"info", "faulty.inp", "--json"});
+        QVERIFY2(info.exitCode == 0, info.messages);
+        const QJsonArray faulty = info.json()["faulty_cells"].toArray();
+        QCOMPARE(faulty, (QJsonArray{QJsonObject{{"cell", sound}, {"fault", "overlap"}},
+                                     QJsonObject{{"cell", sound + 1}, {"fault", "overlap"}}}));
+        QCOMPARE(info.json()["faulty_cell_count"].toInt(), 2);
+        const Run build = tan({"build", "faulty.inp", "--builder", "decimation", "--distance", "two-sided", "-o",
+                               "faulty.tan", "--json"});
+        QVERIFY2(build.exitCode == 0, build.messages);
+        QCOMPARE(build.json()["faulty_cells"].toArray(), faulty);
+        QVERIFY(QJsonDocument(build.json()["remarks"].toArray()).toJson().contains("2 cells were left out: they over"));
+        const Run verify = tan({"verify", "faulty.tan", "--against", "faulty.inp", "--lod", "10,1,0", "--json"});
+        QVERIFY2(verify.exitCode == 0, verify.messages);
+        QCOMPARE(verify.json()["faulty_cells"].toArray(), faulty);
+        for (const QJsonValue& level : verify.json()["levels"].toArray())
+            QVERIFY(level["two_sided_warping"].toDouble(100) <= level["warping"].toDouble() + 1e-9);
+        const Run refused =
+            tan({"build", "c60.nrrd", "--builder", "decimation", "--distance", "two-sided", "-o", "no.tan"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("--distance"), refused.messages);
     }
 
     void verifySaysNo()
