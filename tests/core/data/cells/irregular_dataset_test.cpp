@@ -386,7 +386,7 @@ private slots:
     void randomDamage()
     {
         std::uint32_t overlapping = 0;
-        for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        for (std::uint32_t seed = 0; seed < 10; ++seed) {
             const DamagedCells damaged(11, seed);
             const CellComplex& complex = damaged.complex();
             const auto dataset = datasetOf(complex, damaged.values());
