@@ -70,7 +70,9 @@ Dataset meshOf(
         complex.corners.insert(complex.corners.end(), t.begin(), t.end());
     }
     complex.offsets.push_back(complex.corners.size());
-    return irregularDataset(complex, {fieldAt<double>(complex.positions), false}, {.name = "mesh"}).value();
+    return irregularDataset(complex, {fieldAt<double>(complex.positions), false},
+                            {.name = "mesh", .path = {}, .hash = 0})
+        .value();
 }
 
 Eigen::Vector3d inBox(int i, int j, int k)
