@@ -137,8 +137,8 @@ std::vector<TestMesh> meshesToEstimate(std::uint32_t seed)
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> moved(-.1, .1);
     for (const Eigen::Vector3d& at : grid.positions)
-        grid.physical.emplace_back((3 + at.y()) * std::cos(.25 * at.x()) + moved(random),
-                                   (3 + at.y()) * std::sin(.25 * at.x()) + moved(random), 1.5 * at.z() + moved(random));
+        grid.physical.emplace_back((3 + at.y()) * std::sin(.25 * at.x()) + moved(random),
+                                   (3 + at.y()) * std::cos(.25 * at.x()) + moved(random), 1.5 * at.z() + moved(random));
     meshes.push_back(std::move(grid));
     return meshes;
 }
@@ -303,6 +303,7 @@ void DecimationOrderTest::theEstimatesAreThePapers()
 /// R11, C8: which vertex goes next follows from the estimates, from W / E and from the tags alone.
 void DecimationOrderTest::theOrderIsThePapers()
 {
+    std::size_t collapses = 0;
     for (std::uint32_t seed = 0; seed < 3; ++seed)
         for (const TestMesh& input : meshesToEstimate(seed))
             for (const double stopKey : {std::numeric_limits<double>::infinity(), .6}) {
@@ -311,7 +312,7 @@ void DecimationOrderTest::theOrderIsThePapers()
                 DecimatedMesh mesh(view, options);
                 QVERIFY(decimateByEstimates(mesh, options.warpingWeight, options.stopKey, {}));
                 const std::vector<std::uint32_t> expected = plainOrder(input, options);
-                QVERIFY(expected.size() >= 10);
+                collapses += expected.size();
                 std::vector<std::uint32_t> numbers(mesh.vertexCount());
                 std::iota(numbers.begin(), numbers.end(), 0);
                 RecordedHistory history;
@@ -321,6 +322,7 @@ void DecimationOrderTest::theOrderIsThePapers()
                                                  history.points.rbegin() + mesh.log().collapseCount());
                 QCOMPARE(order, expected);
             }
+    QVERIFY(collapses > 800); // of one target each many are not legal
 }
 
 QTEST_APPLESS_MAIN(DecimationOrderTest)
