@@ -26,6 +26,7 @@ private slots:
     void initTestCase();
     void theNewestRequestIsTheLastToArrive();
     void theMeshIsExtractedOnlyWhenItChanges();
+    void aRangeIsFilteredAsItIs();
     void nothingArrivesAfterClear();
     void aFailureIsTold();
     void onlyScenesThatDependOnTheViewAreMadeAnewForIt();
@@ -89,6 +90,38 @@ void SceneBuilderTest::theMeshIsExtractedOnlyWhenItChanges()
     QTRY_COMPARE(ready.count(), 2);
     QCOMPARE(ready.last()[0].value<BuiltScene>().extractionSeconds, 0.0);
     QCOMPARE(testing::partsOf(*ready.last()[0].value<BuiltScene>().scene).surfaces.size(), std::size_t{2});
+}
+
+/// What is loaded of a range is filtered by births and deaths (R17, C2): of what is alive at an error the surface is
+/// that of its mesh, and nothing is extracted for it. A volume of tetrahedra over each other is refused.
+void SceneBuilderTest::aRangeIsFilteredAsItIs()
+{
+    ScenePipeline pipeline;
+    SceneRequest ofRange = request(0, {{120}});
+    ofRange.query.range = LifeRange{{8}, {1}};
+    const auto all = pipeline.make(ofRange, {});
+    QVERIFY(all.ok());
+    QVERIFY(pipeline.mesh()->overlaps);
+    bool extracts = false;
+    const Progress progress({}, [&](double, const Message& activity) {
+        extracts = extracts || activity.text() == "Extracting a range of meshes";
+    });
+    ofRange.query.range->births.minimum = 2;
+    ofRange.query.range->deaths.maximum = 2;
+    const auto alive = pipeline.make(ofRange, progress);
+    QVERIFY(alive.ok() && !extracts);
+    const auto uniform = ScenePipeline().make(request(2, {{120}}), {});
+    QVERIFY(uniform.ok());
+    QCOMPARE(alive->mesh.tetrahedra, uniform->mesh.tetrahedra);
+    QCOMPARE(alive->triangles, uniform->triangles);
+    QVERIFY(alive->triangles < all->triangles);
+    ofRange.renderer = host_->renderer("volume")->plugin;
+    ofRange.values = {};
+    QVERIFY(pipeline.make(ofRange, progress).ok() && !extracts); // one mesh
+    ofRange.query.range->deaths.maximum = 8;
+    const auto refused = pipeline.make(ofRange, progress);
+    QVERIFY(!refused.ok());
+    QCOMPARE(refused.error().kind, ErrorKind::WrongUsage);
 }
 
 void SceneBuilderTest::nothingArrivesAfterClear()
