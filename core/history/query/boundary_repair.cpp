@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/boundary_repair.h"
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/sort_unique.h"
 #include "core/history/walk.h"
 #include "core/mesh/boundary.h"
@@ -8,8 +9,11 @@
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <limits>
 
 namespace tetra {
 
@@ -59,6 +63,75 @@ LivingBoundary boundaryOf(const Model& model, const ExtractedMesh& mesh)
     return boundary;
 }
 
+/// Where triangles lie near each other of which one was destroyed before the other was made: a grid of places, each
+/// with the first death and the last birth of the triangles whose boxes reach into it. Most are far from any such
+/// place.
+class LifeGrid {
+public:
+    LifeGrid(const LivingBoundary& boundary, std::span<const Eigen::AlignedBox3d> boxes)
+    {
+        Eigen::Vector3d sizes = Eigen::Vector3d::Zero();
+        for (const Eigen::AlignedBox3d& box : boxes) {
+            all_.extend(box);
+            sizes += box.sizes();
+        }
+        constexpr double mostPlaces = 48; // along an axis
+        for (int axis = 0; axis < 3; ++axis) {
+            const double size = sizes[axis] / static_cast<double>(boxes.size());
+            const double places = size > 0 ? 2 * all_.sizes()[axis] / size : 1;
+            counts_[axis] = static_cast<int>(std::clamp(places, 1.0, mostPlaces));
+        }
+        const auto places = static_cast<std::size_t>(counts_.prod());
+        firstDeath_.assign(places, Model::never);
+        lastBirth_.assign(places, 0);
+        for (std::size_t t = 0; t < boxes.size(); ++t)
+            visit(boxes[t], [&](std::size_t place) {
+                firstDeath_[place] = std::min(firstDeath_[place], boundary.destroyers[t]);
+                lastBirth_[place] = std::max(lastBirth_[place], boundary.creators[t]);
+            });
+    }
+
+    /// Whether something near died at that site or before.
+    bool hasDeath(const Eigen::AlignedBox3d& box, std::uint32_t site) const
+    {
+        std::uint32_t first = Model::never;
+        visit(box, [&](std::size_t place) { first = std::min(first, firstDeath_[place]); });
+        return first <= site;
+    }
+    /// Whether something near was born at that site or after.
+    bool hasBirth(const Eigen::AlignedBox3d& box, std::uint32_t site) const
+    {
+        std::uint32_t last = 0;
+        visit(box, [&](std::size_t place) { last = std::max(last, lastBirth_[place]); });
+        return last >= site;
+    }
+
+private:
+    template <class Visit> void visit(const Eigen::AlignedBox3d& box, const Visit& call) const
+    {
+        const Eigen::Array3i from = placeOf(box.min()), to = placeOf(box.max());
+        for (int z = from[2]; z <= to[2]; ++z)
+            for (int y = from[1]; y <= to[1]; ++y)
+                for (int x = from[0]; x <= to[0]; ++x)
+                    call(static_cast<std::size_t>((z * counts_[1] + y) * counts_[0] + x));
+    }
+    Eigen::Array3i placeOf(const Eigen::Vector3d& position) const
+    {
+        Eigen::Array3i place;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double size = all_.sizes()[axis];
+            const double share = size > 0 ? (position[axis] - all_.min()[axis]) / size : 0;
+            place[axis] = std::min(static_cast<int>(share * counts_[axis]), counts_[axis] - 1);
+        }
+        return place;
+    }
+
+    Eigen::AlignedBox3d all_;
+    Eigen::Array3i counts_;
+    std::vector<std::uint32_t> firstDeath_;
+    std::vector<std::uint32_t> lastBirth_;
+};
+
 /// Collects what destroys the tetrahedra at fault.
 class BoundaryTest {
 public:
@@ -66,10 +139,12 @@ public:
 
     BoundaryRepair run(const Progress& progress)
     {
+        if (boundary_.triangles.empty())
+            return std::move(repair_);
         findBreachesOfManifold();
         if (repair_.isSound)
             findMeetings(progress);
-        if (repair_.isSound && !touches_ && !progress.cancelled())
+        if (repair_.isSound && !progress.cancelled())
             findBuriedParts(progress);
         sortUnique(repair_.sites);
         return std::move(repair_);
@@ -83,62 +158,95 @@ private:
             repair_.sites.push_back(boundary_.destroyers[triangle]);
     }
 
-    /// Where parts of the data touch each other, prefixes have breaches, too: those are let be.
+    /// At vertices of whose triangles one died before another one was born. Where parts of the data touch each other,
+    /// prefixes have breaches, too: those are let be.
     void findBreachesOfManifold()
     {
-        const ManifoldBreaches breaches = findBreaches(boundary_.triangles);
-        touches_ = !breaches.none();
-        if (!touches_)
-            return;
-        std::vector<bool> breached(boundary_.positions.size());
-        for (const auto& edge : breaches.edges)
-            breached[edge[0]] = breached[edge[1]] = true;
-        for (const std::uint32_t vertex : breaches.vertices)
-            breached[vertex] = true;
-        std::vector<std::uint32_t> newest(boundary_.positions.size()); // creator around the vertex
-        const auto visitBreached = [&](const auto& visit) {
-            for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
-                for (const std::uint32_t vertex : boundary_.triangles[t])
-                    if (breached[vertex])
-                        visit(t, newest[vertex]);
+        struct Lives {
+            std::uint32_t lastBirth = 0;
+            std::uint32_t firstDeath = Model::never;
+            bool differ() const { return firstDeath <= lastBirth; }
         };
-        visitBreached(
-            [&](std::uint32_t t, std::uint32_t& creator) { creator = std::max(creator, boundary_.creators[t]); });
-        visitBreached([&](std::uint32_t t, std::uint32_t creator) {
-            if (boundary_.destroyers[t] <= creator)
-                destroy(t);
-        });
+        std::vector<Lives> around(boundary_.positions.size());
+        for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
+            for (const std::uint32_t vertex : boundary_.triangles[t]) {
+                around[vertex].lastBirth = std::max(around[vertex].lastBirth, boundary_.creators[t]);
+                around[vertex].firstDeath = std::min(around[vertex].firstDeath, boundary_.destroyers[t]);
+            }
+        const auto differ = [&](std::uint32_t vertex) { return around[vertex].differ(); };
+        std::vector<Triangle> some;
+        std::vector<std::uint32_t> numbers;
+        for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
+            if (std::ranges::any_of(boundary_.triangles[t], differ)) {
+                some.push_back(boundary_.triangles[t]);
+                numbers.push_back(t);
+            }
+        const ManifoldBreaches breaches = findBreaches(some); // with the border of these triangles
+        std::vector<bool> breached(boundary_.positions.size());
+        for (const auto& [from, to] : breaches.edges)
+            if (differ(from) || differ(to))
+                breached[from] = breached[to] = true;
+        for (const std::uint32_t vertex : breaches.vertices)
+            breached[vertex] = differ(vertex);
+        for (const std::uint32_t t : numbers)
+            for (const std::uint32_t vertex : boundary_.triangles[t])
+                if (breached[vertex] && boundary_.destroyers[t] <= around[vertex].lastBirth)
+                    destroy(t);
     }
 
-    /// Of the triangles that some other one outlives from its first site on, and of these.
     void findMeetings(const Progress& progress)
     {
-        std::uint32_t newest = 0, soonest = std::numeric_limits<std::uint32_t>::max();
-        for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t) {
-            newest = std::max(newest, boundary_.creators[t]);
-            soonest = std::min(soonest, boundary_.destroyers[t]);
-        }
+        std::vector<Eigen::AlignedBox3d> boxes(boundary_.triangles.size());
+        std::ranges::transform(boundary_.triangles, boxes.begin(), [this](const Triangle& triangle) {
+            return TriangleBoxes::boxOf(boundary_.positions, triangle);
+        });
+        const LifeGrid grid(boundary_, boxes);
         std::vector<Triangle> old;
         std::vector<std::uint32_t> numbers; // of the old ones
         for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
-            if (boundary_.destroyers[t] <= newest) {
+            if (grid.hasBirth(boxes[t], boundary_.destroyers[t])) {
                 old.push_back(boundary_.triangles[t]);
                 numbers.push_back(t);
             }
         if (old.empty())
             return;
-        const TriangleBoxes boxes(boundary_.positions, old);
-        for (std::uint32_t t = 0; t < boundary_.triangles.size() && !progress.cancelled(); ++t)
-            if (boundary_.creators[t] >= soonest)
-                boxes.visitMeeting(
-                    boundary_.triangles[t],
-                    [&](std::uint32_t other) { return boundary_.destroyers[numbers[other]] <= boundary_.creators[t]; },
-                    [&](std::uint32_t other) { destroy(numbers[other]); });
+        const TriangleBoxes oldBoxes(boundary_.positions, old);
+        tbb::enumerable_thread_specific<std::vector<std::uint32_t>> found;
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(boundary_.triangles.size())),
+                          [&](const auto& range) {
+                              for (std::uint32_t t = range.begin(); t != range.end() && !progress.cancelled(); ++t)
+                                  if (grid.hasDeath(boxes[t], boundary_.creators[t]))
+                                      oldBoxes.visitMeeting(
+                                          boundary_.triangles[t],
+                                          [&](std::uint32_t other) {
+                                              return boundary_.destroyers[numbers[other]] <= boundary_.creators[t];
+                                          },
+                                          [&](std::uint32_t other) { found.local().push_back(numbers[other]); });
+                          });
+        for (const std::vector<std::uint32_t>& some : found)
+            for (const std::uint32_t triangle : some)
+                destroy(triangle);
+    }
+
+    /// Whether all hangs together, so that nothing can lie inside of something else.
+    bool isOnePart() const
+    {
+        DisjointSets parts(boundary_.positions.size());
+        for (const auto& [a, b, c] : boundary_.triangles) {
+            parts.join(a, b);
+            parts.join(a, c);
+        }
+        for (std::uint32_t vertex = 1; vertex < boundary_.positions.size(); ++vertex)
+            if (parts.root(vertex) != 0)
+                return false;
+        return true;
     }
 
     /// Where something lies inside of other tetrahedra, all that reaches near it is refined.
     void findBuriedParts(const Progress& progress)
     {
+        if (isOnePart())
+            return;
         const std::vector<std::uint32_t> buried = findBuried(boundary_.positions, boundary_.triangles, {}, progress);
         if (buried.empty())
             return;
@@ -157,7 +265,6 @@ private:
 
     const LivingBoundary& boundary_;
     std::uint32_t end_;
-    bool touches_ = false; ///< itself in vertices or edges
     BoundaryRepair repair_;
 };
 
