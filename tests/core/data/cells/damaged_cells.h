@@ -115,7 +115,7 @@ private:
             const Eigen::Vector3d before = at(c[3]);
             const Eigen::Vector3d normal = (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0])).normalized();
             const double height = normal.dot(before - at(c[0]));
-            complex_.positions[c[3]] -= (1.02 + 0.1 * random(3)) * height * normal;
+            complex_.positions[c[3]] -= (1.005 + 0.01 * random(3)) * height * normal;
             const std::uint32_t damaged = overlappingAround(c[3]);
             if (damaged <= most)
                 return damaged;
