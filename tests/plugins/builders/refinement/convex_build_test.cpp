@@ -2,7 +2,6 @@
 /// C6, R1: the paper's class convex. Rectilinear grids and meshes of convex domain are refined as their points, without
 /// warping; scattered points are decimated as their Delaunay mesh; what is not convex is refused. The checker proves
 /// the models against the data as they came.
-#include "core/decimate/lattice_tetrahedra.h"
 #include "plugins/builders/refinement/refinement_builder.h"
 #include "plugins/readers/points/point_reader.h"
 
@@ -18,6 +17,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 
 using namespace tetra;
 
@@ -53,26 +53,26 @@ Dataset gridOf(const Place& place)
     return curvilinearDataset(gridSize, places, ScalarField::of(fieldAt<float>(places)), "grid").value();
 }
 
-/// The cells of a grid as tetrahedra, but for those that `isHole` names.
+/// The cells of a grid but for those that `isHole` names, cut into tetrahedra.
 Dataset meshOf(
     const Place& place, const std::function<bool(int i, int j, int k)>& isHole = [](int, int, int) { return false; })
 {
+    const Lattice lattice{.size = gridSize};
     CellComplex complex;
     complex.positions = placesOf(place);
-    std::size_t number = 0;
-    for (const auto& t : latticeTetrahedra(gridSize, LatticeCut::Five)) {
-        const std::size_t cell = number++ / 5;
-        const auto i = cell % (gridSize[0] - 1), j = cell / (gridSize[0] - 1) % (gridSize[1] - 1);
-        if (isHole(int(i), int(j), int(cell / (gridSize[0] - 1) / (gridSize[1] - 1))))
-            continue;
-        complex.shapes.push_back(CellShape::Tetrahedron);
-        complex.offsets.push_back(complex.corners.size());
-        complex.corners.insert(complex.corners.end(), t.begin(), t.end());
-    }
-    complex.offsets.push_back(complex.corners.size());
-    return irregularDataset(complex, {fieldAt<double>(complex.positions), false},
-                            {.name = "mesh", .path = {}, .hash = 0})
-        .value();
+    complex.offsets.push_back(0);
+    for (std::uint32_t k = 0; k + 1 < gridSize[2]; ++k)
+        for (std::uint32_t j = 0; j + 1 < gridSize[1]; ++j)
+            for (std::uint32_t i = 0; i + 1 < gridSize[0]; ++i) {
+                if (isHole(int(i), int(j), int(k)))
+                    continue;
+                for (const std::uint32_t top : {0u, 1u}) // around the bottom, then around the top
+                    for (const auto& [x, y] : {std::pair(0u, 0u), {1u, 0u}, {1u, 1u}, {0u, 1u}})
+                        complex.corners.push_back(lattice.index(i + x, j + y, k + top));
+                complex.shapes.push_back(CellShape::Hexahedron);
+                complex.offsets.push_back(complex.corners.size());
+            }
+    return irregularDataset(complex, {fieldAt<double>(complex.positions), false}, {.name = "mesh"}).value();
 }
 
 Eigen::Vector3d inBox(int i, int j, int k)
