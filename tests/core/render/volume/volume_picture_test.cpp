@@ -213,28 +213,32 @@ void VolumePictureTest::alongTheAxesOfALattice()
 void VolumePictureTest::cyclesOfTheOrder_data()
 {
     QTest::addColumn<TetrahedralMesh>("mesh");
-    QTest::addRow("three sticks") << threeSticks();
-    for (const int count : {12, 40})
-        QTest::addRow("%d needles", count) << needles(count, 3);
+    QTest::addColumn<bool>("perspective");
+    for (const bool perspective : {true, false}) {
+        const char* view = perspective ? "perspective" : "orthographic";
+        QTest::addRow("three sticks, %s", view) << threeSticks() << perspective;
+        QTest::addRow("needles, %s", view) << needles(40, 3) << perspective;
+    }
 }
 
-/// C13: what hides itself in a circle is seen rightly along each ray.
+/// C13: what hides itself in a circle is seen rightly along each ray. The samples are so near to each other that some
+/// of them see each part of the circles.
 void VolumePictureTest::cyclesOfTheOrder()
 {
     QFETCH(TetrahedralMesh, mesh);
-    std::size_t cut = 0;
-    for (const NamedFunction& named : functionsFor(mesh))
-        for (const bool perspective : {true, false}) {
-            Camera camera = cameraFor(mesh, perspective);
-            camera.azimuth = camera.elevation = 0;
-            const VolumePicture picture = drawn(mesh, named.function, camera);
-            verifyNear(compare(picture, RayIntegrator(mesh, named.function, camera, width, height)), named.opaque);
-            const auto order = orderForCamera(makeVolumeMesh(std::make_shared<TetrahedralMesh>(mesh)).value(), camera,
-                                              {width, height});
-            cut += order.value().pieces.cutCells;
-            QCOMPARE(order.value().brokenCycles, std::size_t(0));
-        }
-    QVERIFY(cut > 0);
+    QFETCH(bool, perspective);
+    const VolumeOptions options{84, 60};
+    Camera camera = cameraFor(mesh, perspective);
+    camera.azimuth = camera.elevation = 0;
+    const NamedFunction ramps = functionNamed(mesh, "ramps");
+    verifyNear(compare(drawn(mesh, ramps.function, camera, options),
+                       RayIntegrator(mesh, ramps.function, camera, options.width, options.height)),
+               ramps.opaque);
+    const VolumeMesh volume = makeVolumeMesh(std::make_shared<const TetrahedralMesh>(mesh)).value();
+    const VisibilityOrder order = orderForCamera(volume, camera, options).value();
+    if (mesh.tetrahedra.size() == 3)
+        QVERIFY(order.cycles == 1 && order.pieces.cutCells > 0);
+    QCOMPARE(order.brokenCycles, std::size_t(0));
 }
 
 void VolumePictureTest::constantFields()
