@@ -203,15 +203,15 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
     const double key = sites == keys.size() ? model.finalKey() : next;
     if (!model.check(next) || !model.check(model.meshSizes()[sites - 1]))
         return {};
-    double error = key, warping = weight > 0 ? key / weight : 0;
+    double error = extent > 0 ? 100 * key / extent : 0;
+    double warping = weight > 0 ? 100 * key / (weight * model.diagonal()) : 0;
     const std::size_t batch = model.batchErrors().empty() ? 0 : batchWith(model, sites);
     if (batch < model.batchErrors().size() && model.batchEnds()[batch] + 1 == sites &&
         model.check(model.batchErrors()[batch]) && model.check(model.batchWarpings()[batch])) {
-        error = std::min(error, static_cast<double>(model.batchErrors()[batch]));
-        warping = std::min(warping, static_cast<double>(model.batchWarpings()[batch]));
+        error = extent > 0 ? std::min(error, 100 * static_cast<double>(model.batchErrors()[batch]) / extent) : 0;
+        warping = std::min(warping, 100 * static_cast<double>(model.batchWarpings()[batch]) / model.diagonal());
     }
-    return {sites, model.meshSizes()[sites - 1], extent > 0 ? 100 * error / extent : 0,
-            weight > 0 ? 100 * warping / model.diagonal() : 0};
+    return {sites, model.meshSizes()[sites - 1], error, warping};
 }
 
 Result<TetrahedralMesh> extractPrefix(const Model& model, std::uint32_t sites, const Progress& progress,
