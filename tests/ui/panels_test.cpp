@@ -233,9 +233,9 @@ void PanelsTest::theWarpingIsSetApart()
     QCOMPARE(session().view().query.warping.limit, WarpingLimit::None);
     QVERIFY(!box.isVisibleTo(&window_->window));
     QVERIFY(window_->find<QLabel>("accuracy.inUnits").text().contains("any warping"));
-    session().undoStack().undo();
-    session().undoStack().undo();
-    session().undoStack().undo();
+    window_->workbench.session().undoStack().undo();
+    window_->workbench.session().undoStack().undo();
+    window_->workbench.session().undoStack().undo();
     QVERIFY(session().view().query.warping == WarpingChoice());
     QCOMPARE(limit.currentIndex(), 0);
     QCOMPARE(session().meshSize().sites, both);

@@ -263,8 +263,8 @@ void QueryTest::aFocusHasSeveralRegions()
     second.centre = {8, 8, 8};
     second.size = {2, 4, 6};
     session_->setFocus(second);
-    const ErrorField both = smallerOf(SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.5, 4, focus.falloff},
-                                      SpaceRamp{Box{{7, 6, 5}, {9, 10, 11}}, 0.5, 4, focus.falloff});
+    const ErrorField both = smallerOf(ErrorField(SpaceRamp{Sphere{{3, 4, 5}, 2}, 0.5, 4, focus.falloff}),
+                                      ErrorField(SpaceRamp{Box{{7, 6, 5}, {9, 10, 11}}, 0.5, 4, focus.falloff}));
     QVERIFY(meshQuery(query(), *model_).error == both);
     session_->setFocus(query().focus.selected(0));
     QCOMPARE(query().focus.shape, FocusState::Shape::Sphere);
@@ -411,7 +411,9 @@ void QueryTest::theWarpingIsLimitedByItself()
     QVERIFY(meshQuery(state, **warped).warping == ErrorField(0.25));
     state.warping.limit = WarpingLimit::None;
     QVERIFY(meshQuery(state, **warped).warping == ErrorField(anyWarping));
-    QCOMPARE(corrected({.warping = {WarpingLimit::Own, 1000}}, state, **warped).warping.percent, anyWarping);
+    QueryState tooLarge = state;
+    tooLarge.warping = {WarpingLimit::Own, 1000};
+    QCOMPARE(corrected(tooLarge, state, **warped).warping.percent, anyWarping);
 }
 
 void QueryTest::aShownMeshBelongsToItsQuery()
