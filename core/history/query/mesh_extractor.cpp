@@ -370,9 +370,10 @@ Status MeshExtractor::Work::extractSoundSet(const MeshQuery& query, const Refine
                                             std::uint32_t finest, const Progress& progress)
 {
     if (!query.budget) {
+        constexpr std::uint64_t noLimit = std::numeric_limits<std::uint64_t>::max(); // a damaged file may count any
         auto set = smallestClosedSet(*model_, links_, criterion, coarsestPart(*model_, criterion.coarsest()),
                                      progress.part(0, 0.7));
-        return set ? extractRepaired(criterion, false, finest, model_->tetrahedronCount(), progress.part(0.7, 1), *set)
+        return set ? extractRepaired(criterion, false, finest, noLimit, progress.part(0.7, 1), *set)
                    : Status(set.error());
     }
     constexpr int mostBudgets = 6;
