@@ -152,7 +152,7 @@ private slots:
         add("marschner-lobb", 32, "refinement", {0, 0.1, 1});
         add("blunt-body", 24, "refinement", {0, 0.1, 1});
         add("scattered", 16, "refinement", {0, 0.1, 1});
-        add("stretched", 20, "refinement", {0, 0.1, 1});
+        add("stretched", 20, "refinement", {0, 0.1});
         add("scattered", 14, "decimation", {0, 0.1, 1});
         add("part", 24, "decimation", {0, 0.1, 1});
     }
