@@ -112,7 +112,7 @@ Progress withPreviews(const Progress& progress, const DecimationOptions& options
 {
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds shortest(500);
-    static constexpr int timesTheirTime = 20; // so that looks take a twentieth of the time
+    static constexpr int timesTheirTime = 5; // so that looks take a sixth of the time
     return progress.withCallback([progress, preview = options.preview, hand = std::move(hand),
                                   next = Clock::now()](double fraction, const Message& activity) mutable {
         progress.report(fraction, activity);
