@@ -316,10 +316,10 @@ private slots:
         QFETCH(QStringList, options);
         const Run run = tan(QStringList{"isosurface", "c60.tan", "--value", "120", "-o", "s.vtp", "--json"} + options);
         QVERIFY2(run.exitCode == 0, run.messages);
-        const QJsonObject mesh = extracted(options);
+        const QJsonObject surface = run.json(), mesh = extracted(options);
         for (const char* figure : {"sites", "tetrahedra", "scale", "method", "kept_tetrahedra", "coarse", "fine"})
-            QCOMPARE(run.json()[figure], mesh[figure]);
-        QVERIFY(run.json()["triangles"].toInteger() > 0 || options.contains("--values"));
+            QCOMPARE(surface[figure], mesh[figure]);
+        QVERIFY(surface["triangles"].toInteger() > 0 || options.contains("--values"));
     }
 
     /// The triangles of a range know the lives of their tetrahedra: those alive at an error are its isosurface (C2).
