@@ -72,7 +72,7 @@ Dataset meshOf(
                 complex.shapes.push_back(CellShape::Hexahedron);
                 complex.offsets.push_back(complex.corners.size());
             }
-    return irregularDataset(complex, {fieldAt<double>(complex.positions), false}, {.name = "mesh"}).value();
+    return irregularDataset(complex, {fieldAt<double>(complex.positions), false}, {.name = "mesh", .path = {}}).value();
 }
 
 Eigen::Vector3d inBox(int i, int j, int k)
