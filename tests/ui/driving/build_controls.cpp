@@ -175,6 +175,7 @@ Drivers buildControls()
         detail("everything", "0"),
         typedOption("error", withBuilder(refinement), "1.5"),
         typedOption("warping", withGrid(refinement), "1.5"),
+        steppedOption("by", withGrid(refinement), "error"),
         typedOption("block", withBuilder(refinement), "4"),
         steppedOption("selection", withGrid(refinement), "paper"),
         steppedOption("space", withGrid(refinement, "stretched"), "computational"),
