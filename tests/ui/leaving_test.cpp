@@ -171,6 +171,7 @@ void LeavingTest::nothingToLoseIsNotAskedAbout()
 void LeavingTest::quittingDuringABuildAsks()
 {
     startBuild();
+    QTRY_VERIFY(window_->workbench.building().canKeepBuild());
     window_->window.close();
     QVERIFY(window_->window.isVisible());
     QVERIFY(isAsked("leaving.build"));
