@@ -69,7 +69,8 @@ public:
     /// is none, of the one of the smallest key, which need not be the last.
     std::uint32_t firstPassage(const Limits& limits) const
     {
-        const std::uint32_t initial = initialSiteCount(model_);
+        // Of a file that is cut short meanwhile only zeros are left, which the model tells afterwards.
+        const std::uint32_t initial = std::clamp(initialSiteCount(model_), std::uint32_t(1), model_.siteCount());
         for (std::uint32_t sites = initial; sites <= model_.siteCount(); ++sites) {
             const bool endsBatch =
                 sites == model_.siteCount() || model_.runningKeys()[sites] < model_.runningKeys()[sites - 1];
@@ -82,7 +83,7 @@ public:
         const float least = *std::ranges::min_element(model_.runningKeys());
         std::uint32_t sites = model_.siteCount();
         if (least < model_.finalKey())
-            for (sites = initial; model_.runningKeys()[sites] > least;)
+            for (sites = initial; sites < model_.siteCount() && model_.runningKeys()[sites] > least;)
                 ++sites;
         return sites;
     }

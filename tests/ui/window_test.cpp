@@ -282,13 +282,14 @@ void WindowTest::aBuildIsStoppedAndKept()
     QCOMPARE(window_->messages(), QStringList());
 }
 
-/// Decimation has a model when it is through with all of the mesh, not before.
+/// A build in blocks has a mesh when its blocks are merged, not before.
 void WindowTest::aBuildWithNothingToKeepSaysSo()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(64), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
-    auto& builder = window_->find<QComboBox>("build.builder");
-    builder.setCurrentIndex(builder.findData("decimation"));
+    auto& block = window_->find<QLineEdit>("build.option.block");
+    block.setText("8");
+    emit block.editingFinished();
     const QString target = window_->find<QLineEdit>("build.target").text();
     window_->find<QPushButton>("build.start").click();
     QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
