@@ -214,7 +214,7 @@ void PanelsTest::theWarpingIsSetApart()
     QVERIFY(grid);
     const auto path = buildSampleModel(*window_->host, *grid, window_->folderPath(), 0);
     window_->window.open(QString::fromStdString(path));
-    QTRY_VERIFY(session().model() && window_->settled());
+    QTRY_VERIFY(session().model() && session().model()->description().warpingWeight > 0 && window_->settled());
     QVERIFY(limit.isVisibleTo(&window_->window) && !box.isVisibleTo(&window_->window)); // the same as the error
     window_->find<QDoubleSpinBox>("accuracy.box").setValue(2);
     const std::uint32_t both = session().meshSize().sites;
