@@ -182,16 +182,19 @@ private slots:
     /// faces, the rest makes the same model.
     void roundsGoOnWhereTheyWereLeft()
     {
-        const Dataset dataset = wrappedDataset(20);
+        const Dataset dataset = makeSample({.name = "o-grid", .size = 20, .type = std::nullopt, .seed = 1}).value();
         QVERIFY(build(dataset, "6", 0).ok());
         const std::vector<char> right = contentOf(path());
-        for (const double when : {0.1, 0.5, 0.57, 0.6, 0.65, 0.69, 0.8}) {
+        const std::filesystem::path cures = workFolder() / "cures";
+        bool betweenRounds = false;
+        for (double when = 0.1; when < 0.9; when += 0.08) {
             interrupt(dataset, when);
+            betweenRounds |= std::filesystem::exists(cures);
             QVERIFY(build(dataset, "6", 0, true).ok());
             QVERIFY(contentOf(path()) == right);
         }
-        const std::filesystem::path cures = workFolder() / "cures";
-        for (double when = 0.4; when < 0.8 && !std::filesystem::exists(cures); when += 0.02)
+        QVERIFY(betweenRounds);
+        for (double when = 0.4; when < 0.9 && !std::filesystem::exists(cures); when += 0.02)
             interrupt(dataset, when);
         QVERIFY(std::filesystem::exists(cures));
         std::filesystem::resize_file(cures, std::filesystem::file_size(cures) - 1);
