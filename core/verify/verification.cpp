@@ -45,7 +45,8 @@ Limits limitsOf(const Model& model, const Original& original, const Accuracy& as
 class Claims {
 public:
     explicit Claims(const Model& model)
-        : model_(model), weight_(model.description().warpingWeight), derived_(derivedSections(model))
+        : model_(model), weight_(model.description().warpingWeight), twoSided_(claimsTwoSides(model)),
+          derived_(derivedSections(model))
     {
     }
 
@@ -56,6 +57,8 @@ public:
         bounds.error =
             static_cast<double>(sites < model_.siteCount() ? model_.runningKeys()[sites] : model_.finalKey());
         bounds.warping = weight_ > 0 ? bounds.error / weight_ : 0;
+        if (twoSided_) // of batches the file tells one side alone
+            return bounds;
         const auto end = std::ranges::lower_bound(derived_.batchEnds, sites - 1);
         const auto batch = static_cast<std::size_t>(end - derived_.batchEnds.begin());
         if (batch >= std::min(derived_.batchErrors.size(), derived_.batchWarpings.size()))
@@ -91,6 +94,7 @@ public:
 private:
     const Model& model_;
     const double weight_;
+    const bool twoSided_;
     const DerivedSections derived_;
 };
 
