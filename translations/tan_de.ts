@@ -1052,12 +1052,12 @@
         <translation>Zyklen der Sichtfolge</translation>
     </message>
     <message>
-        <source>%1 tetrahedra were cut to order them</source>
-        <translation>%1 Tetraeder zum Ordnen zerschnitten</translation>
+        <source>tetrahedra cut: %1</source>
+        <translation>zerschnittene Tetraeder: %1</translation>
     </message>
     <message>
-        <source>%1 tetrahedra were cut to order them; %2 groups overlap and are drawn by distance</source>
-        <translation>%1 Tetraeder zum Ordnen zerschnitten; %2 Gruppen überlappen sich und werden nach Entfernung gezeichnet</translation>
+        <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
+        <translation>zerschnittene Tetraeder: %1; überlappende Gruppen, nach Entfernung gezeichnet: %2</translation>
     </message>
 </context>
 <context>

@@ -1052,12 +1052,12 @@
         <translation>Cicli di visibilità</translation>
     </message>
     <message>
-        <source>%1 tetrahedra were cut to order them</source>
-        <translation>%1 tetraedri tagliati per ordinarli</translation>
+        <source>tetrahedra cut: %1</source>
+        <translation>tetraedri tagliati: %1</translation>
     </message>
     <message>
-        <source>%1 tetrahedra were cut to order them; %2 groups overlap and are drawn by distance</source>
-        <translation>%1 tetraedri tagliati per ordinarli; %2 gruppi si sovrappongono e sono disegnati per distanza</translation>
+        <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
+        <translation>tetraedri tagliati: %1; gruppi sovrapposti, disegnati per distanza: %2</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 #include "core/base/work_folder.h"
 #include "core/build/disk_need.h"
 #include "core/build/thresholds.h"
-#include "core/data/point_weights.h"
+#include "core/data/weighting.h"
 #include "core/history/blocks/block_runs.h"
 #include "core/history/blocks/merged_model.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data/weighting.h"
 #include "core/base/guarded.h"
-#include "core/data/point_weights.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

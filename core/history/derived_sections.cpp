@@ -19,6 +19,13 @@ using format::SectionId;
 
 // Reading.
 
+bool claimsTwoSides(const ModelDescription& description)
+{
+    return std::ranges::any_of(description.parameters, [](const auto& parameter) {
+        return parameter.first == "distance" && parameter.second == "two-sided";
+    });
+}
+
 DerivedSections derivedSections(const Model& model)
 {
     DerivedSections derived;

@@ -28,6 +28,11 @@ struct DerivedSections {
     std::optional<std::span<const format::Fault>> faults;
 };
 
+/// Whether the parameter `distance` claims that no place of a mesh's boundary is farther from the original's than its
+/// key allows, either (FORMAT.md). Of batches the file tells the warping from one side, so their bounds do not hold
+/// then.
+bool claimsTwoSides(const ModelDescription& description);
+
 /// Refers to the mapped file. Reads no more than its header and its table: elements want Model::check(), as all do.
 DerivedSections derivedSections(const Model& model);
 

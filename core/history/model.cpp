@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/checksum.h"
 #include "core/base/rounding.h"
+#include "core/history/derived_sections.h"
 #include "core/history/file_layout.h"
 #include "core/history/section_checks.h"
 
@@ -26,14 +27,6 @@ template <class T> std::span<const T> elementsOf(const MappedFile& file, const F
 {
     const std::span<const std::byte> bytes = sectionBytes(file, layout.section(id));
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
-}
-
-/// Whether keys hold from both sides of a boundary (FORMAT.md, `parameter.distance`), which batch warpings do not.
-bool claimsTwoSides(const ModelDescription& description)
-{
-    return std::ranges::any_of(description.parameters, [](const auto& parameter) {
-        return parameter.first == "distance" && parameter.second == "two-sided";
-    });
 }
 
 /// Whether the meshes are Delaunay ones. A kind that is not known may mean anything.

@@ -45,7 +45,7 @@ Limits limitsOf(const Model& model, const Original& original, const Accuracy& as
 class Claims {
 public:
     explicit Claims(const Model& model)
-        : model_(model), weight_(model.description().warpingWeight), twoSided_(claimsTwoSides(model)),
+        : model_(model), weight_(model.description().warpingWeight), twoSided_(claimsTwoSides(model.description())),
           derived_(derivedSections(model))
     {
     }

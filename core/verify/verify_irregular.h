@@ -7,10 +7,6 @@
 
 namespace tetra {
 
-/// Whether the model's parameter `distance` claims that no place of a mesh's boundary is farther from the original's
-/// than its key allows, either (FORMAT.md).
-bool claimsTwoSides(const Model& model);
-
 /// The rest of verifyCells() of irregular data: cells that conform and have volume lie on one another nowhere; their
 /// boundary, `faces`, is a manifold that does not meet itself, with the original's components, surfaces and Euler
 /// characteristics (S12); the original vertices that lie in no cell keep the error that is claimed, too, and those of

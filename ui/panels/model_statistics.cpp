@@ -92,8 +92,8 @@ QString cyclesText(const OrderFaults& faults)
         return countText(0);
     const QString cut = countText(faults.cutCells);
     if (faults.brokenCycles == 0)
-        return Statistics::tr("%1 tetrahedra were cut to order them").arg(cut);
-    return Statistics::tr("%1 tetrahedra were cut to order them; %2 groups overlap and are drawn by distance")
+        return Statistics::tr("tetrahedra cut: %1").arg(cut);
+    return Statistics::tr("tetrahedra cut: %1; groups that overlap, drawn by distance: %2")
         .arg(cut, countText(faults.brokenCycles));
 }
 

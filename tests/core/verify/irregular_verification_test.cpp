@@ -5,6 +5,7 @@
 #include "core/history/batch_builder.h"
 #include "tests/core/data/cells/damaged_cells.h"
 #include "tests/core/history/irregular/irregular_models.h"
+#include "tests/verdict_text.h"
 
 #include <tan/data.h>
 #include <tan/query.h>
@@ -20,22 +21,11 @@
 
 using namespace tetra;
 
+using testing::textOf;
+
 namespace {
 
 const std::vector<Accuracy> levels = {{100, anyWarping}, {30, 30}, {10, 10}, {3, 3}, {1, 1}, {0, 0}};
-
-QString textOf(const Result<VerificationReport>& verdict)
-{
-    if (!verdict)
-        return "Error: " + QString::fromStdString(verdict.error().text());
-    QStringList texts;
-    for (const std::string& text : verdict->failures)
-        texts << QString::fromStdString(text);
-    for (const LevelReport& level : verdict->levels)
-        for (const std::string& text : level.failures)
-            texts << QString("%1 %: %2").arg(level.asked.error).arg(QString::fromStdString(text));
-    return texts.join('\n');
-}
 
 using Lie = std::function<void(FileParts&)>;
 using Cube = std::array<std::uint32_t, 3>;

@@ -4,6 +4,7 @@
 /// the models against the data as they came.
 #include "plugins/builders/refinement/refinement_builder.h"
 #include "plugins/readers/points/point_reader.h"
+#include "tests/verdict_text.h"
 
 #include <tan/build.h>
 #include <tan/verify.h>
@@ -20,6 +21,8 @@
 #include <utility>
 
 using namespace tetra;
+
+using testing::textOf;
 
 namespace {
 
@@ -110,19 +113,6 @@ Eigen::Vector3d inSwollenBox(int i, int j, int k)
 Eigen::Vector3d stretched(int i, int j, int k)
 {
     return {0.1 * i * (1 + 0.2 * i), std::exp(0.1 * j), 0.1 * k * k * k + k};
-}
-
-QString textOf(const Result<VerificationReport>& verdict)
-{
-    if (!verdict)
-        return QString::fromStdString(verdict.error().text());
-    QStringList texts;
-    for (const std::string& text : verdict->failures)
-        texts << QString::fromStdString(text);
-    for (const LevelReport& level : verdict->levels)
-        for (const std::string& text : level.failures)
-            texts << QString::number(level.asked.error) + " %: " + QString::fromStdString(text);
-    return texts.join('\n');
 }
 
 } // namespace

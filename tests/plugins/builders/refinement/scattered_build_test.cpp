@@ -5,6 +5,7 @@
 #include "core/history/model_writer.h"
 #include "plugins/readers/points/point_reader.h"
 #include "tests/core/history/model_fixture.h"
+#include "tests/verdict_text.h"
 
 #include <tan/verify.h>
 
@@ -16,6 +17,8 @@
 
 using namespace tetra;
 using format::SectionId;
+
+using testing::textOf;
 
 namespace {
 
@@ -49,19 +52,6 @@ Dataset points(std::size_t count, bool onGrid, unsigned seed)
         values.push_back(std::sin(4 * positions.back()[0]) * positions.back()[1] + positions.back()[2]);
     }
     return datasetOf(std::move(positions), std::move(values));
-}
-
-QString textOf(const Result<VerificationReport>& verdict)
-{
-    if (!verdict)
-        return QString::fromStdString(verdict.error().text());
-    QStringList texts;
-    for (const std::string& text : verdict->failures)
-        texts << QString::fromStdString(text);
-    for (const LevelReport& level : verdict->levels)
-        for (const std::string& text : level.failures)
-            texts << QString::number(level.asked.error) + " %: " + QString::fromStdString(text);
-    return texts.join('\n');
 }
 
 } // namespace
