@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 
@@ -28,5 +29,9 @@ struct ByteSource {
     /// Has these ranges ready for read(), with as few requests as it takes. A file on a disk does nothing.
     std::function<Status(std::span<const ByteRange> ranges, const Progress& progress)> fetch;
 };
+
+/// A file on a disk, which stays mapped as long as a copy lives. From any number of threads. Errors: MappedFile's; of
+/// reading: bytes beyond the end, a file that was cut short meanwhile.
+TAN_INTERNAL Result<ByteSource> fileSource(const std::filesystem::path& path);
 
 } // namespace tetra

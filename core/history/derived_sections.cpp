@@ -189,7 +189,8 @@ public:
                 return written;
         if (const Status written = writeLevels(); !written)
             return written;
-        return from_.description.domain == DomainClass::Curvilinear ? writeFaults() : Status();
+        const bool knowsFaults = from_.dataset != nullptr || from_.faults != nullptr;
+        return from_.description.domain == DomainClass::Curvilinear && knowsFaults ? writeFaults() : Status();
     }
 
 private:
@@ -198,6 +199,7 @@ private:
     Status writeBatchBounds();
     Status writeLevels();
     Status writeFaults();
+    Status addKnownCells();
     Status addFaultyCells();
     Status addInvertedTetrahedra();
     Status addFault(FaultKind kind, std::uint64_t number);
@@ -327,9 +329,8 @@ Status DerivedWriter::writeFaults()
 {
     if (const Status begun = sections_.grow(SectionId::Faults, sizeof(Fault), 0); !begun)
         return begun;
-    if (const Status cells = addFaultyCells(); !cells)
-        return cells;
-    return addInvertedTetrahedra();
+    const Status cells = from_.dataset != nullptr ? addFaultyCells() : addKnownCells();
+    return cells ? addInvertedTetrahedra() : cells;
 }
 
 Status DerivedWriter::addFault(FaultKind kind, std::uint64_t number)
@@ -338,11 +339,17 @@ Status DerivedWriter::addFault(FaultKind kind, std::uint64_t number)
     return sections_.add(SectionId::Faults, std::as_bytes(std::span(&fault, 1)));
 }
 
+Status DerivedWriter::addKnownCells()
+{
+    return add(sections_, SectionId::Faults, from_.faults->ofCells);
+}
+
 /// Those that are folded, and behind them those without volume.
 Status DerivedWriter::addFaultyCells()
 {
-    const auto& size = from_.dataset.lattice.size;
-    const std::span<const Eigen::Vector3d> positions = *from_.dataset.positions;
+    const Lattice& lattice = from_.dataset->lattice;
+    const auto& size = lattice.size;
+    const std::span<const Eigen::Vector3d> positions = *from_.dataset->positions;
     const int inverted = from_.description.leftHanded ? 1 : -1;
     std::vector<std::uint64_t> withoutVolume;
     std::uint64_t number = 0;
@@ -351,8 +358,7 @@ Status DerivedWriter::addFaultyCells()
             for (std::uint32_t x = 0; x + 1 < size[0]; ++x, ++number) {
                 // The bits of a corner's number choose the later point along x, y and z.
                 const auto at = [&](unsigned corner) -> const Eigen::Vector3d& {
-                    return positions[from_.dataset.lattice.index(x + (corner & 1), y + (corner >> 1 & 1),
-                                                                 z + (corner >> 2))];
+                    return positions[lattice.index(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2))];
                 };
                 bool isFolded = false, hasVolume = false;
                 for (unsigned corner = 0; corner < 8; ++corner) {
@@ -376,21 +382,21 @@ Status DerivedWriter::addFaultyCells()
 
 Status DerivedWriter::addInvertedTetrahedra()
 {
-    const std::span<const Eigen::Vector3d> positions = *from_.dataset.positions;
     const int inverted = from_.description.leftHanded ? 1 : -1;
-    std::vector<std::uint32_t> points(from_.counts.sites);
+    std::vector<std::uint32_t> points(from_.dataset != nullptr ? from_.counts.sites : 0);
     if (const Status read = sections_.read(SectionId::SitePoints, 0, std::as_writable_bytes(std::span(points))); !read)
         return read;
+    const auto at = [&](std::uint32_t site) -> const Eigen::Vector3d& {
+        return from_.dataset != nullptr ? (*from_.dataset->positions)[points[site]] : from_.faults->sitePositions[site];
+    };
     auto offsets = perSite<std::uint64_t>(SectionId::StarOffsets);
     auto destroyers = perTetrahedron<std::uint32_t>(SectionId::Destroyers);
     auto otherSites = perTetrahedron<std::array<std::uint32_t, 3>>(SectionId::OtherSites);
     std::uint64_t number = offsets.next();
-    for (const std::uint32_t creator : points)
+    for (std::uint32_t creator = 0; creator < from_.counts.sites; ++creator)
         for (const std::uint64_t end = offsets.next(); number < end; ++number) {
             const auto [a, b, c] = otherSites.next();
-            if (destroyers.next() != Model::never ||
-                orientation(positions[creator], positions[points[a]], positions[points[b]], positions[points[c]]) !=
-                    inverted)
+            if (destroyers.next() != Model::never || orientation(at(creator), at(a), at(b), at(c)) != inverted)
                 continue;
             if (const Status added = addFault(FaultKind::InvertedTetrahedron, number); !added)
                 return added;

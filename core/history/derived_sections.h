@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace tetra {
 
@@ -36,9 +37,16 @@ bool claimsTwoSides(const ModelDescription& description);
 /// Refers to the mapped file. Reads no more than its header and its table: elements want Model::check(), as all do.
 DerivedSections derivedSections(const Model& model);
 
+/// What the faults of a model of curvilinear data are found by where the grid is not at hand.
+struct KnownFaults {
+    std::vector<format::Fault> ofCells;         ///< of the grid
+    std::vector<Eigen::Vector3d> sitePositions; ///< of all sites
+};
+
 /// What the derived sections are derived from, beside the other sections.
 struct DerivedFrom {
-    const Dataset& dataset;
+    const Dataset* dataset = nullptr;    ///< the faults of curvilinear data are found in it ...
+    const KnownFaults* faults = nullptr; ///< ... or by these; with neither the file has no list of them
     const ModelDescription& description;
     FixedCounts counts;
     float finalKey = 0;                        ///< of the mesh of all sites

@@ -40,7 +40,8 @@ bool isDomain(const Header& header, DomainClass domain)
 /// Reads the layout of one file; every member gives the first thing that is wrong.
 class LayoutReader {
 public:
-    LayoutReader(std::span<const std::byte> file, const std::filesystem::path& path) : file_(file), name_(path.string())
+    LayoutReader(std::span<const std::byte> front, std::uint64_t fileBytes, const std::filesystem::path& path)
+        : front_(front), fileBytes_(fileBytes), name_(path.string())
     {
     }
 
@@ -71,10 +72,11 @@ private:
     {
         return bad(Message::say("'%1' is cut short: it has %2 bytes and should have %3. Copy the file again, or build "
                                 "it again.",
-                                name_, file_.size(), expectedBytes));
+                                name_, fileBytes_, expectedBytes));
     }
 
-    std::span<const std::byte> file_;
+    std::span<const std::byte> front_;
+    std::uint64_t fileBytes_;
     std::string name_;
     FileLayout layout_;
 };
@@ -96,10 +98,10 @@ Result<FileLayout> LayoutReader::read()
 Status LayoutReader::readHeader()
 {
     Header& header = layout_.header;
-    const std::size_t available = std::min(file_.size(), sizeof(Header));
+    const std::size_t available = std::min(front_.size(), sizeof(Header));
     if (available == 0)
         return bad(Message::say("'%1' is empty. Models are made by 'tan build'.", name_));
-    std::memcpy(static_cast<void*>(&header), file_.data(), available);
+    std::memcpy(static_cast<void*>(&header), front_.data(), available);
     if (available < sizeof header.magic || header.magic != format::magic)
         return bad(Message::say("'%1' is not a TAn model: it does not begin like one. Models are made by 'tan build'.",
                                 name_));
@@ -121,15 +123,15 @@ Status LayoutReader::readTable()
 {
     const Header& header = layout_.header;
     const std::uint64_t tableBytes = std::uint64_t(header.sectionCount) * sizeof(Section);
-    if (file_.size() < sizeof(Header) + tableBytes)
+    if (std::min<std::uint64_t>(front_.size(), fileBytes_) < sizeof(Header) + tableBytes)
         return cutShort(std::max(header.fileBytes, sizeof(Header) + tableBytes));
-    const std::span<const std::byte> table = file_.subspan(sizeof(Header), tableBytes);
+    const std::span<const std::byte> table = front_.subspan(sizeof(Header), tableBytes);
     if (headerChecksum(header, table) != header.checksum)
         return damaged(Message::say("the checksum of its header is wrong"));
-    if (file_.size() < header.fileBytes)
+    if (fileBytes_ < header.fileBytes)
         return cutShort(header.fileBytes);
-    if (file_.size() > header.fileBytes)
-        return damaged(Message::say("it has %1 bytes and should have %2", file_.size(), header.fileBytes));
+    if (fileBytes_ > header.fileBytes)
+        return damaged(Message::say("it has %1 bytes and should have %2", fileBytes_, header.fileBytes));
     layout_.sections.resize(header.sectionCount);
     if (!table.empty())
         std::memcpy(static_cast<void*>(layout_.sections.data()), table.data(), table.size());
@@ -205,11 +207,11 @@ Status LayoutReader::checkBounds() const
             return damaged(Message::say("section '%1' is there twice", name));
         if (section.offset % format::alignment != 0 || section.offset < end)
             return damaged(Message::say("section '%1' cannot begin at byte %2", name, section.offset));
-        if (__builtin_add_overflow(section.offset, section.bytes, &end) || end > file_.size())
+        if (__builtin_add_overflow(section.offset, section.bytes, &end) || end > fileBytes_)
             return damaged(Message::say("section '%1' reaches beyond the end of the file", name));
     }
-    if (end != file_.size())
-        return damaged(Message::say("its last section ends at byte %1 of %2", end, file_.size()));
+    if (end != fileBytes_)
+        return damaged(Message::say("its last section ends at byte %1 of %2", end, fileBytes_));
     return {};
 }
 
@@ -336,7 +338,22 @@ bool FileLayout::has(SectionId id) const
 
 Result<FileLayout> readLayout(std::span<const std::byte> file, const std::filesystem::path& path)
 {
-    return LayoutReader(file, path).read();
+    return readLayout(file, file.size(), path);
+}
+
+Result<FileLayout> readLayout(std::span<const std::byte> front, std::uint64_t fileBytes,
+                              const std::filesystem::path& path)
+{
+    return LayoutReader(front, fileBytes, path).read();
+}
+
+std::uint64_t frontBytes(std::span<const std::byte> front) noexcept
+{
+    Header header;
+    if (front.size() < sizeof header)
+        return sizeof header;
+    std::memcpy(static_cast<void*>(&header), front.data(), sizeof header);
+    return sizeof header + std::uint64_t(std::min(header.sectionCount, format::mostSections)) * sizeof(Section);
 }
 
 std::uint64_t headerChecksum(const Header& header, std::span<const std::byte> table)

@@ -8,6 +8,7 @@
 #include <tan/model.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -29,6 +30,11 @@ struct FileLayout {
 
 /// Reads nothing but the header and the table. Errors say what is wrong with the file at `path` and what to do.
 Result<FileLayout> readLayout(std::span<const std::byte> file, const std::filesystem::path& path);
+/// The same of a file of so many bytes of which `front` is the beginning: as many as frontBytes() says, or all.
+Result<FileLayout> readLayout(std::span<const std::byte> front, std::uint64_t fileBytes,
+                              const std::filesystem::path& path);
+/// The bytes of header and table; those of the header alone if these are no more, or no header.
+std::uint64_t frontBytes(std::span<const std::byte> front) noexcept;
 
 /// The checksum that Header::checksum should have. `table` is the section table as it stands in the file.
 std::uint64_t headerChecksum(const format::Header& header, std::span<const std::byte> table);

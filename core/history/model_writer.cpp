@@ -245,7 +245,7 @@ Status ModelFileWriter::finish(float finalKey)
             return written;
     }
     if (const Status derived =
-            writeDerivedSections(sections_, {dataset_, description_, counts_, finalKey, blockCells_});
+            writeDerivedSections(sections_, {&dataset_, nullptr, description_, counts_, finalKey, blockCells_});
         !derived)
         return derived;
     format::Header header = headerOf(description_);
