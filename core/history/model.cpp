@@ -59,8 +59,8 @@ struct Model::File {
     std::unique_ptr<const SectionChecks> checks;
 };
 
-Model::Model(File file, ModelDescription description)
-    : file_(std::make_unique<const File>(std::move(file))), path_(file_->mapped->path()),
+Model::Model(File file, ModelDescription description, std::filesystem::path place)
+    : file_(std::make_unique<const File>(std::move(file))), path_(std::move(place)),
       description_(std::move(description)), fileSize_(file_->mapped->bytes().size()),
       finalKey_(file_->layout.header.finalKey)
 {
@@ -106,6 +106,11 @@ Model::~Model() = default;
 
 Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path)
 {
+    return open(path, path);
+}
+
+Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path, std::filesystem::path place)
+{
     const Result<std::shared_ptr<const MappedFile>> file = MappedFile::open(path);
     if (!file)
         return file.error();
@@ -130,7 +135,7 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     if (!checks)
         return checks.error();
     const std::shared_ptr<const Model> model(
-        new Model({file.value(), *layout, *std::move(checks)}, std::move(description)));
+        new Model({file.value(), *layout, *std::move(checks)}, std::move(description), std::move(place)));
     if (const Status unchanged = model->checkUnchanged(); !unchanged) // of damage checkIntact() tells
         return unchanged.error();
     return model;

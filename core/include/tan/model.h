@@ -94,10 +94,15 @@ public:
     /// opened installs a handler of that signal, which gives zeros in its place (then checkIntact() tells) and hands on
     /// what is not its own to the handler that was there before. At most 1024 files are mapped at a time.
     static Result<std::shared_ptr<const Model>> open(const std::filesystem::path& path);
+    /// The same of a file that stands for another one, which was unpacked or fetched to there: `place` is where that
+    /// lies, a path or an address.
+    TAN_INTERNAL static Result<std::shared_ptr<const Model>> open(const std::filesystem::path& path,
+                                                                  std::filesystem::path place);
     ~Model();
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
 
+    /// Where it lies for the user: the path it was opened by, or the address (tan/open.h).
     const std::filesystem::path& path() const noexcept { return path_; }
     const ModelDescription& description() const noexcept { return description_; }
     std::uint64_t fileSize() const noexcept { return fileSize_; }
@@ -194,7 +199,7 @@ public:
 
 private:
     struct File;
-    Model(File file, ModelDescription description);
+    Model(File file, ModelDescription description, std::filesystem::path place);
     bool checkBytes(std::span<const std::byte> bytes) const noexcept;
     Status checkBytes(std::span<const std::byte> bytes, const Progress& progress) const;
 
