@@ -46,6 +46,7 @@ public:
     }
 
     Result<FileLayout> read();
+    Result<FileLayout> readPacked();
 
 private:
     Status readHeader();
@@ -56,7 +57,10 @@ private:
     Status checkPlace() const;
     Status checkBounds() const;
     Status checkCodecs() const;
+    Status checkPackedCodecs() const;
+    Status checkPackedCounts() const;
     Status checkCounts() const;
+    Status checkText() const;
     Status checkPositions() const;
     Status checkSamples() const;
     Status checkDerived() const;
@@ -90,6 +94,19 @@ Result<FileLayout> LayoutReader::read()
          {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
           &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkCodecs, &LayoutReader::checkCounts,
           &LayoutReader::checkPositions, &LayoutReader::checkSamples, &LayoutReader::checkDerived})
+        if (const Status status = (this->*check)(); !status)
+            return status.error();
+    return std::move(layout_);
+}
+
+Result<FileLayout> LayoutReader::readPacked()
+{
+    for (const auto step : {&LayoutReader::readHeader, &LayoutReader::readTable})
+        if (const Status status = (this->*step)(); !status)
+            return status.error();
+    for (const auto check : {&LayoutReader::checkWhatItHolds, &LayoutReader::checkLattice, &LayoutReader::checkValues,
+                             &LayoutReader::checkPlace, &LayoutReader::checkBounds, &LayoutReader::checkPackedCodecs,
+                             &LayoutReader::checkPackedCounts})
         if (const Status status = (this->*check)(); !status)
             return status.error();
     return std::move(layout_);
@@ -217,6 +234,13 @@ Status LayoutReader::checkBounds() const
 
 Status LayoutReader::checkCodecs() const
 {
+    if (layout_.has(SectionId::PackedFacts))
+        return bad(Message::say("'%1' is a packed model. Unpack it first, with 'tan unpack'.", name_));
+    return checkPackedCodecs();
+}
+
+Status LayoutReader::checkPackedCodecs() const
+{
     for (const Section& section : layout_.sections) {
         const bool known = format::sectionName(section.id) != "unknown";
         if (!known && (section.flags & format::required))
@@ -250,10 +274,34 @@ Status LayoutReader::checkCounts() const
     if (layout_.has(SectionId::HistoryKind) || isDomain(header, DomainClass::Irregular))
         if (const Status status = checkCount({SectionId::HistoryKind, 4}, 1); !status)
             return status;
+    return checkText();
+}
+
+Status LayoutReader::checkText() const
+{
     const auto text = std::ranges::find(layout_.sections, std::uint32_t(SectionId::Text), &Section::id);
     if (text == layout_.sections.end() || text->bytes > format::longestText)
         return damaged(Message::say("its text section is missing or too long"));
     return {};
+}
+
+Status LayoutReader::checkPackedCounts() const
+{
+    const auto countOf = [this](SectionId id, std::uint64_t elementBytes) {
+        return layout_.has(id) ? layout_.section(id).bytes / elementBytes : 0;
+    };
+    const std::uint64_t levels = countOf(SectionId::PackedLevels, sizeof(format::PackedLevelEntry));
+    const std::uint64_t sums = countOf(SectionId::PackedSums, sizeof(format::PackedSum));
+    const std::pair<Expected, std::uint64_t> all[] = {
+        {{SectionId::PackedFacts, sizeof(format::PackedFacts)}, 1},
+        {{SectionId::PackedLevels, sizeof(format::PackedLevelEntry)},
+         std::clamp<std::uint64_t>(levels, 1, format::mostPackedLevels)},
+        {{SectionId::PackedSums, sizeof(format::PackedSum)}, std::clamp<std::uint64_t>(sums, 1, format::mostSections)},
+        {{SectionId::PackedChunks, 1}, countOf(SectionId::PackedChunks, 1)}};
+    for (const auto& [expected, count] : all)
+        if (const Status counted = checkCount(expected, count); !counted)
+            return counted;
+    return checkText();
 }
 
 /// Floats where they hold every coordinate exactly, else doubles; none for a lattice that says where its points are.
@@ -345,6 +393,12 @@ Result<FileLayout> readLayout(std::span<const std::byte> front, std::uint64_t fi
                               const std::filesystem::path& path)
 {
     return LayoutReader(front, fileBytes, path).read();
+}
+
+Result<FileLayout> readPackedLayout(std::span<const std::byte> front, std::uint64_t fileBytes,
+                                    const std::filesystem::path& path)
+{
+    return LayoutReader(front, fileBytes, path).readPacked();
 }
 
 std::uint64_t frontBytes(std::span<const std::byte> front) noexcept

@@ -36,6 +36,11 @@ Result<FileLayout> readLayout(std::span<const std::byte> front, std::uint64_t fi
 /// The bytes of header and table; those of the header alone if these are no more, or no header.
 std::uint64_t frontBytes(std::span<const std::byte> front) noexcept;
 
+/// Likewise of a packed model (FORMAT.md, "Packed form") of `fileBytes` bytes, of which `front` are the first: header
+/// and table at least.
+Result<FileLayout> readPackedLayout(std::span<const std::byte> front, std::uint64_t fileBytes,
+                                    const std::filesystem::path& path);
+
 /// The checksum that Header::checksum should have. `table` is the section table as it stands in the file.
 std::uint64_t headerChecksum(const format::Header& header, std::span<const std::byte> table);
 

@@ -10,6 +10,10 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::HistoryKind: return "history kind";
     case SectionId::ChunkSums: return "chunk checksums";
     case SectionId::LevelIndex: return "level index";
+    case SectionId::PackedFacts: return "packed facts";
+    case SectionId::PackedLevels: return "packed levels";
+    case SectionId::PackedSums: return "packed sums";
+    case SectionId::PackedChunks: return "packed chunks";
     case SectionId::SitePoints: return "site points";
     case SectionId::SiteValues: return "site values";
     case SectionId::SiteRunningKeys: return "site running keys";

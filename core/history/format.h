@@ -40,6 +40,10 @@ enum class SectionId : std::uint32_t {
     HistoryKind = 2,
     ChunkSums = 3,
     LevelIndex = 4,
+    PackedFacts = 5, ///< this and the next three: of packed models alone
+    PackedLevels = 6,
+    PackedSums = 7,
+    PackedChunks = 8,
     SitePoints = 16,
     SiteValues = 17,
     SiteRunningKeys = 18,
@@ -138,6 +142,48 @@ struct Fault {
     std::uint64_t number = 0;
 };
 static_assert(sizeof(Fault) == 16);
+
+/// What a packed model says of itself and of the one that was packed.
+struct PackedFacts {
+    std::uint32_t method = 0;     ///< PackMethod
+    std::uint32_t blockCells = 0; ///< along an edge of the blocks of a replayed model, 0 for none
+    std::uint64_t fileBytes = 0;  ///< of the model that was packed, and its Header::checksum
+    std::uint64_t headerChecksum = 0;
+    std::array<std::uint64_t, 5> reserved{};
+};
+static_assert(sizeof(PackedFacts) == 64);
+
+/// A mesh that the chunks up to here make.
+struct PackedLevelEntry {
+    float error = 0; ///< bounds, in units of the values and of length
+    float warping = 0;
+    std::uint32_t sites = 0;
+    std::uint32_t chunks = 0;     ///< so many, from the first one on ...
+    std::uint64_t chunkBytes = 0; ///< ... and their bytes
+};
+static_assert(sizeof(PackedLevelEntry) == 24);
+
+/// So many at most.
+constexpr std::uint64_t mostPackedLevels = 512;
+
+/// A section of the model that was packed.
+struct PackedSum {
+    std::uint32_t id = 0;
+    std::uint32_t reserved = 0;
+    std::uint64_t checksum = 0;
+};
+static_assert(sizeof(PackedSum) == 16);
+
+/// Stands before a chunk's bytes.
+struct PackedChunkHead {
+    std::uint64_t checksum = 0; ///< XXH3 of all that follows: the rest of this, and the bytes
+    std::uint32_t kind = 0;     ///< what the method makes of them
+    std::uint32_t bytes = 0;
+};
+static_assert(sizeof(PackedChunkHead) == 16);
+
+/// No chunk has more bytes.
+constexpr std::uint32_t mostPackedChunkBytes = 1 << 20;
 
 /// The number of chunks of a section of so many bytes.
 constexpr std::uint64_t chunkCount(std::uint64_t sectionBytes, std::uint64_t chunk = chunkBytes) noexcept

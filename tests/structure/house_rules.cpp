@@ -31,7 +31,7 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanData = "core/include/tan/data.h", tanModel = "core/include/tan/model.h",
                            tanQuery = "core/include/tan/query.h", tanBuild = "core/include/tan/build.h",
                            tanVerify = "core/include/tan/verify.h", tanTransfer = "core/include/tan/transfer.h",
-                           tanRender = "core/include/tan/render.h";
+                           tanRender = "core/include/tan/render.h", tanPacked = "core/include/tan/packed.h";
 
 const std::vector<Room>& rooms()
 {
@@ -45,6 +45,7 @@ const std::vector<Room>& rooms()
         {tanBuild, {tanBase, tanData}},
         {tanVerify, {tanBase, tanData, tanModel, tanQuery}},
         {tanRender, {tanBase, tanMesh, tanTransfer}},
+        {tanPacked, {tanBase, tanModel}},
         {"core/base", {tanBase}},
         {"core/geometry", {tanBase, "core/base"}},
         {"core/mesh", {tanBase, tanMesh, "core/base", "core/geometry"}},
@@ -69,6 +70,9 @@ const std::vector<Room>& rooms()
         {"core/build",
          {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/data", "core/refine/lattice",
           "core/refine/curvilinear", "core/refine/free", "core/decimate", "core/history", "core/history/blocks"}},
+        {"core/packed",
+         {tanBase, tanData, tanModel, tanBuild, tanPacked, "core/base", "core/data", "core/refine",
+          "core/refine/lattice", "core/refine/curvilinear", "core/history", "core/build"}},
         {"core/verify",
          {tanBase, tanData, tanModel, tanQuery, tanVerify, "core/base", "core/geometry", "core/mesh", "core/data",
           "core/history", "core/history/query"}},
