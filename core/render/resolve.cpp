@@ -69,4 +69,41 @@ void resolveDepth(std::span<const float> samples, int rowLength, int samplesPerA
         }
 }
 
+namespace {
+
+/// Copies `height` rows of `width` pixels.
+template <class Value> void copyRows(const std::vector<Value>& from, int fromWidth, int fromLeft, int fromTop,
+                                     int width, int height, std::vector<Value>& to, int toWidth, int toLeft, int toTop)
+{
+    if (from.empty() || to.empty())
+        return;
+    const auto place = [](int row, int length, int column) {
+        return static_cast<std::ptrdiff_t>(row) * length + column;
+    };
+    for (int row = 0; row < height; ++row)
+        std::copy_n(from.begin() + place(fromTop + row, fromWidth, fromLeft), width,
+                    to.begin() + place(toTop + row, toWidth, toLeft));
+}
+
+} // namespace
+
+Picture cutOut(Picture picture, const PixelRectangle& part)
+{
+    if (part.width == picture.width && part.height == picture.height)
+        return picture;
+    const auto pixels = static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height);
+    Picture cut{part.width, part.height, {}};
+    cut.pixels.resize(pixels);
+    cut.depth.resize(picture.depth.empty() ? 0 : pixels);
+    copyRows(picture.pixels, picture.width, part.left, part.top, part.width, part.height, cut.pixels, cut.width, 0, 0);
+    copyRows(picture.depth, picture.width, part.left, part.top, part.width, part.height, cut.depth, cut.width, 0, 0);
+    return cut;
+}
+
+void putInto(const Picture& part, int left, int top, Picture& picture)
+{
+    copyRows(part.pixels, part.width, 0, 0, part.width, part.height, picture.pixels, picture.width, left, top);
+    copyRows(part.depth, part.width, 0, 0, part.width, part.height, picture.depth, picture.width, left, top);
+}
+
 } // namespace tetra

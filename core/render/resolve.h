@@ -19,4 +19,9 @@ void resolve(std::span<const std::array<float, 4>> samples, int rowLength, int s
 void resolveDepth(std::span<const float> samples, int rowLength, int samplesPerAxis, int left, int top,
                   Picture& picture);
 
+/// The pixels of a part of a picture.
+Picture cutOut(Picture picture, const PixelRectangle& part);
+/// Puts a picture into its place in a larger one.
+void putInto(const Picture& part, int left, int top, Picture& picture);
+
 } // namespace tetra

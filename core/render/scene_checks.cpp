@@ -36,11 +36,22 @@ Status checkOptions(const PictureOptions& options)
         return Error{ErrorKind::WrongUsage,
                      Message::say("A picture cannot be %1 x %2 pixels. Each side must be 1 to %3.", options.width,
                                   options.height, largestPictureSide)};
+    const auto isWithin = [](int first, int count, int all) {
+        return first >= 0 && count >= 1 && count <= all - first;
+    };
+    if (const auto& part = options.part; part && !(isWithin(part->left, part->width, options.width) &&
+                                                   isWithin(part->top, part->height, options.height)))
+        return Error{ErrorKind::WrongUsage, Message::say("The part of a picture to be drawn must lie within it.")};
     if (options.samplesPerAxis < 1 || options.samplesPerAxis > 4)
         return Error{ErrorKind::WrongUsage, Message::say("The samples per axis of a pixel must be 1 to 4.")};
     if (options.threads < 0)
         return Error{ErrorKind::WrongUsage, Message::say("The number of threads must not be negative; 0 means all.")};
     return {};
+}
+
+PixelRectangle drawnPart(const PictureOptions& options)
+{
+    return options.part.value_or(PixelRectangle{0, 0, options.width, options.height});
 }
 
 } // namespace tetra

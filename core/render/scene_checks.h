@@ -22,5 +22,7 @@ inline constexpr int largestPictureSide = 32767;
 
 /// An error if no back end can make such a picture.
 Status checkOptions(const PictureOptions& options);
+/// What is drawn of the picture: the part, else all of it.
+PixelRectangle drawnPart(const PictureOptions& options);
 
 } // namespace tetra

@@ -69,6 +69,21 @@ struct TileGrid {
     }
 };
 
+/// Pictures with more samples a side than this are drawn in parts, so that what is kept for their samples at one time,
+/// and the coordinates in them, stay bounded. Twice what the largest screens have.
+inline constexpr int largestPartSide = 8192;
+
+/// `all` in parts, row by row, whose sides but the last are the largest multiples of `step` within `longest` samples.
+inline std::vector<SampleRectangle> partsOf(const SampleRectangle& all, int step, int longest = largestPartSide)
+{
+    const int side = longest / step * step;
+    std::vector<SampleRectangle> parts;
+    for (int top = all.top; top < all.bottom; top += side)
+        for (int left = all.left; left < all.right; left += side)
+            parts.push_back({left, top, std::min(left + side, all.right), std::min(top + side, all.bottom)});
+    return parts;
+}
+
 /// Colour times opacity, and opacity.
 using PremultipliedColour = std::array<float, 4>;
 

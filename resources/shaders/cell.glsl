@@ -29,7 +29,7 @@ float extent(vec4 of)
 vec2 sampleNear(vec3 image)
 {
     vec2 place = perspective ? (image.z > nearest ? image.xy / image.z : vec2(0.0)) : image.xy;
-    vec2 fromCorner = clamp(floor(place + pictureSize * 0.5), vec2(0.0), pictureSize) + 0.5;
+    vec2 fromCorner = clamp(floor(place + pictureCentre), vec2(0.0), pictureSize) + 0.5;
     return vec2(fromCorner.x, pictureSize.y - fromCorner.y);
 }
 
@@ -81,7 +81,7 @@ bool setUpCell(vec4 images[4], bool oneSegment, float segmentOrigin, out CellInV
     vec3 far = abs(images[0].xyz) + vec3(extent(u), extent(v), extent(w));
 
     cell.reference = sampleNear(images[0].xyz);
-    vec2 shift = vec2(cell.reference.x - pictureSize.x * 0.5, pictureSize.y * 0.5 - cell.reference.y) + sampleShift;
+    vec2 shift = vec2(cell.reference.x - pictureCentre.x, pictureSize.y - pictureCentre.y - cell.reference.y) + sampleShift;
     vec3 c[4];
     for (int i = 0; i < 4; ++i)
         c[i] = vec3(images[i].xy - shift * (perspective ? images[i].z : 1.0), images[i].z);

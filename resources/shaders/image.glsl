@@ -7,7 +7,8 @@ uniform mat3 imageFromWorld;  // VolumeView, without the shift
 uniform vec3 imageOfOrigin;
 uniform vec2 smallestValue;   // high and low part
 uniform float perValue;
-uniform vec2 pictureSize;     // in samples
+uniform vec2 pictureSize;     // in samples, of the part that is drawn
+uniform vec2 pictureCentre;   // of the whole picture, in samples from the part's upper left corner
 uniform vec2 sampleShift;     // of samples from the middle, right and down
 uniform float nearest;
 
@@ -21,6 +22,6 @@ vec4 imageOf(vec4 vertex)
 vec4 clipPositionOf(vec3 image)
 {
     float along = perspective ? image.z : 1.0;
-    vec2 place = (image.xy - sampleShift * along) * 2.0 / pictureSize;
+    vec2 place = (image.xy + (pictureCentre - pictureSize * 0.5 - sampleShift) * along) * 2.0 / pictureSize;
     return vec4(place.x, -place.y, perspective ? image.z - 2.0 * nearest : 0.0, along);
 }

@@ -4,6 +4,7 @@
 // else -w, the planes of faces and cuts bound q by functions that are affine in the picture (CellSetup).
 uniform bool perspective;
 uniform vec2 pictureSize;
+uniform vec2 pictureCentre;
 uniform vec2 sampleShift;
 uniform vec2 samplesPerSlope;
 uniform float nearestBound;      // q of the near plane
@@ -119,7 +120,7 @@ vec4 litByGradient(vec4 seen, float change, float ray)
 void main()
 {
     vec2 place = vec2(gl_FragCoord.x - reference.x, reference.y - gl_FragCoord.y);
-    vec2 fromCentre = vec2(gl_FragCoord.x - pictureSize.x * 0.5, pictureSize.y * 0.5 - gl_FragCoord.y) + sampleShift;
+    vec2 fromCentre = vec2(gl_FragCoord.x - pictureCentre.x, pictureSize.y - pictureCentre.y - gl_FragCoord.y) + sampleShift;
     vec2 range = rangeInCell(place);
     vec2 shown = rangeShown(fromCentre);
     range = vec2(max(range.x, shown.x), min(range.y, shown.y));

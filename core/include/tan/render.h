@@ -488,9 +488,21 @@ TAN_API std::optional<double> surfaceValue(const TetrahedralMesh& mesh, double l
 /// there is no volume. O(cells + parts).
 TAN_API ValueHistogram volumeHistogram(const TetrahedralMesh& mesh, double least, double largest, int parts);
 
+/// Pixels of a picture: `width` columns from `left`, `height` rows from `top`, which count from its upper left corner.
+struct PixelRectangle {
+    int left = 0;
+    int top = 0;
+    int width = 0;
+    int height = 0;
+    bool operator==(const PixelRectangle&) const = default;
+};
+
 struct PictureOptions {
     int width = 1024;
     int height = 768;
+    /// Draw only this part: render() gives a picture of its size with the pixels that the whole one has there. So a
+    /// region can be magnified, as a part of a larger picture (5.1), and a picture made piece by piece.
+    std::optional<PixelRectangle> part{};
     Colour background{1, 1, 1};
     bool transparentBackground = false;
     int samplesPerAxis = 2; ///< a pixel is the mean of this many squared samples: 1 (fast, no antialiasing) to 4
@@ -524,8 +536,9 @@ public:
     /// The scene as the camera sees it. What was prepared for a surface or a volume is used again as long as the scene
     /// holds the same objects (the shared meshes and transfer functions, told apart by address), so share them between
     /// scenes. O(triangles + cells + samples of the picture), a volume's cells in order of visibility besides. Errors
-    /// (WrongUsage): arrays of the scene that do not belong together, a picture without pixels or too large for the
-    /// back end, samples or threads out of their range; OutOfResource: memory, of the graphics card, too; cancelled.
+    /// (WrongUsage): arrays of the scene that do not belong together, a picture without pixels or too large, a part
+    /// that is not in it, samples or threads out of their range; OutOfResource: memory, of the graphics card, too;
+    /// cancelled.
     virtual Result<Picture> render(const Scene& scene, const Camera& camera, const PictureOptions& options,
                                    const Progress& progress = {}) = 0;
     /// Of the last picture that was finished.

@@ -33,26 +33,12 @@ namespace tetra {
 
 namespace {
 
-/// Pictures with more samples a side than this are drawn in parts, so that what is kept for the tiles at one time, and
-/// the coordinates in them, stay bounded. Twice what the largest screens have.
-constexpr int largestPartSide = 8192;
-
-/// A picture of `width` x `height` samples in parts, row by row, whose sides but the last are multiples of `tileSide`.
-std::vector<SampleRectangle> picturePartsOf(int width, int height, int tileSide)
-{
-    const int side = largestPartSide / tileSide * tileSide;
-    std::vector<SampleRectangle> parts;
-    for (int top = 0; top < height; top += side)
-        for (int left = 0; left < width; left += side)
-            parts.push_back({left, top, std::min(left + side, width), std::min(top + side, height)});
-    return parts;
-}
-
-/// A part of a picture that is to be drawn, in samples. Both views are of the part.
+/// A part of a picture that is to be drawn, in samples.
 struct PartView {
     SampleRectangle part;
-    ViewTransform surfaces;
-    VolumeView volume;
+    ViewTransform surfaces; ///< of the whole picture
+    VolumeView volume;      ///< of the part
+    SampleRectangle target; ///< what the picture in memory is of the whole; holds the part
 };
 
 /// The volumes of a scene.
@@ -120,7 +106,8 @@ struct ProjectedPart {
 class PartPainter {
 public:
     PartPainter(const ProjectedPart& part, const PartView& view, const PictureOptions& options)
-        : part_(part), view_(view), options_(options), surfaces_(part.list, view.surfaces, view.volume, part.clips)
+        : part_(part), view_(view), options_(options),
+          surfaces_(part.list, view.surfaces, view.part, view.volume, part.clips)
     {
         if (part.volume)
             volume_.emplace(part.source, view.volume);
@@ -141,7 +128,8 @@ public:
         else
             paintSurfaces(tile, triangles.empty());
         const int samples = options_.samplesPerAxis;
-        const int left = (view_.part.left + tile.left) / samples, top = (view_.part.top + tile.top) / samples;
+        const int left = (view_.part.left - view_.target.left + tile.left) / samples;
+        const int top = (view_.part.top - view_.target.top + tile.top) / samples;
         resolve(colours_, tile.width(), samples, left, top, picture);
         if (options_.depth)
             resolveDepth(depth_, tile.width(), samples, left, top, picture);
@@ -239,7 +227,7 @@ Status drawPart(const Scene& scene, const OrderedVolumes& volumes, const PartVie
     Stopwatch watch;
     progress.report(0, drawingParts);
     const TileGrid grid{view.part.width(), view.part.height(), tileSideFor(options.samplesPerAxis)};
-    Result<DrawList> list = makeDrawList(scene, view.surfaces, options.samplesPerAxis,
+    Result<DrawList> list = makeDrawList(scene, view.surfaces, view.part, options.samplesPerAxis,
                                          volumes.volume ? SamplePlaces::Rays : SamplePlaces::Middle, progress);
     if (!list)
         return list.error();
@@ -296,13 +284,22 @@ template <class Value> void fill(std::vector<Value>& values, std::size_t count, 
         values.resize(std::min(count, values.size() + atOnce));
 }
 
-Picture emptyPicture(const PictureOptions& options, const Progress& progress)
+Picture emptyPicture(int width, int height, bool depth, const Progress& progress)
 {
-    Picture picture{options.width, options.height, {}};
-    const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+    Picture picture{width, height, {}};
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     fill(picture.pixels, pixels, progress);
-    fill(picture.depth, options.depth ? pixels : 0, progress);
+    fill(picture.depth, depth ? pixels : 0, progress);
     return picture;
+}
+
+/// A rectangle of samples grown to the tiles of the whole picture that it touches: tiles are drawn as a whole, so that
+/// their samples do not depend on what is wanted of them.
+SampleRectangle grownToTiles(const SampleRectangle& wanted, int width, int height, int side)
+{
+    const auto up = [side](int end) { return (end + side - 1) / side * side; };
+    return {wanted.left / side * side, wanted.top / side * side, std::min(up(wanted.right), width),
+            std::min(up(wanted.bottom), height)};
 }
 
 class CpuBackend final : public RenderBackend {
@@ -333,8 +330,13 @@ private:
         const Eigen::AlignedBox3d bounds = drawnBounds(scene);
         const ViewTransform transform = makeViewTransform(camera, width, height, bounds);
         const VolumeView view = makeVolumeView(camera, width, height, bounds);
-        const std::vector<SampleRectangle> parts = picturePartsOf(width, height, tileSideFor(samples));
-        Picture picture = emptyPicture(options, progress);
+        const PixelRectangle wanted = drawnPart(options);
+        const SampleRectangle samplesWanted{wanted.left * samples, wanted.top * samples,
+                                            (wanted.left + wanted.width) * samples,
+                                            (wanted.top + wanted.height) * samples};
+        const SampleRectangle target = grownToTiles(samplesWanted, width, height, tileSideFor(samples));
+        const std::vector<SampleRectangle> parts = partsOf(target, tileSideFor(samples));
+        Picture picture = emptyPicture(target.width() / samples, target.height() / samples, options.depth, progress);
         if (progress.cancelled())
             return cancelledError(Message::marked("Drawing the picture"));
         RenderStatistics statistics;
@@ -345,14 +347,15 @@ private:
             const CachedOrder::Request request{nullptr, camera, view, parts[i], options.orderTolerance};
             if (Status status = orderCells(volumes, request, progress.part(share(0), share(0.1)), statistics); !status)
                 return status.error();
-            const PartView part{parts[i], partOf(transform, parts[i]), partOf(view, parts[i])};
+            const PartView part{parts[i], transform, partOf(view, parts[i]), target};
             const Progress drawing = progress.part(share(volumes.volume != nullptr ? 0.1 : 0), share(1));
             Status status = drawPart(scene, ordered(volumes), part, options, drawing, picture, statistics);
             if (!status)
                 return status.error();
         }
         statistics_ = statistics;
-        return picture;
+        return cutOut(std::move(picture), {wanted.left - target.left / samples, wanted.top - target.top / samples,
+                                           wanted.width, wanted.height});
     }
 
     static void count(const CachedOrder& order, RenderStatistics& statistics)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/cpu/draw_list.h"
 
+#include "core/render/cpu/tile_bins.h"
 #include "core/render/scene_checks.h"
 #include "core/render/view_transform.h"
 
@@ -122,8 +123,8 @@ constexpr std::size_t trianglesInChunk = 1 << 14;
 /// Puts corners to their places among the samples.
 class Projector {
 public:
-    Projector(const ViewTransform& transform, SamplePlaces places)
-        : transform_(transform), left_(places == SamplePlaces::Rays ? sampleX - 0.5 : 0),
+    Projector(const ViewTransform& transform, const SampleRectangle& part, SamplePlaces places)
+        : transform_(transform), part_(part), left_(places == SamplePlaces::Rays ? sampleX - 0.5 : 0),
           up_(places == SamplePlaces::Rays ? sampleY - 0.5 : 0),
           steps_(places == SamplePlaces::Rays ? subsampleSteps : 256)
     {
@@ -138,8 +139,8 @@ public:
     {
         const double inverse = 1 / vertex.position.w();
         ScreenVertex result;
-        result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform_.width - left_);
-        result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform_.height - up_);
+        result.x = fixed((vertex.position.x() * inverse + 1) / 2 * transform_.width - left_, part_.left);
+        result.y = fixed((1 - vertex.position.y() * inverse) / 2 * transform_.height - up_, part_.top);
         result.nearness = static_cast<float>(nearnessOf(transform_, vertex.position));
         result.weight = static_cast<float>(inverse);
         result.normal = vertex.normal;
@@ -147,14 +148,19 @@ public:
     }
 
     const ViewTransform& transform() const noexcept { return transform_; }
+    /// The samples of the part, from its own corner.
+    SampleRectangle samples() const noexcept { return {0, 0, part_.width(), part_.height()}; }
+    bool isWhole() const noexcept { return part_.width() >= transform_.width && part_.height() >= transform_.height; }
 
 private:
-    std::int32_t fixed(double samples) const
+    std::int32_t fixed(double samples, int first) const
     {
-        return static_cast<std::int32_t>(std::floor(samples * steps_ + 0.5)) * (subsampleSteps / steps_);
+        const auto place = static_cast<std::int32_t>(std::floor(samples * steps_ + 0.5));
+        return (place - first * steps_) * (subsampleSteps / steps_);
     }
 
     const ViewTransform& transform_;
+    SampleRectangle part_;
     double left_, up_; ///< by how much the picture is moved, so that the samples come to the middles
     std::int32_t steps_;
 };
@@ -265,9 +271,11 @@ DrawnPiece Builder::projectTriangles(const Surface& surface, std::size_t first, 
         if ((all & outside_view::view) != 0 || (any & outside_view::notFinite) != 0 ||
             !isDrawn(surface, mesh.triangles[t]))
             continue;
-        if ((any & outside_view::cut) == 0)
-            piece.triangles.push_back({{firstVertex + a, firstVertex + b, firstVertex + c}, material});
-        else
+        if ((any & outside_view::cut) == 0) {
+            const ScreenTriangle triangle{{firstVertex + a, firstVertex + b, firstVertex + c}, material};
+            if (projector_.isWhole() || !isEmpty(samplesUnder(list_, triangle, projector_.samples())))
+                piece.triangles.push_back(triangle);
+        } else
             piece.addPolygon(clipTriangle({toClip(mesh, a), toClip(mesh, b), toClip(mesh, c)}), projector_, material);
     }
     return piece;
@@ -335,11 +343,11 @@ void Builder::addLines(const LineSet& lines, double samplesPerPixelAxis)
 
 } // namespace
 
-Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
-                              SamplePlaces places, const Progress& progress)
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, const SampleRectangle& part,
+                              double samplesPerPixelAxis, SamplePlaces places, const Progress& progress)
 {
     DrawList list;
-    const Projector projector(transform, places);
+    const Projector projector(transform, part, places);
     Builder builder(projector, list, progress);
     const auto add = [&](const Drawable& drawable) -> Status {
         if (const auto* surface = std::get_if<Surface>(&drawable.shape))

@@ -21,7 +21,7 @@ inline constexpr int subsampleSteps = 1 << subsampleBits;
 
 /// A corner in the picture.
 struct ScreenVertex {
-    std::int32_t x = 0; ///< in steps of 1 / subsampleSteps sample from the picture's left ...
+    std::int32_t x = 0; ///< in steps of 1 / subsampleSteps sample from the part's left ...
     std::int32_t y = 0; ///< ... and upper edge
     float nearness = 0; ///< larger is nearer, affine in the picture: q of ViewTransform
     float weight = 1;   ///< 1 / w: attributes times weight are affine in the picture
@@ -46,9 +46,9 @@ struct ScreenTriangle {
 /// q of the first overlay, nearer than everything else; each further one is a little nearer than the one before.
 inline constexpr float overlayNearness = 1e9f;
 
-/// A scene projected into a picture: all that the tiles need. Triangles are in the order of the scene; those outside
-/// the view or turned away from it as the surface does not want are left out, those that reach behind the eye or far
-/// beyond the picture are cut.
+/// A scene projected into a part of a picture: all that the tiles need. Triangles are in the order of the scene; those
+/// outside the part or turned away from it as the surface does not want are left out, those that reach behind the eye
+/// or far beyond the picture are cut.
 struct DrawList {
     Buffer<ScreenVertex> vertices;
     Buffer<Colour> colours; ///< of vertices whose material is coloured, at their places; may end before them
@@ -64,9 +64,10 @@ enum class SamplePlaces {
     Rays,
 };
 
-/// O(vertices + triangles), on all threads of the current arena. Incomplete if cancelled. Errors: a scene whose indices
-/// lead nowhere. May throw std::bad_alloc.
-Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, double samplesPerPixelAxis,
-                              SamplePlaces places, const Progress& progress);
+/// `transform` is of the whole picture, so that a part has the very corners that the whole has there. O(vertices +
+/// triangles), on all threads of the current arena. Incomplete if cancelled. Errors: a scene whose indices lead
+/// nowhere. May throw std::bad_alloc.
+Result<DrawList> makeDrawList(const Scene& scene, const ViewTransform& transform, const SampleRectangle& part,
+                              double samplesPerPixelAxis, SamplePlaces places, const Progress& progress);
 
 } // namespace tetra

@@ -189,8 +189,8 @@ PremultipliedColour TilePainter::lit(const Fragment& fragment, std::size_t sampl
         const Eigen::Vector3f normal = (1 - fragment.b - fragment.c) * a.weight * a.normal +
                                        fragment.b * b.weight * b.normal + fragment.c * c.weight * c.normal;
         const auto width = static_cast<std::size_t>(tile_.width());
-        const float x = static_cast<float>(tile_.left + static_cast<int>(sample % width)) + 0.5f;
-        const float y = static_cast<float>(tile_.top + static_cast<int>(sample / width)) + 0.5f;
+        const float x = static_cast<float>(part_.left + tile_.left + static_cast<int>(sample % width)) + 0.5f;
+        const float y = static_cast<float>(part_.top + tile_.top + static_cast<int>(sample / width)) + 0.5f;
         const Eigen::Vector3f towardsEye =
             transform_.towardsEye + x * transform_.towardsEyePerX + y * transform_.towardsEyePerY;
         const float dot = normal.dot(towardsEye);

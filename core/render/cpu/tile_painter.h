@@ -21,10 +21,11 @@ namespace tetra {
 /// hidden surface costs no light. Keeps its memory from tile to tile; one object a thread.
 class TilePainter {
 public:
-    /// All must outlive it; `view` and `transform` are of the same part of a picture.
-    TilePainter(const DrawList& list, const ViewTransform& transform, const VolumeView& view, const ClipBounds& clips)
-        : list_(list), transform_(transform), view_(view), worldFromImage_(view.imageFromWorld.leftCols<3>().inverse()),
-          clips_(clips)
+    /// All but `part` must outlive it. `transform` is of the whole picture, `view` of the part that the list is of.
+    TilePainter(const DrawList& list, const ViewTransform& transform, const SampleRectangle& part,
+                const VolumeView& view, const ClipBounds& clips)
+        : list_(list), transform_(transform), part_(part), view_(view),
+          worldFromImage_(view.imageFromWorld.leftCols<3>().inverse()), clips_(clips)
     {
     }
 
@@ -72,6 +73,7 @@ private:
 
     const DrawList& list_;
     const ViewTransform& transform_;
+    SampleRectangle part_;
     const VolumeView& view_;
     Eigen::Matrix3d worldFromImage_;
     const ClipBounds& clips_;

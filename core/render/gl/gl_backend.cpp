@@ -4,6 +4,7 @@
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_functions.h"
 #include "core/render/gl/scene_painter.h"
+#include "core/render/resolve.h"
 #include "core/render/scene_checks.h"
 #include "core/render/tiles.h"
 
@@ -88,21 +89,70 @@ public:
         if (!current.ok())
             return notCurrentError();
         return guarded(noMemoryForPicture, [&]() -> Result<Picture> {
-            const PictureTarget target = makePictureTarget(gl_, options.width, options.height);
-            if (Status status = painter_->draw(scene, camera, options, target.framebuffer.name(), progress); !status)
-                return status.error();
-            Picture picture = readPicture(gl_, options.width, options.height);
-            picture.depth = painter_->takeDepth();
+            const PixelRectangle wanted = drawnPart(options);
+            const int samples = options.samplesPerAxis;
+            const std::vector<SampleRectangle> parts =
+                partsOf({0, 0, wanted.width * samples, wanted.height * samples}, samples,
+                        std::min(largestPartSide, painter_->largestSide()));
+            RenderStatistics statistics;
+            if (parts.size() == 1)
+                return drawPart(scene, camera, options, wanted, progress, statistics_);
+            Picture picture{wanted.width, wanted.height, {}};
+            const auto pixels = static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height);
+            picture.pixels.resize(pixels);
+            picture.depth.resize(options.depth ? pixels : 0);
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                const int left = parts[i].left / samples, top = parts[i].top / samples;
+                const PixelRectangle part{wanted.left + left, wanted.top + top, parts[i].width() / samples,
+                                          parts[i].height() / samples};
+                const auto share = [&](std::size_t done) { return double(done) / double(parts.size()); };
+                RenderStatistics ofPart;
+                const Result<Picture> drawn =
+                    drawPart(scene, camera, options, part, progress.part(share(i), share(i + 1)), ofPart);
+                if (!drawn)
+                    return drawn.error();
+                putInto(*drawn, left, top, picture);
+                add(ofPart, i == 0, statistics);
+            }
+            statistics_ = statistics;
             return picture;
         });
     }
 
-    RenderStatistics statistics() const override { return painter_->statistics(); }
+    RenderStatistics statistics() const override { return statistics_; }
 
 private:
+    Result<Picture> drawPart(const Scene& scene, const Camera& camera, const PictureOptions& options,
+                             const PixelRectangle& part, const Progress& progress, RenderStatistics& statistics)
+    {
+        PictureOptions ofPart = options;
+        ofPart.part = part;
+        const PictureTarget target = makePictureTarget(gl_, part.width, part.height);
+        if (Status status = painter_->draw(scene, camera, ofPart, target.framebuffer.name(), progress); !status)
+            return status.error();
+        Picture picture = readPicture(gl_, part.width, part.height);
+        picture.depth = painter_->takeDepth();
+        statistics = painter_->statistics();
+        return picture;
+    }
+
+    static void add(const RenderStatistics& part, bool isFirst, RenderStatistics& sum)
+    {
+        sum.cells += part.cells;
+        sum.fragments += part.fragments;
+        sum.cutCells = std::max(sum.cutCells, part.cutCells);
+        sum.brokenCycles = std::max(sum.brokenCycles, part.brokenCycles);
+        sum.orderReused = part.orderReused && (isFirst || sum.orderReused);
+        sum.orderSeconds += part.orderSeconds;
+        sum.setUpSeconds += part.setUpSeconds;
+        sum.fillSeconds += part.fillSeconds;
+        sum.sentBytes += part.sentBytes;
+    }
+
     std::unique_ptr<EglContext> context_;
     GlFunctions gl_;
     std::unique_ptr<ScenePainter> painter_;
+    RenderStatistics statistics_;
 };
 
 } // namespace

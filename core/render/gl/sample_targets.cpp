@@ -74,10 +74,16 @@ Status checkFramebuffer(const GlFunctions& gl)
 
 } // namespace
 
-Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets)
+int largestTargetSide(const GlFunctions& gl)
 {
     int limit = 0;
     gl.getIntegerv(gl::maximumTextureSize, &limit);
+    return limit;
+}
+
+Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTargets& targets)
+{
+    const int limit = largestTargetSide(gl);
     if (std::max(width, height) > limit)
         return Error{ErrorKind::OutOfResource,
                      Message::say("This OpenGL driver draws at most %1 samples a side. Make the picture smaller, take "
@@ -182,13 +188,14 @@ std::vector<float> pixelDepths(std::span<float> samples, const SampleView& view,
     const Eigen::Matrix4d projection = projectionMatrix(view.camera, aspectRatio, view.bounds);
     for (float& sample : samples)
         sample = distanceOfDepth(sample, projection, view.camera.perspective);
-    for (auto first = samples.begin(), last = samples.end(); last - first > view.width; first += view.width) {
-        last -= view.width;
-        std::swap_ranges(first, first + view.width, last);
+    const int width = view.part.width();
+    for (auto first = samples.begin(), last = samples.end(); last - first > width; first += width) {
+        last -= width;
+        std::swap_ranges(first, first + width, last);
     }
-    Picture picture{view.width / samplesPerAxis, view.height / samplesPerAxis, {}};
+    Picture picture{width / samplesPerAxis, view.part.height() / samplesPerAxis, {}};
     picture.depth.resize(samples.size() / static_cast<std::size_t>(samplesPerAxis * samplesPerAxis));
-    resolveDepth(samples, view.width, samplesPerAxis, 0, 0, picture);
+    resolveDepth(samples, width, samplesPerAxis, 0, 0, picture);
     return picture.depth;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/render/gl/gl_buffers.h"
 #include "core/render/gl/gl_program.h"
+#include "core/render/view_transform.h"
 
 #include <tan/base.h>
 #include <tan/render.h>
@@ -13,11 +14,12 @@
 
 namespace tetra {
 
-/// From where, into how many samples, and what box near and far enclose.
+/// From where, which samples of a picture, and what box near and far enclose.
 struct SampleView {
     Camera camera;
-    int width = 1;
+    int width = 1; ///< of the whole picture
     int height = 1;
+    SampleRectangle part; ///< that is drawn
     Eigen::AlignedBox3d bounds;
     bool amongRays = false; ///< samples lie where the CPU back end has the rays of a volume, else in the middle
 };
@@ -55,6 +57,9 @@ Status makeSampleTargets(const GlFunctions& gl, int width, int height, SampleTar
 Status makeAccumulated(const GlFunctions& gl, bool fine, SampleTargets& targets);
 /// Adds, if it is not there, what translucent surfaces need: 28 bytes a sample.
 Status makeLayers(const GlFunctions& gl, SampleTargets& targets);
+
+/// The longest side that the driver allows.
+int largestTargetSide(const GlFunctions& gl);
 
 /// Finds the depth at which half of the light from behind is lost, for each sample by bisection: translucent things are
 /// drawn again and again, each time only up to the middle of the range that is left. Blending cannot tell a fragment

@@ -38,6 +38,7 @@ public:
     Status draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                 const Progress& progress);
     const std::string& rendererName() const noexcept { return rendererName_; }
+    int largestSide() const noexcept { return largestTargetSide(gl_); }
     const RenderStatistics& statistics() const noexcept { return statistics_; }
     std::vector<float> takeDepth() noexcept { return std::move(depth_); }
 
@@ -99,9 +100,10 @@ Status ScenePainter::Implementation::initialise()
 Status ScenePainter::Implementation::prepareTargets(const SampleView& view, bool layers, bool fine)
 {
     Status status;
-    if (targets_.width != view.width || targets_.height != view.height) {
+    const int width = view.part.width(), height = view.part.height();
+    if (targets_.width != width || targets_.height != height) {
         targets_ = {};
-        status = makeSampleTargets(gl_, view.width, view.height, targets_);
+        status = makeSampleTargets(gl_, width, height, targets_);
     }
     if (status && (layers || fine))
         status = makeAccumulated(gl_, fine, targets_);
@@ -204,7 +206,7 @@ void ScenePainter::Implementation::drawOverScreen() const
 void ScenePainter::Implementation::resolve(const PictureOptions& options, bool accumulated, unsigned framebuffer) const
 {
     gl_.bindFramebuffer(gl::framebuffer, framebuffer);
-    gl_.viewport(0, 0, options.width, options.height);
+    gl_.viewport(0, 0, targets_.width / options.samplesPerAxis, targets_.height / options.samplesPerAxis);
     gl_.disable(gl::depthTest);
     const GlProgram& program = *programs_.resolve;
     program.use();
@@ -257,9 +259,9 @@ Status ScenePainter::Implementation::drawTranslucent(bool withVolume, unsigned n
 Status ScenePainter::Implementation::findDepth(bool withVolume, const SampleView& view, const PictureOptions& options,
                                                const Progress& progress)
 {
-    if (Status status = medianDepth_.prepare(view.width, view.height); !status)
+    if (Status status = medianDepth_.prepare(view.part.width(), view.part.height()); !status)
         return status;
-    gl_.viewport(0, 0, view.width, view.height);
+    gl_.viewport(0, 0, view.part.width(), view.part.height());
     const Progress silent = progress.withCallback({});
     const std::size_t fragments = statistics_.fragments;
     for (int step = 0; step <= MedianDepth::steps; ++step) {
@@ -294,11 +296,14 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
         return cancelledError(drawingScene);
     progress.report(0, drawingScene);
     forgetErrors(gl_);
-    const int width = options.width * options.samplesPerAxis;
-    const int height = options.height * options.samplesPerAxis;
+    const int samples = options.samplesPerAxis;
+    const PixelRectangle part = drawnPart(options);
+    const SampleRectangle drawn{part.left * samples, part.top * samples, (part.left + part.width) * samples,
+                                (part.top + part.height) * samples};
     volume_.dropDead();
     const bool withVolume = volumeOf(scene) != nullptr;
-    const SampleView view{camera, width, height, drawnBounds(scene), withVolume};
+    const SampleView view{camera, options.width * samples, options.height * samples,
+                          drawn,  drawnBounds(scene),      withVolume};
     if (Status status = surfaces_->prepare(scene, view, options.samplesPerAxis); !status)
         return status;
     const bool layered = surfaces_->anyTranslucent() || withVolume || options.depth;
@@ -313,7 +318,7 @@ Status ScenePainter::Implementation::draw(const Scene& scene, const Camera& came
     }
     const auto start = std::chrono::steady_clock::now();
     setDrawingState(gl_);
-    gl_.viewport(0, 0, width, height);
+    gl_.viewport(0, 0, drawn.width(), drawn.height());
     drawOpaque(options);
     progress.report(0.4, drawingScene);
     Status status;
@@ -355,6 +360,11 @@ Status ScenePainter::draw(const Scene& scene, const Camera& camera, const Pictur
         const auto drawn = withDrawn(scene, camera, options.width, options.height);
         return implementation_->draw(drawn ? *drawn : scene, camera, options, framebuffer, progress);
     });
+}
+
+int ScenePainter::largestSide() const noexcept
+{
+    return implementation_->largestSide();
 }
 
 const std::string& ScenePainter::rendererName() const noexcept

@@ -31,13 +31,17 @@ public:
     ScenePainter(const ScenePainter&) = delete;
     ScenePainter& operator=(const ScenePainter&) = delete;
 
-    /// Draws into `framebuffer` (0 is the window's own), over its lower left options.width x options.height pixels,
-    /// with straight alpha. Buffers of a mesh and the order of its cells are kept while somebody holds the mesh. Leaves
-    /// `framebuffer` bound, and depth test, blending, face culling, scissor and stencil test off, no program, no vertex
-    /// array. The threads in `options` are for the order of a volume's cells. Cancelled between layers and chunks of
-    /// cells. Errors: a scene that does not hang together, more clip planes than 16, out of memory.
+    /// Draws the part of the picture that options want, or all of it, into `framebuffer` (0 is the window's own), over
+    /// as many of its lower left pixels, with straight alpha. Buffers of a mesh and the order of its cells are kept
+    /// while somebody holds the mesh. Leaves `framebuffer` bound, and depth test, blending, face culling, scissor and
+    /// stencil test off, no program, no vertex array. The threads in `options` are for the order of a volume's cells.
+    /// Cancelled between layers and chunks of cells. Errors: a scene that does not hang together, more clip planes than
+    /// 16, out of memory.
     Status draw(const Scene& scene, const Camera& camera, const PictureOptions& options, unsigned framebuffer,
                 const Progress& progress = {});
+
+    /// The samples a side that it can draw at once.
+    int largestSide() const noexcept;
 
     /// Of the last picture.
     RenderStatistics statistics() const noexcept;

@@ -26,8 +26,8 @@ Eigen::Vector4f colourOf(const Surface& surface)
 /// As if OpenGL's samples were a little beside the middle of their squares (sampleX).
 Eigen::Matrix4d shiftedToRays(Eigen::Matrix4d clipFromWorld, const SampleView& view)
 {
-    clipFromWorld.row(0) -= clipFromWorld.row(3) * (2 * (sampleX - 0.5) / view.width);
-    clipFromWorld.row(1) += clipFromWorld.row(3) * (2 * (sampleY - 0.5) / view.height);
+    clipFromWorld.row(0) -= clipFromWorld.row(3) * (2 * (sampleX - 0.5) / view.part.width());
+    clipFromWorld.row(1) += clipFromWorld.row(3) * (2 * (sampleY - 0.5) / view.part.height());
     return clipFromWorld;
 }
 
@@ -82,7 +82,7 @@ Status SurfacePainter::prepare(const Scene& scene, const SampleView& view, doubl
         if (Status status = checkLines(*lines); !status)
             return status;
     scene_ = &scene;
-    transform_ = makeViewTransform(view.camera, view.width, view.height, view.bounds);
+    transform_ = partOf(makeViewTransform(view.camera, view.width, view.height, view.bounds), view.part);
     if (view.amongRays)
         transform_.clipFromWorld = shiftedToRays(transform_.clipFromWorld, view);
     eye_ = eyePosition(view.camera);

@@ -174,8 +174,7 @@ Status VolumePainter::prepareVolume(const Volume& volume, const SampleView& view
     drawn.segments = scaleSegments(volume.transfer->segments, view_.unit);
     drawn.buffers = nullptr;
     fillSegments(gl_, drawn.segments, drawn.segmentBuffer);
-    const CachedOrder::Request order{
-        volume.mesh, view.camera, view_, {0, 0, view.width, view.height}, options.orderTolerance};
+    const CachedOrder::Request order{volume.mesh, view.camera, whole_, view.part, options.orderTolerance};
     return prepareBuffers(volume, order, options.threads, progress, drawn);
 }
 
@@ -206,7 +205,8 @@ Status VolumePainter::prepare(const Scene& scene, const SampleView& view, const 
     statistics_ = {};
     statistics_.orderReused = true; // until a volume needs a new one
     const Camera& camera = view.camera;
-    view_ = makeVolumeView(camera, view.width, view.height, view.bounds);
+    whole_ = makeVolumeView(camera, view.width, view.height, view.bounds);
+    view_ = partOf(whole_, view.part);
     origin_ = camera.perspective ? eyePosition(camera) : camera.target;
     cuts_ = cutsOf(scene.clipPlanes, view_, origin_);
     const double aspectRatio = static_cast<double>(view.width) / view.height;
@@ -235,6 +235,7 @@ void VolumePainter::setUniforms(const GlProgram& program) const
     program.set("imageOfOrigin",
                 view_.perspective ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(imageOfOrigin.cast<float>()));
     program.set("pictureSize", Eigen::Vector2f(static_cast<float>(view_.width), static_cast<float>(view_.height)));
+    program.set("pictureCentre", Eigen::Vector2f(view_.centre.cast<float>()));
     program.set("sampleShift", Eigen::Vector2f(static_cast<float>(sampleX - 0.5), static_cast<float>(sampleY - 0.5)));
     program.set("samplesPerSlope", Eigen::Vector2f(view_.samplesPerSlope.cast<float>()));
     program.set("nearest", static_cast<float>(view_.nearest));

@@ -112,7 +112,8 @@ private:
     RenderStatistics statistics_;
     // Of the picture being drawn.
     std::optional<RegionsInView> regions_;
-    VolumeView view_;
+    VolumeView whole_;                ///< of the whole picture
+    VolumeView view_;                 ///< of the part that is drawn
     Eigen::Vector3d origin_{0, 0, 0}; ///< the eye, or in orthographic views what it looks at
     std::vector<Eigen::Vector4f> cuts_;
     Eigen::Vector2f boundOfDepth_{0, 0};
