@@ -16,13 +16,13 @@ constexpr std::size_t bufferBytes = 1 << 20;
 
 /// The table gets room for so many sections: all that there are, and two to spare.
 constexpr std::uint64_t mostInTable = 24;
-constexpr std::uint64_t frontBytes = sizeof(Header) + mostInTable * sizeof(Section);
+constexpr std::uint64_t firstSectionBegins = sizeof(Header) + mostInTable * sizeof(Section);
 
 } // namespace
 
 Status SectionWriter::grow(SectionId id, std::size_t elementBytes, std::uint32_t flags)
 {
-    std::uint64_t end = std::max(file_.size(), frontBytes);
+    std::uint64_t end = std::max(file_.size(), firstSectionBegins);
     place({id, elementBytes, 0, flags}, end);
     grows_ = true;
     return file_.extend(end);
@@ -33,7 +33,7 @@ Status SectionWriter::plan(std::span<const PlannedSection> sections)
     if (grows_)
         cursors_.back().section.bytes = cursors_.back().written;
     grows_ = false;
-    std::uint64_t end = std::max(file_.size(), frontBytes);
+    std::uint64_t end = std::max(file_.size(), firstSectionBegins);
     for (const PlannedSection& planned : sections)
         place(planned, end);
     return file_.extend(end);
