@@ -80,11 +80,12 @@ void removeIfLeft(const std::filesystem::path& path)
 
 } // namespace
 
-FileLock lockFile(int descriptor, const std::filesystem::path& path) noexcept
+FileLock lockFile(int descriptor, const std::filesystem::path& path, LockKind kind) noexcept
 {
-    int result = ::flock(descriptor, LOCK_EX | LOCK_NB);
+    const int operation = (kind == LockKind::Exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB;
+    int result = ::flock(descriptor, operation);
     while (result != 0 && errno == EINTR)
-        result = ::flock(descriptor, LOCK_EX | LOCK_NB);
+        result = ::flock(descriptor, operation);
     if (result != 0)
         return errno == EWOULDBLOCK ? FileLock::Busy : FileLock::Impossible;
     struct stat open {};

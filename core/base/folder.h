@@ -27,10 +27,13 @@ enum class FileLock {
     Impossible ///< the file system cannot lock
 };
 
+/// A shared lock keeps out exclusive ones, an exclusive lock both.
+enum class LockKind { Exclusive, Shared };
+
 /// Locks (flock) what is open as `descriptor` and was opened by the name `path`, without waiting. Files of unfinished
 /// work are locked for as long as their process lives, however it ends. So one that can be locked was left behind, and
 /// since only the holder of the lock removes it, nobody removes a file that another process has just made.
-FileLock lockFile(int descriptor, const std::filesystem::path& path) noexcept;
+FileLock lockFile(int descriptor, const std::filesystem::path& path, LockKind kind = LockKind::Exclusive) noexcept;
 
 /// Removes the files in `folder` that processes of this user left there when they were killed: those whose names
 /// `isOurs` takes for such, and that can be locked. Links are neither followed nor removed. O(entries of the folder);

@@ -47,6 +47,7 @@ const std::vector<Room>& rooms()
         {tanRender, {tanBase, tanMesh, tanTransfer}},
         {tanPacked, {tanBase, tanModel}},
         {"core/base", {tanBase}},
+        {"core/remote", {tanBase, "core/base"}},
         {"core/geometry", {tanBase, "core/base"}},
         {"core/mesh", {tanBase, tanMesh, "core/base", "core/geometry"}},
         {"core/data", {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/mesh"}},

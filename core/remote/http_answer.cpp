@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remote/http_answer.h"
+
+#include <tan/base.h>
+
+#include <algorithm>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::size_t longestText = 1024;
+
+char smallLetter(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string smallLetters(std::string_view text)
+{
+    std::string small(text);
+    std::ranges::transform(small, small.begin(), smallLetter);
+    return small;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Digits alone: parseNumber() takes a plus, too.
+std::optional<std::uint64_t> wholeNumber(std::string_view text)
+{
+    if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos)
+        return {};
+    return parseNumber<std::uint64_t>(text);
+}
+
+/// A text that is kept, and sent back to the server: no control characters.
+std::string keptText(std::string_view text)
+{
+    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+    return text.size() > longestText || std::ranges::any_of(text, isControl) ? std::string() : std::string(text);
+}
+
+/// HTTP/1.1 206 Partial Content
+int statusOf(std::string_view line)
+{
+    const std::size_t blank = line.find(' ');
+    if (blank == std::string_view::npos)
+        return 0;
+    const std::string_view rest = line.substr(blank + 1);
+    const std::optional<std::uint64_t> status = wholeNumber(rest.substr(0, rest.find(' ')));
+    return status && *status >= 100 && *status <= 999 ? static_cast<int>(*status) : 0;
+}
+
+} // namespace
+
+std::optional<ContentRange> parseContentRange(std::string_view value)
+{
+    value = trimmed(value);
+    if (smallLetters(value.substr(0, 6)) != "bytes ")
+        return {};
+    value = trimmed(value.substr(6));
+    const std::size_t slash = value.find('/');
+    if (slash == std::string_view::npos)
+        return {};
+    const std::string_view range = trimmed(value.substr(0, slash)), total = trimmed(value.substr(slash + 1));
+    ContentRange result;
+    if (total != "*") {
+        result.total = wholeNumber(total);
+        if (!result.total)
+            return {};
+    }
+    if (range == "*")
+        return result.total ? std::optional(result) : std::nullopt;
+    const std::size_t dash = range.find('-');
+    if (dash == std::string_view::npos)
+        return {};
+    result.first = wholeNumber(range.substr(0, dash));
+    result.last = wholeNumber(range.substr(dash + 1));
+    if (!result.first || !result.last || *result.first > *result.last ||
+        (result.total && *result.last >= *result.total))
+        return {};
+    return result;
+}
+
+std::string_view HttpAnswer::validator() const
+{
+    return !entityTag.empty() && !entityTag.starts_with("W/") ? entityTag : lastModified;
+}
+
+bool HttpAnswer::sameState(const HttpAnswer& other) const
+{
+    return entityTag == other.entityTag && lastModified == other.lastModified;
+}
+
+void takeHeaderLine(HttpAnswer& answer, std::string_view line)
+{
+    line = trimmed(line);
+    if (line.starts_with("HTTP/")) {
+        answer = {};
+        answer.status = statusOf(line);
+        return;
+    }
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos || colon > longestText)
+        return;
+    const std::string name = smallLetters(trimmed(line.substr(0, colon)));
+    const std::string_view value = trimmed(line.substr(colon + 1));
+    if (name == "content-range") {
+        answer.contentRange = answer.hasContentRange ? std::nullopt : parseContentRange(value);
+        answer.hasContentRange = true;
+    } else if (name == "content-length") {
+        answer.contentLength = wholeNumber(value);
+    } else if (name == "etag") {
+        answer.entityTag = keptText(value);
+    } else if (name == "last-modified") {
+        answer.lastModified = keptText(value);
+    } else if (name == "content-type") {
+        answer.contentType = smallLetters(trimmed(keptText(value.substr(0, value.find(';')))));
+    } else if (name == "content-encoding") {
+        answer.contentEncoding = smallLetters(keptText(value));
+    }
+}
+
+bool isWebPage(const HttpAnswer& answer, std::span<const std::byte> start)
+{
+    if (answer.contentType == "text/html" || answer.contentType == "application/xhtml+xml")
+        return true;
+    const std::string_view text(reinterpret_cast<const char*>(start.data()), std::min<std::size_t>(start.size(), 512));
+    const std::string begin = smallLetters(trimmed(text).substr(0, 16));
+    return begin.starts_with("<!doctype html") || begin.starts_with("<html");
+}
+
+} // namespace tetra

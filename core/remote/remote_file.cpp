@@ -1,0 +1,777 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remote/remote_file.h"
+
+#include "core/base/guarded.h"
+#include "core/remote/http_answer.h"
+#include "core/remote/piece_store.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cstring>
+#include <deque>
+#include <functional>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <thread>
+#include <utility>
+
+#include <curl/curl.h>
+
+namespace tetra {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr std::uint64_t pieceBytes = PieceStore::pieceBytes;
+constexpr std::uint64_t mergedGap = 64 << 10;
+constexpr std::size_t mostInFlight = 4;
+constexpr milliseconds longestPause{5'000}, mostForConnecting{15'000}, betweenLooks{50};
+constexpr std::uint64_t mostBytes = std::uint64_t(1) << 60;
+constexpr std::size_t longestAddress = 16 << 10;
+constexpr std::size_t longestHead = 256 << 10; ///< of an answer with all redirections
+constexpr long mostRedirections = 5;
+constexpr MarkedText notEnoughMemory = Message::marked("Not enough memory to read '%1'. Close other programs.");
+
+char smallLetter(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool startsWithSmall(std::string_view text, std::string_view start)
+{
+    return text.size() >= start.size() && std::ranges::equal(text.substr(0, start.size()), start, {}, smallLetter);
+}
+
+/// Where the name and password of a user would stand before the host, if they do: [first, second) with the '@'.
+std::pair<std::size_t, std::size_t> userPart(std::string_view address)
+{
+    const std::size_t scheme = address.find("://");
+    const std::size_t first = scheme == std::string_view::npos ? 0 : scheme + 3;
+    const std::size_t end = std::min(address.find_first_of("/?#", first), address.size());
+    const std::size_t at = address.substr(0, end).rfind('@');
+    return at == std::string_view::npos || at < first ? std::pair(first, first) : std::pair(first, at + 1);
+}
+
+std::string withoutUser(std::string_view address)
+{
+    const auto [first, end] = userPart(address);
+    return std::string(address.substr(0, first)).append(address.substr(end));
+}
+
+/// Why a request did not bring what it was to bring.
+struct Refusal {
+    Message reason;     ///< with what to do, sentences
+    bool again = false; ///< another attempt may
+    bool moved = false; ///< the address that a redirection led to may have had its time
+    ErrorKind kind = ErrorKind::BadInput;
+};
+
+Refusal final(Message reason)
+{
+    return {std::move(reason)};
+}
+
+Refusal again(Message reason)
+{
+    return {.reason = std::move(reason), .again = true};
+}
+
+Error cannotRead(std::string_view address, const Refusal& refusal)
+{
+    return {refusal.kind, Message::say("Cannot read '%1': %2", shownAddress(address), refusal.reason)};
+}
+
+Refusal changedFile()
+{
+    return final(Message::say("the file on the server was changed while it was read. Open it again."));
+}
+
+Refusal emptyFile()
+{
+    return final(Message::say("the file is empty. Check the address."));
+}
+
+Refusal webPage()
+{
+    return final(
+        Message::say("the server gives a web page in place of data, perhaps one to log in at. Open the address "
+                     "in a browser and look for the address of the file itself."));
+}
+
+Refusal noRanges()
+{
+    return final(Message::say("its server gives files as a whole only, not in parts (range requests). Download the "
+                              "file and open the copy, or put it on a server that knows ranges."));
+}
+
+Refusal wrongPart()
+{
+    return final(Message::say("the server gives another part of the file than it was asked for. Download the file and "
+                              "open the copy."));
+}
+
+Refusal noHttp()
+{
+    return final(Message::say("what answers there is no web server. Check the address and its port."));
+}
+
+Refusal brokenOff()
+{
+    return again(Message::say("the connection was cut again and again, by the server or by a proxy on the way. Try it "
+                              "later, or download the file and open the copy."));
+}
+
+/// What a status means that brings no data.
+Refusal refusedStatus(int status)
+{
+    const auto mayHaveMoved = [](Refusal refusal) {
+        refusal.moved = true;
+        return refusal;
+    };
+    switch (status) {
+    case 401:
+        return mayHaveMoved(final(Message::say("the server wants a name and a password. Give them in the address, "
+                                               "https://NAME:PASSWORD@..., or download the file.")));
+    case 407:
+        return final(Message::say("the proxy wants a name and a password. Set https_proxy to an address with "
+                                  "both."));
+    case 403:
+        return mayHaveMoved(final(Message::say("the server does not allow it (403). Ask whoever runs it, or check "
+                                               "whether the address has had its time.")));
+    case 404:
+    case 410:
+        return mayHaveMoved(
+            final(Message::say("there is no such file on the server (%1). Check the address.", status)));
+    case 408:
+    case 425:
+    case 429: return again(Message::say("the server is busy (%1). Try it later.", status));
+    default: break;
+    }
+    if (status >= 500)
+        return again(Message::say("the server fails (%1). Try it later, or tell whoever runs it.", status));
+    return final(Message::say("the server answers with status %1 in place of data. Check the address.", status));
+}
+
+/// What an error of libcurl means; `answer` is as far as it came.
+Refusal refusedTransfer(CURLcode code, const char* detail, const HttpAnswer& answer)
+{
+    const auto saying = [&](const char* otherwise) {
+        return printable(detail != nullptr && *detail != '\0' ? detail : otherwise);
+    };
+    switch (code) {
+    case CURLE_URL_MALFORMAT: {
+        Refusal refusal = final(Message::say("it is no address of a file. Write it as https://HOST/PATH."));
+        refusal.kind = ErrorKind::WrongUsage;
+        return refusal;
+    }
+    case CURLE_COULDNT_RESOLVE_HOST:
+        return again(Message::say("its host is not found. Check the address and the network."));
+    case CURLE_COULDNT_RESOLVE_PROXY:
+        return again(Message::say("the proxy is not found. Check http_proxy and https_proxy."));
+    case CURLE_COULDNT_CONNECT:
+        return again(Message::say("nothing answers at that host and port. Check the address and the network."));
+    case CURLE_TOO_MANY_REDIRECTS:
+        return final(Message::say("the server leads from one address to another and to no file. Check the address."));
+    case CURLE_PEER_FAILED_VERIFICATION:
+        return final(Message::say("the certificate of its host cannot be trusted (%1). Check the address and this "
+                                  "machine's clock; read nothing from it if you do not know why.",
+                                  saying("not valid")));
+    case CURLE_SSL_CONNECT_ERROR:
+    case CURLE_SSL_CERTPROBLEM:
+    case CURLE_SSL_CIPHER:
+    case CURLE_SSL_CACERT_BADFILE:
+    case CURLE_SSL_ISSUER_ERROR:
+    case CURLE_SSL_INVALIDCERTSTATUS:
+    case CURLE_USE_SSL_FAILED:
+        return final(Message::say("there is no safe connection to its host (%1). Check whether the address begins with "
+                                  "http:// or https://.",
+                                  saying("TLS")));
+    case CURLE_UNSUPPORTED_PROTOCOL:
+        if (answer.status >= 300 && answer.status < 400)
+            return final(Message::say("the server leads to an address that is not safe to follow. Give the address of "
+                                      "the file itself."));
+        return noHttp();
+    case CURLE_WEIRD_SERVER_REPLY:
+    case CURLE_BAD_CONTENT_ENCODING: return noHttp();
+    case CURLE_OUT_OF_MEMORY: throw std::bad_alloc();
+    default: return brokenOff();
+    }
+}
+
+/// One range, on its way or waiting for it.
+struct Request {
+    std::uint64_t offset = 0; ///< all before it has come; the start of a piece
+    std::uint64_t end = 0;
+    std::string address;
+    HttpAnswer answer;
+    bool checked = false;
+    std::size_t headBytes = 0;
+    std::uint64_t answerEnd = 0;
+    std::vector<std::byte> piece; ///< what has come of the piece at `offset`
+    std::optional<Refusal> refusal;
+    std::optional<Error> failure; ///< of whoever takes the pieces
+    bool lacksMemory = false;     ///< libcurl, which calls us, knows no exceptions
+    int fruitless = 0;            ///< attempts in a row
+    std::uint64_t depth = 1;      ///< answers that were waited for up to its own
+    Clock::time_point notBefore{};
+    CURL* handle = nullptr;
+    curl_slist* headers = nullptr;
+    std::array<char, CURL_ERROR_SIZE> detail{};
+
+    // Of the whole piece of work:
+    const HttpAnswer* first = nullptr; ///< the answer that others are held against, if there was one
+    std::uint64_t size = 0;            ///< of the file, if there was one
+    const std::function<Status(std::uint64_t offset, std::span<const std::byte> piece)>* take = nullptr;
+    std::uint64_t* bytes = nullptr;
+    Clock::time_point* lastPiece = nullptr;
+};
+
+/// Holds an answer's head against what was asked for, when its content begins or there is none.
+std::optional<Refusal> checkAnswer(Request& request, std::span<const std::byte> start)
+{
+    const HttpAnswer& answer = request.answer;
+    const bool isFirst = request.first == nullptr;
+    if (answer.status == 416) {
+        if (!isFirst)
+            return changedFile();
+        return answer.contentRange && answer.contentRange->total == 0 ? emptyFile() : refusedStatus(416);
+    }
+    if (answer.status == 0)
+        return noHttp();
+    if (answer.status != 200 && answer.status != 206)
+        return refusedStatus(answer.status);
+    if (isWebPage(answer, request.offset == 0 ? start : std::span<const std::byte>()))
+        return webPage();
+    const bool isChanged = !isFirst && !answer.sameState(*request.first);
+    if (answer.status == 200 && isFirst && answer.contentLength == 0)
+        return emptyFile();
+    if (answer.status == 200)
+        return isChanged || (!isFirst && answer.contentLength && *answer.contentLength != request.size) ? changedFile()
+                                                                                                        : noRanges();
+    if (!answer.contentEncoding.empty() && answer.contentEncoding != "identity")
+        return final(Message::say("the server or a proxy packs what it sends (%1), so that parts of the file cannot be "
+                                  "told. Download the file and open the copy.",
+                                  printable(answer.contentEncoding)));
+    if (isChanged)
+        return changedFile();
+    const std::optional<ContentRange>& range = answer.contentRange;
+    if (!range || !range->first || *range->first != request.offset || *range->last >= request.end)
+        return wrongPart();
+    if (isFirst && !range->total)
+        return final(
+            Message::say("the server does not say how long the file is. Download the file and open the copy."));
+    if (isFirst && *range->total > mostBytes)
+        return wrongPart();
+    if (!isFirst && range->total && *range->total != request.size)
+        return changedFile();
+    request.answerEnd = *range->last + 1;
+    if (answer.contentLength && *answer.contentLength != request.answerEnd - request.offset)
+        return wrongPart();
+    if (isFirst) {
+        request.size = *range->total;
+        request.end = std::min(request.end, request.size);
+    }
+    return {};
+}
+
+std::size_t takeHead(char* line, std::size_t, std::size_t size, void* user)
+try {
+    Request& request = *static_cast<Request*>(user);
+    request.headBytes += size;
+    if (request.headBytes > longestHead) {
+        request.refusal = noHttp();
+        return 0;
+    }
+    takeHeaderLine(request.answer, {line, size});
+    return size;
+} catch (const std::bad_alloc&) {
+    static_cast<Request*>(user)->lacksMemory = true;
+    return 0;
+}
+
+std::size_t takeContent(char* data, std::size_t, std::size_t size, void* user)
+try {
+    Request& request = *static_cast<Request*>(user);
+    std::span<const std::byte> bytes = std::as_bytes(std::span(data, size));
+    *request.bytes += size;
+    if (!request.checked) {
+        request.checked = true;
+        request.refusal = checkAnswer(request, bytes);
+        if (request.refusal)
+            return 0;
+    }
+    if (bytes.size() > request.answerEnd - request.offset - request.piece.size()) {
+        request.refusal = wrongPart();
+        return 0;
+    }
+    while (!bytes.empty()) {
+        const std::size_t whole = std::min(pieceBytes, request.end - request.offset);
+        const std::span<const std::byte> part = bytes.first(std::min(bytes.size(), whole - request.piece.size()));
+        request.piece.insert(request.piece.end(), part.begin(), part.end());
+        bytes = bytes.subspan(part.size());
+        if (request.piece.size() < whole)
+            break;
+        if (const Status taken = (*request.take)(request.offset, request.piece); !taken) {
+            request.failure = taken.error();
+            return 0;
+        }
+        request.piece.clear();
+        request.offset += whole;
+        request.fruitless = 0;
+        *request.lastPiece = Clock::now();
+    }
+    return size;
+} catch (const std::bad_alloc&) {
+    static_cast<Request*>(user)->lacksMemory = true;
+    return 0;
+}
+
+/// libcurl's own data, set up once in a process.
+bool isCurlReady()
+{
+    static const bool ready = ::curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
+    return ready;
+}
+
+/// Opens connections and keeps them for the next requests. One thread at a time.
+class Connections {
+public:
+    Connections() : multi_(isCurlReady() ? ::curl_multi_init() : nullptr)
+    {
+        if (multi_ == nullptr)
+            throw std::bad_alloc();
+        ::curl_multi_setopt(multi_, CURLMOPT_MAX_TOTAL_CONNECTIONS, long(mostInFlight));
+    }
+    ~Connections() { ::curl_multi_cleanup(multi_); }
+    Connections(const Connections&) = delete;
+    Connections& operator=(const Connections&) = delete;
+
+    CURLM* multi() const { return multi_; }
+
+private:
+    CURLM* multi_;
+};
+
+} // namespace
+
+class RemoteFile::Shared {
+public:
+    Shared(std::string_view givenAddress, const RemoteOptions& givenOptions)
+        : address(givenAddress), options(givenOptions), current_(givenAddress)
+    {
+    }
+
+    /// The first request, and the store that its answer leads to.
+    Status open(const CacheFolder& cache, const Progress& progress)
+    {
+        std::vector<std::byte> start;
+        const Sink take = [&](std::uint64_t, std::span<const std::byte> piece) -> Status {
+            start.assign(piece.begin(), piece.end());
+            return {};
+        };
+        const ByteRange range{0, pieceBytes};
+        if (const Status got = request({&range, 1}, take, progress); !got)
+            return got;
+        state = first_->validator().empty() ? std::string()
+                                            : withoutUser(address) + '\n' + first_->entityTag + '\n' +
+                                                  first_->lastModified + '\n' + std::to_string(size);
+        std::string key = state;
+        if (key.empty()) {
+            std::random_device random;
+            key = withoutUser(address) + '\n' + std::to_string(random()) + std::to_string(random());
+        }
+        Result<std::shared_ptr<PieceStore>> opened = PieceStore::open(cache, key, size, state.empty(), progress);
+        if (!opened)
+            return opened.error();
+        store_ = std::move(*opened);
+        return store_->write(0, start);
+    }
+
+    Status fetch(std::span<const ByteRange> ranges, const Progress& progress)
+    {
+        return guardedHere([&] { return fetchRanges(ranges, progress); });
+    }
+
+    Status read(std::uint64_t offset, std::span<std::byte> to, const Progress& progress)
+    {
+        return guardedHere([&] { return readBytes(offset, to, progress); });
+    }
+
+    RemoteCounts counts() const
+    {
+        const std::lock_guard lock(counting_);
+        return counts_;
+    }
+
+    const std::string address;
+    const RemoteOptions options;
+    std::uint64_t size = 0;
+    std::string state;
+
+private:
+    using Sink = std::function<Status(std::uint64_t offset, std::span<const std::byte> piece)>;
+
+    template <class Function> Status guardedHere(const Function& work) const
+    {
+        return guarded(notEnoughMemory, work, shownAddress(address));
+    }
+
+    Status fetchRanges(std::span<const ByteRange> ranges, const Progress& progress)
+    {
+        for (const ByteRange& range : ranges)
+            if (const Status within = checkRange(range.offset, range.size); !within)
+                return within;
+        return fetchPieces(store_->missing(ranges), progress);
+    }
+
+    Status readBytes(std::uint64_t offset, std::span<std::byte> to, const Progress& progress)
+    {
+        if (const Status within = checkRange(offset, to.size()); !within)
+            return within;
+        if (to.empty())
+            return {};
+        std::vector<std::uint64_t> wanted, missing;
+        for (std::uint64_t piece = offset / pieceBytes; piece <= (offset + to.size() - 1) / pieceBytes; ++piece)
+            wanted.push_back(piece);
+        std::vector<std::byte> bytes(pieceBytes);
+        for (int attempt = 0; attempt < 3; ++attempt) {
+            missing.clear();
+            for (const std::uint64_t piece : wanted) {
+                const ByteRange range = store_->rangeOf(piece);
+                if (!store_->read(piece, std::span(bytes).first(range.size))) {
+                    missing.push_back(piece);
+                    continue;
+                }
+                const std::uint64_t first = std::max(range.offset, offset);
+                const std::uint64_t end = std::min(range.offset + range.size, offset + to.size());
+                std::memcpy(to.data() + (first - offset), bytes.data() + (first - range.offset), end - first);
+            }
+            if (missing.empty())
+                return {};
+            if (progress.cancelled())
+                return cancelledError(activity());
+            if (const Status fetched = fetchPieces(missing, progress.withCallback({})); !fetched)
+                return fetched;
+            wanted = missing;
+        }
+        return Error{ErrorKind::CannotWrite,
+                     Message::say("The cache folder gives other bytes than were written to it. Check its disk, or set "
+                                  "XDG_CACHE_HOME to a folder on another one.")};
+    }
+
+    Message activity() const { return Message::say("Reading '%1'", shownAddress(address)); }
+
+    Status checkRange(std::uint64_t offset, std::uint64_t bytes) const
+    {
+        if (offset <= size && bytes <= size - offset)
+            return {};
+        return cannotRead(address, final(Message::say("it ends before what was looked for. It is no whole model: ask "
+                                                      "whoever put it there.")));
+    }
+
+    Status fetchPieces(const std::vector<std::uint64_t>& pieces, const Progress& progress)
+    {
+        if (pieces.empty())
+            return {};
+        const std::vector<ByteRange> ranges = mergedRanges(pieces, pieceBytes, mergedGap, size);
+        std::uint64_t all = 0, came = 0;
+        for (const ByteRange& range : ranges)
+            all += range.size;
+        const Sink take = [&](std::uint64_t offset, std::span<const std::byte> piece) {
+            came += piece.size();
+            progress.report(double(came) / double(all), Message::marked("Reading from the network"));
+            return store_->write(offset / pieceBytes, piece);
+        };
+        return request(ranges, take, progress);
+    }
+
+    /// Has all ranges come, each piece once, in no order.
+    Status request(std::span<const ByteRange> ranges, const Sink& take, const Progress& progress)
+    {
+        std::unique_lock network(network_, std::defer_lock);
+        while (!network.try_lock_for(betweenLooks))
+            if (progress.cancelled())
+                return cancelledError(activity());
+        if (!connections_)
+            connections_.emplace();
+        Work work{*this, take, progress};
+        const Status done = run(work, ranges);
+        const std::lock_guard lock(counting_);
+        counts_.requests += work.counts.requests;
+        counts_.bytes += work.counts.bytes;
+        counts_.roundTrips += work.counts.roundTrips;
+        counts_.connections += work.counts.connections;
+        counts_.breaks += work.counts.breaks;
+        return done;
+    }
+
+    /// One call's requests; whichever of them are open are closed at its end.
+    struct Work {
+        Work(Shared& givenShared, const Sink& givenTake, const Progress& givenProgress)
+            : shared(givenShared), take(givenTake), progress(givenProgress)
+        {
+        }
+        ~Work()
+        {
+            for (Request& request : running)
+                shared.stop(request);
+        }
+        Work(const Work&) = delete;
+        Work& operator=(const Work&) = delete;
+
+        Shared& shared;
+        const Sink& take;
+        const Progress& progress;
+        std::list<Request> waiting, running; ///< lists: libcurl keeps pointers to the requests
+        RemoteCounts counts;
+        Clock::time_point lastPiece = Clock::now();
+    };
+
+    Status run(Work& work, std::span<const ByteRange> ranges)
+    {
+        for (const ByteRange& range : ranges) {
+            Request& request = work.waiting.emplace_back();
+            request.offset = range.offset;
+            request.end = range.offset + range.size;
+            request.address = current_;
+            request.first = first_ ? &*first_ : nullptr;
+            request.size = size;
+            request.take = &work.take;
+            request.bytes = &work.counts.bytes;
+            request.lastPiece = &work.lastPiece;
+        }
+        const std::size_t atOnce = std::min(mostInFlight, ranges.size());
+        while (!work.waiting.empty() || !work.running.empty()) {
+            if (work.progress.cancelled())
+                return cancelledError(activity());
+            const Clock::time_point now = Clock::now();
+            if (now - work.lastPiece > silence())
+                return cannotRead(address,
+                                  final(Message::say("nothing came from the server for %1 seconds, or too slowly. "
+                                                     "Check the network, or try it later.",
+                                                     formatNumber(double(silence().count()) / 1000))));
+            for (auto next = work.waiting.begin(); next != work.waiting.end() && work.running.size() < mostInFlight;) {
+                const auto request = next++;
+                if (request->notBefore > now)
+                    continue;
+                work.running.splice(work.running.end(), work.waiting, request);
+                if (!start(*request, atOnce))
+                    throw std::bad_alloc();
+                ++work.counts.requests;
+            }
+            int active = 0;
+            ::curl_multi_perform(connections_->multi(), &active);
+            int left = 0;
+            bool any = false;
+            while (const CURLMsg* const message = ::curl_multi_info_read(connections_->multi(), &left)) {
+                if (message->msg != CURLMSG_DONE)
+                    continue;
+                any = true;
+                const auto done = std::ranges::find(work.running, message->easy_handle, &Request::handle);
+                assert(done != work.running.end());
+                if (const Status finished = finish(work, done, message->data.result); !finished)
+                    return finished;
+            }
+            if (!any)
+                ::curl_multi_poll(connections_->multi(), nullptr, 0, static_cast<int>(betweenLooks.count()), nullptr);
+        }
+        return {};
+    }
+
+    /// A limit of the rate may not be what ends a wait.
+    milliseconds silence() const
+    {
+        if (options.bytesPerSecond == 0)
+            return options.silence;
+        return std::max(options.silence, milliseconds(8000 * pieceBytes / options.bytesPerSecond));
+    }
+
+    bool start(Request& request, std::size_t atOnce)
+    {
+        request.answer = {};
+        request.checked = false;
+        request.headBytes = 0;
+        request.answerEnd = 0;
+        request.piece.clear();
+        request.refusal.reset();
+        request.detail[0] = '\0';
+        CURL* const handle = ::curl_easy_init();
+        if (handle == nullptr)
+            return false;
+        request.handle = handle;
+        const auto set = [handle](CURLoption option, auto value) {
+            return ::curl_easy_setopt(handle, option, value) == CURLE_OK;
+        };
+        const std::string range = std::to_string(request.offset) + '-' + std::to_string(request.end - 1);
+        const std::string_view validator = request.first ? request.first->validator() : std::string_view();
+        if (!validator.empty()) {
+            request.headers = ::curl_slist_append(nullptr, std::string("If-Range: ").append(validator).c_str());
+            if (request.headers == nullptr)
+                return false;
+        }
+        const long connecting = static_cast<long>(std::min(mostForConnecting, options.silence).count());
+        // Copies are made of all texts but the buffer for errors.
+        const bool isSet =
+            set(CURLOPT_URL, request.address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
+            set(CURLOPT_REDIR_PROTOCOLS_STR, startsWithSmall(address, "https:") ? "https" : "http,https") &&
+            set(CURLOPT_FOLLOWLOCATION, 1L) && set(CURLOPT_MAXREDIRS, mostRedirections) && set(CURLOPT_NOSIGNAL, 1L) &&
+            set(CURLOPT_QUICK_EXIT, 1L) && set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION) &&
+            set(CURLOPT_RANGE, range.c_str()) && set(CURLOPT_HTTPHEADER, request.headers) &&
+            set(CURLOPT_CONNECTTIMEOUT_MS, connecting) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
+            set(CURLOPT_HEADERFUNCTION, &takeHead) && set(CURLOPT_HEADERDATA, &request) &&
+            set(CURLOPT_WRITEFUNCTION, &takeContent) && set(CURLOPT_WRITEDATA, &request) &&
+            set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L) &&
+            set(CURLOPT_MAX_RECV_SPEED_LARGE, curl_off_t(options.bytesPerSecond / atOnce));
+        return isSet && ::curl_multi_add_handle(connections_->multi(), handle) == CURLM_OK;
+    }
+
+    void stop(Request& request)
+    {
+        if (request.handle != nullptr) {
+            ::curl_multi_remove_handle(connections_->multi(), request.handle);
+            ::curl_easy_cleanup(request.handle);
+        }
+        ::curl_slist_free_all(std::exchange(request.headers, nullptr));
+        request.handle = nullptr;
+    }
+
+    /// A request has ended, well or not: it is done, to be made again, or an error for all of the work.
+    Status finish(Work& work, std::list<Request>::iterator request, CURLcode code)
+    {
+        long redirections = 0, connections = 0;
+        ::curl_easy_getinfo(request->handle, CURLINFO_REDIRECT_COUNT, &redirections);
+        ::curl_easy_getinfo(request->handle, CURLINFO_NUM_CONNECTS, &connections);
+        work.counts.requests += static_cast<std::uint64_t>(redirections);
+        work.counts.connections += static_cast<std::uint64_t>(connections);
+        request->depth += static_cast<std::uint64_t>(redirections);
+        const std::uint64_t depth = request->depth;
+        work.counts.roundTrips = std::max(work.counts.roundTrips, depth);
+        if (code == CURLE_OK && !request->checked)
+            request->refusal = checkAnswer(*request, {});
+        if (code == CURLE_OK && !request->refusal && request->offset == request->end && !first_) {
+            first_ = request->answer;
+            size = request->size;
+            const char* effective = nullptr;
+            if (::curl_easy_getinfo(request->handle, CURLINFO_EFFECTIVE_URL, &effective) == CURLE_OK &&
+                effective != nullptr && redirections > 0)
+                current_ = effective;
+        }
+        if (request->lacksMemory)
+            throw std::bad_alloc();
+        const bool isDone = code == CURLE_OK && !request->refusal && request->offset == request->end;
+        std::optional<Refusal> refusal = request->refusal;
+        if (!isDone && !refusal)
+            refusal = code == CURLE_OK ? brokenOff() : refusedTransfer(code, request->detail.data(), request->answer);
+        stop(*request);
+        for (Request& next : work.waiting)
+            next.depth = std::max(next.depth, depth + 1);
+        if (request->failure)
+            return *request->failure;
+        if (isDone) {
+            work.running.erase(request);
+            return {};
+        }
+        // A redirection's address may have had its time while the original one has not.
+        const bool isMoved = refusal->moved && request->address != address;
+        // A host that is not there at all is told soon.
+        const int retries = first_ ? options.retries : std::min(options.retries, 2);
+        if (!isMoved && (!refusal->again || request->fruitless >= retries))
+            return cannotRead(address, *refusal);
+        request->address = address;
+        const milliseconds pause = options.firstPause * (std::int64_t(1) << std::min(request->fruitless, 10));
+        request->notBefore = Clock::now() + std::min(pause, longestPause);
+        ++request->fruitless;
+        ++request->depth;
+        ++work.counts.breaks;
+        work.waiting.splice(work.waiting.begin(), work.running, request);
+        return {};
+    }
+
+    std::timed_mutex network_; ///< guards all of these but the last two
+    std::optional<Connections> connections_;
+    std::optional<HttpAnswer> first_;
+    std::string current_; ///< where redirections led
+    std::shared_ptr<PieceStore> store_;
+    mutable std::mutex counting_;
+    RemoteCounts counts_;
+};
+
+bool isRemoteAddress(std::string_view text) noexcept
+{
+    return startsWithSmall(text, "http://") || startsWithSmall(text, "https://");
+}
+
+std::string shownAddress(std::string_view address)
+{
+    const std::string bare = withoutUser(address);
+    const std::size_t query = bare.find_first_of("?#");
+    return printable(query == std::string::npos ? bare : bare.substr(0, query));
+}
+
+std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t pieceBytes_, std::uint64_t gap,
+                                    std::uint64_t size)
+{
+    std::vector<ByteRange> ranges;
+    for (const std::uint64_t piece : pieces) {
+        const std::uint64_t offset = piece * pieceBytes_, end = std::min(offset + pieceBytes_, size);
+        if (!ranges.empty() && offset - (ranges.back().offset + ranges.back().size) < gap)
+            ranges.back().size = end - ranges.back().offset;
+        else
+            ranges.push_back({offset, end - offset});
+    }
+    return ranges;
+}
+
+Result<RemoteFile> RemoteFile::open(std::string_view address, const CacheFolder& cache, const RemoteOptions& options,
+                                    const Progress& progress)
+{
+    if (!isRemoteAddress(address) || address.size() > longestAddress || address.find('\0') != std::string_view::npos) {
+        Refusal refusal = refusedTransfer(CURLE_URL_MALFORMAT, nullptr, {});
+        return cannotRead(address, refusal);
+    }
+    const auto work = [&]() -> Result<RemoteFile> {
+        const auto shared = std::make_shared<Shared>(address, options);
+        if (const Status opened = shared->open(cache, progress); !opened)
+            return opened.error();
+        return RemoteFile(shared);
+    };
+    return guarded(notEnoughMemory, work, shownAddress(address));
+}
+
+const std::string& RemoteFile::address() const noexcept
+{
+    return shared_->address;
+}
+
+std::uint64_t RemoteFile::size() const noexcept
+{
+    return shared_->size;
+}
+
+std::string RemoteFile::state() const
+{
+    return shared_->state;
+}
+
+ByteSource RemoteFile::source() const
+{
+    return {
+        .size = shared_->size,
+        .read = [shared = shared_](std::uint64_t offset, std::span<std::byte> to,
+                                   const Progress& progress) { return shared->read(offset, to, progress); },
+        .fetch = [shared = shared_](std::span<const ByteRange> ranges,
+                                    const Progress& progress) { return shared->fetch(ranges, progress); },
+    };
+}
+
+RemoteCounts RemoteFile::counts() const
+{
+    return shared_->counts();
+}
+
+} // namespace tetra
