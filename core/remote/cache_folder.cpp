@@ -119,7 +119,7 @@ std::vector<Entry> entriesOf(const std::filesystem::path& folder)
     std::vector<Entry> entries;
     std::error_code ignored;
     for (std::filesystem::path& path : pathsIn(folder, ignored)) {
-        const std::string& name = path.filename().native();
+        const std::string name = path.filename().string();
         if (!isOurName(name.substr(0, nameDigits)))
             continue;
         struct stat status {};
