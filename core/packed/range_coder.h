@@ -27,7 +27,7 @@ public:
         else
             zero_ = static_cast<std::uint16_t>(zero_ + ((65536 - zero_) >> rate));
         zero_ = std::clamp<std::uint16_t>(zero_, least, most);
-        seen_ += seen_ + 1 < rates.size();
+        seen_ = static_cast<std::uint8_t>(std::min<std::size_t>(seen_ + std::size_t(1), rates.size() - 1));
     }
 
 private:

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A packed mesh is the mesh, in few bytes, and bytes from anywhere are a mesh or an error (R28, C16).
+#include "core/packed/packed_mesh.h"
+
+#include "core/base/checksum.h"
+#include "tests/core/history/query/some_models.h"
+
+#include <tan/query.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace tetra;
+
+namespace {
+
+/// A corner as bits, and a tetrahedron with what belongs to it.
+using CornerBits = std::array<std::uint32_t, 4>;
+struct TetrahedronBits {
+    std::array<CornerBits, 4> corners;
+    std::array<std::uint32_t, 2> life{};
+    auto operator<=>(const TetrahedronBits&) const = default;
+};
+
+CornerBits bitsOf(const TetrahedralMesh& mesh, std::uint32_t vertex)
+{
+    const Eigen::Vector3f& position = mesh.positions[vertex];
+    return {std::bit_cast<std::uint32_t>(position[0]), std::bit_cast<std::uint32_t>(position[1]),
+            std::bit_cast<std::uint32_t>(position[2]), std::bit_cast<std::uint32_t>(mesh.values[vertex])};
+}
+
+/// The mesh whatever the order of its vertices, its tetrahedra and, but for the sign, their corners.
+std::pair<std::vector<CornerBits>, std::vector<TetrahedronBits>>
+inAnyOrder(const TetrahedralMesh& mesh, std::span<const float> births, std::span<const float> deaths)
+{
+    std::vector<CornerBits> vertices;
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
+        vertices.push_back(bitsOf(mesh, vertex));
+    std::ranges::sort(vertices);
+    std::vector<TetrahedronBits> tetrahedra;
+    for (std::size_t cell = 0; cell < mesh.tetrahedra.size(); ++cell) {
+        TetrahedronBits bits;
+        for (std::size_t i = 0; i < 4; ++i)
+            bits.corners[i] = bitsOf(mesh, mesh.tetrahedra[cell][i]);
+        bool odd = false, alike = false;
+        for (int round = 0; round < 4; ++round)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (bits.corners[i + 1] < bits.corners[i]) {
+                    std::swap(bits.corners[i], bits.corners[i + 1]);
+                    odd = !odd;
+                }
+        for (std::size_t i = 0; i < 3; ++i)
+            alike = alike || bits.corners[i] == bits.corners[i + 1];
+        if (odd && !alike)
+            std::swap(bits.corners[2], bits.corners[3]);
+        if (!births.empty())
+            bits.life = {std::bit_cast<std::uint32_t>(births[cell]), std::bit_cast<std::uint32_t>(deaths[cell])};
+        tetrahedra.push_back(bits);
+    }
+    std::ranges::sort(tetrahedra);
+    return {vertices, tetrahedra};
+}
+
+/// The bytes that the mesh was packed to; none if it does not come back.
+std::vector<std::byte> thereAndBack(const TetrahedralMesh& mesh, std::span<const float> births = {},
+                                    std::span<const float> deaths = {})
+{
+    const auto packed = packMesh(mesh, births, deaths, "facts");
+    if (!packed) {
+        qWarning("%s", packed.error().text().c_str());
+        return {};
+    }
+    const auto unpacked = unpackMesh(*packed, mesh.tetrahedra.size() + mesh.positions.size());
+    if (!unpacked) {
+        qWarning("%s", unpacked.error().text().c_str());
+        return {};
+    }
+    const bool same =
+        unpacked->facts == "facts" &&
+        inAnyOrder(mesh, births, deaths) == inAnyOrder(unpacked->mesh, unpacked->birthErrors, unpacked->deathErrors);
+    return same ? *packed : std::vector<std::byte>();
+}
+
+/// Tetrahedra of any vertices: over each other, with faces of many sides, some a corner twice.
+TetrahedralMesh randomSoup(std::mt19937& random, std::size_t vertices, std::size_t tetrahedra)
+{
+    TetrahedralMesh mesh;
+    std::uniform_real_distribution<float> number(-1, 1);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        mesh.positions.emplace_back(number(random), number(random), number(random));
+        mesh.values.push_back(number(random) * 1e30f);
+    }
+    for (std::size_t i = 0; i < tetrahedra; ++i) {
+        std::array<std::uint32_t, 4> corners{};
+        for (std::uint32_t& corner : corners)
+            corner = static_cast<std::uint32_t>(random() % vertices);
+        mesh.tetrahedra.push_back(corners);
+    }
+    return mesh;
+}
+
+void repairSum(std::vector<std::byte>& packed)
+{
+    const std::uint64_t sum = checksum(std::span(packed).first(packed.size() - 8));
+    std::memcpy(packed.data() + packed.size() - 8, &sum, sizeof sum);
+}
+
+} // namespace
+
+class PackedMeshTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { models_ = someModels(folder_.path().toStdString()); }
+
+    /// Every query of every kind of data; and a conforming mesh takes a small part of its arrays.
+    void meshesOfModelsComeBack()
+    {
+        for (const SomeModel& some : models_) {
+            const ModelDescription& about = some.model->description();
+            const Eigen::Vector3d centre = about.bounds.center();
+            std::vector<MeshQuery> queries(6);
+            queries[1].error = 3;
+            queries[2].window = Window{{about.bounds.min(), centre}, WindowBorder::Clipped};
+            queries[3].window = Window{{about.bounds.min(), centre}, WindowBorder::Contained};
+            queries[4].values = {{about.range.minimum, (about.range.minimum + about.range.maximum) / 2}};
+            queries[5].range = LifeRange{{10, anyWarping}, {1, anyWarping}};
+            for (std::size_t i = 0; i < queries.size(); ++i) {
+                const auto found = MeshExtractor(some.model).extract(queries[i]);
+                QVERIFY2(found.ok(), some.name.c_str());
+                const ExtractedMesh& mesh = **found;
+                const auto packed = thereAndBack(mesh.mesh, mesh.birthErrors, mesh.deathErrors);
+                QVERIFY2(!packed.empty(), (some.name + ", query " + std::to_string(i)).c_str());
+                const std::size_t arrays = 16 * (mesh.mesh.positions.size() + mesh.mesh.tetrahedra.size());
+                if (i < 2)
+                    QVERIFY2(packed.size() < 200 + arrays / 3, (some.name + ": " + std::to_string(packed.size()) +
+                                                                " of " + std::to_string(arrays) + " bytes")
+                                                                   .c_str());
+            }
+        }
+    }
+
+    void anyTetrahedraComeBack()
+    {
+        std::mt19937 random(7);
+        for (const auto& [vertices, tetrahedra] : {std::pair<std::size_t, std::size_t>{0, 0},
+                                                   {1, 0},
+                                                   {5, 0},
+                                                   {1, 1},
+                                                   {4, 1},
+                                                   {4, 30},
+                                                   {6, 200},
+                                                   {50, 400},
+                                                   {3000, 500},
+                                                   {300, 20000}}) {
+            const auto packed = thereAndBack(randomSoup(random, vertices, tetrahedra));
+            QVERIFY2(!packed.empty(), (std::to_string(vertices) + ", " + std::to_string(tetrahedra)).c_str());
+        }
+    }
+
+    void everyBitOfANumberComesBack()
+    {
+        std::mt19937 random(8);
+        TetrahedralMesh mesh = randomSoup(random, 600, 900);
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            mesh.positions[i][1] = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+            mesh.values[i] = std::array{0.0f,
+                                        -0.0f,
+                                        std::numeric_limits<float>::infinity(),
+                                        -std::numeric_limits<float>::infinity(),
+                                        std::numeric_limits<float>::quiet_NaN(),
+                                        std::numeric_limits<float>::denorm_min()}[i % 6];
+        }
+        QVERIFY(!thereAndBack(mesh).empty());
+    }
+
+    void whatDoesNotBelongTogetherIsRefused()
+    {
+        std::mt19937 random(9);
+        TetrahedralMesh mesh = randomSoup(random, 10, 10);
+        mesh.tetrahedra[3][2] = 10;
+        QCOMPARE(packMesh(mesh, {}, {}, "").error().kind, ErrorKind::WrongUsage);
+        mesh.tetrahedra[3][2] = 9;
+        const std::vector<float> births(9);
+        QCOMPARE(packMesh(mesh, births, births, "").error().kind, ErrorKind::WrongUsage);
+        QVERIFY(packMesh(mesh, {}, {}, "").ok());
+        mesh.values.pop_back();
+        QCOMPARE(packMesh(mesh, {}, {}, "").error().kind, ErrorKind::WrongUsage);
+    }
+
+    void moreThanIsWantedIsRefused()
+    {
+        std::mt19937 random(10);
+        const auto packed = packMesh(randomSoup(random, 10, 10), {}, {}, "");
+        QVERIFY(unpackMesh(*packed, 10).ok());
+        QCOMPARE(unpackMesh(*packed, 9).error().kind, ErrorKind::OutOfResource);
+        std::stop_source stop;
+        stop.request_stop();
+        const auto large = packMesh(randomSoup(random, 10, 5000), {}, {}, "");
+        QCOMPARE(unpackMesh(*large, 5000, Progress(stop.get_token(), {})).error().kind, ErrorKind::Cancelled);
+        QCOMPARE(packMesh(randomSoup(random, 10, 5000), {}, {}, "", Progress(stop.get_token(), {})).error().kind,
+                 ErrorKind::Cancelled);
+    }
+
+    /// A damaged one is refused; one that was made to have the right sum gives an error or a mesh whose corners exist.
+    void damageIsFoundAndMaliceDoesNoHarm()
+    {
+        const auto found = MeshExtractor(models_[0].model).extract({.error = 5.0});
+        const auto whole = packMesh((*found)->mesh, {}, {}, "facts");
+        QVERIFY(whole.ok());
+        std::mt19937 random(11);
+        int refused = 0, meshes = 0;
+        for (int round = 0; round < 600; ++round) {
+            std::vector<std::byte> packed = *whole;
+            const std::size_t place = round < 56 ? static_cast<std::size_t>(round) : random() % packed.size();
+            packed[place] ^= std::byte(1 << random() % 8);
+            if (round % 3 == 2)
+                packed.resize(random() % packed.size());
+            QCOMPARE(unpackMesh(packed, 1 << 20).error().kind, ErrorKind::BadInput);
+            if (packed.size() < 8)
+                continue;
+            repairSum(packed);
+            const auto unpacked = unpackMesh(packed, 1 << 20);
+            if (!unpacked) {
+                ++refused;
+                continue;
+            }
+            ++meshes;
+            for (const auto& corners : unpacked->mesh.tetrahedra)
+                for (const std::uint32_t corner : corners)
+                    QVERIFY(corner < unpacked->mesh.positions.size());
+        }
+        QVERIFY2(refused > 50 && meshes > 50, (std::to_string(refused) + ", " + std::to_string(meshes)).c_str());
+    }
+
+private:
+    QTemporaryDir folder_;
+    std::vector<SomeModel> models_;
+};
+
+QTEST_GUILESS_MAIN(PackedMeshTest)
+#include "packed_mesh_test.moc"
