@@ -139,6 +139,8 @@ ModelDescription descriptionOf(const Refinement& refinement, const Dataset& data
                                                                  : "none");
     if (dataset.domain == DomainClass::Curvilinear)
         parameters.emplace_back("selection", refinement.paperSelection ? "paper" : "normalised");
+    if (refinement.inSpace)
+        parameters.emplace_back("error-in", "space");
     parameters.emplace_back("weights", weightingText(refinement.weighting));
     return description;
 }

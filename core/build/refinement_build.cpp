@@ -168,10 +168,14 @@ Result<BuildReport> refineInBlocks(const Dataset& dataset, double stopError, con
 /// The cells along an edge of a block, 0 for none, of what is chosen.
 Result<std::uint32_t> blocksFor(const Dataset& dataset, const Refinement& refinement, const BuildTarget& target)
 {
-    if (refinement.paperSelection && dataset.domain == DomainClass::Curvilinear) {
-        // Which of error and warping comes next is decided for the mesh as a whole.
+    if ((refinement.paperSelection || refinement.inSpace) && dataset.domain == DomainClass::Curvilinear) {
+        // Which of error and warping comes next, and where a place in space lies, the mesh as a whole decides.
         if (!refinement.block || *refinement.block == 0)
             return 0u;
+        if (refinement.inSpace)
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("The error in space is kept in whole grids only, as a point may lie in a "
+                                      "tetrahedron of another block. Set the block to \"none\".")};
         return Error{ErrorKind::WrongUsage,
                      Message::say("The paper's selection of points does not go with blocks: blocks that are refined "
                                   "independently could not agree about their faces. Set the block to \"none\".")};
@@ -272,6 +276,10 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
         return Error{ErrorKind::WrongUsage,
                      Message::say("The paper's selection compares error and warping, so a build cannot be ordered by "
                                   "one of them alone. Take the normalised selection, or order by both.")};
+    if (refinement.inSpace && (refinement.paperSelection || refinement.orderedBy != OrderedBy::Both))
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("To keep the error in space, a build is ordered by error and warping, with the "
+                                  "normalised selection. Leave out the other choice.")};
     const ThresholdKey key = thresholdKey(thresholds, dataset);
     if (*cells > 0)
         return refineCurvilinearInBlocks(dataset, key, {*cells, weights->all(), {key.warpingWeight}}, target, progress);
@@ -280,6 +288,7 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     options.positionExtent = key.positionExtent;
     options.warpingWeight = key.warpingWeight;
     options.stopKey = key.stopKey.value_or(key.leastKey);
+    options.inSpace = refinement.inSpace;
     options.selection = refinement.paperSelection ? CurvilinearSelection::Paper : CurvilinearSelection::Normalised;
     const Result<CurvilinearRefinementResult> result =
         visitSampleType(dataset.values.type(), [&]<class T>() -> Result<CurvilinearRefinementResult> {
@@ -404,6 +413,11 @@ Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, c
     const bool inIndices = isGrid && (!dataset.convex || refinement.computational);
     const bool warps = refinement.warping > 0 || refinement.paperSelection || refinement.orderedBy != OrderedBy::Both;
     const bool hasBlocks = refinement.block.value_or(0) > 0;
+    if (refinement.inSpace && !inIndices)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("Where '%1' is refined there is no error in space apart from the one that is kept "
+                                  "anyway. Leave it out.",
+                                  dataset.source.name)};
     if (isGrid && !inIndices && (warps || hasBlocks))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is a rectilinear grid, which is refined in physical space: there it has no "

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -19,11 +21,24 @@ using format::SectionId;
 
 // Reading.
 
+namespace {
+
+bool claims(const ModelDescription& description, const char* parameter, const char* value)
+{
+    return std::ranges::find(description.parameters, std::pair<std::string, std::string>(parameter, value)) !=
+           description.parameters.end();
+}
+
+} // namespace
+
 bool claimsTwoSides(const ModelDescription& description)
 {
-    return std::ranges::any_of(description.parameters, [](const auto& parameter) {
-        return parameter.first == "distance" && parameter.second == "two-sided";
-    });
+    return claims(description, "distance", "two-sided");
+}
+
+bool claimsInSpace(const ModelDescription& description)
+{
+    return claims(description, "error-in", "space");
 }
 
 DerivedSections derivedSections(const Model& model)

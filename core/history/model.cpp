@@ -81,7 +81,7 @@ Model::Model(File file, ModelDescription description, std::filesystem::path plac
     if (file_->layout.has(SectionId::BatchEnds))
         map(batchEnds_, SectionId::BatchEnds);
     if (file_->layout.has(SectionId::BatchErrors) && file_->layout.has(SectionId::BatchWarpings) &&
-        !claimsTwoSides(description_)) {
+        !claimsByKeysAlone(description_)) {
         map(batchErrors_, SectionId::BatchErrors);
         map(batchWarpings_, SectionId::BatchWarpings);
     }

@@ -580,7 +580,7 @@ Status verifyCells(const MeshToVerify& mesh, LevelReport& verdict, const Progres
         return {};
     if (const Status done = verifyWarping(mesh, verdict, progress.part(facesEnd, warpingEnd)); !done)
         return done;
-    return measureErrorInSpace(mesh, boundary, verdict.measured.errorInSpace, progress.part(warpingEnd, 1));
+    return verifyErrorInSpace(mesh, boundary, verdict, progress.part(warpingEnd, 1));
 }
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #include "core/base/guarded.h"
 #include "core/history/derived_sections.h"
 #include "core/verify/cell_check.h"
+#include "core/verify/error_in_space.h"
 #include "core/verify/verify_irregular.h"
 #include "core/verify/verify_parts.h"
 
@@ -45,8 +46,8 @@ Limits limitsOf(const Model& model, const Original& original, const Accuracy& as
 class Claims {
 public:
     explicit Claims(const Model& model)
-        : model_(model), weight_(model.description().warpingWeight), twoSided_(claimsTwoSides(model.description())),
-          derived_(derivedSections(model))
+        : model_(model), weight_(model.description().warpingWeight),
+          byKeysAlone_(claimsByKeysAlone(model.description())), derived_(derivedSections(model))
     {
     }
 
@@ -57,7 +58,7 @@ public:
         bounds.error =
             static_cast<double>(sites < model_.siteCount() ? model_.runningKeys()[sites] : model_.finalKey());
         bounds.warping = weight_ > 0 ? bounds.error / weight_ : 0;
-        if (twoSided_) // of batches the file tells one side alone
+        if (byKeysAlone_)
             return bounds;
         const auto end = std::ranges::lower_bound(derived_.batchEnds, sites - 1);
         const auto batch = static_cast<std::size_t>(end - derived_.batchEnds.begin());
@@ -94,7 +95,7 @@ public:
 private:
     const Model& model_;
     const double weight_;
-    const bool twoSided_;
+    const bool byKeysAlone_;
     const DerivedSections derived_;
 };
 

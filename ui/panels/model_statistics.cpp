@@ -13,6 +13,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace tetra {
 namespace {
 
@@ -76,12 +78,20 @@ QStringList levelTexts(const LevelStatistics& level)
 std::vector<StatisticsFact> modelFacts(const Model& model)
 {
     const ValueRange range = model.description().range;
-    return {{Statistics::tr("Model"), QFileInfo(pathText(model.path())).fileName()},
-            {Statistics::tr("Values"),
-             Statistics::tr("%1 to %2")
-                 .arg(valueText(range.minimum, range.extent()), valueText(range.maximum, range.extent()))},
-            {Statistics::tr("Total vertices"), countText(model.siteCount())},
-            {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
+    std::vector<StatisticsFact> facts{{Statistics::tr("Model"), QFileInfo(pathText(model.path())).fileName()},
+                                      {Statistics::tr("Values"), Statistics::tr("%1 to %2")
+                                                                     .arg(valueText(range.minimum, range.extent()),
+                                                                          valueText(range.maximum, range.extent()))},
+                                      {Statistics::tr("Total vertices"), countText(model.siteCount())},
+                                      {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
+    if (model.description().domain == DomainClass::Curvilinear) {
+        const bool inSpace = std::ranges::any_of(model.description().parameters, [](const auto& parameter) {
+            return parameter.first == "error-in" && parameter.second == "space";
+        });
+        facts.push_back({Statistics::tr("Error"),
+                         inSpace ? Statistics::tr("in the grid and in space") : Statistics::tr("in the grid")});
+    }
+    return facts;
 }
 
 namespace {

@@ -74,6 +74,10 @@ struct Refinement {
     /// Rectilinear grids as other curvilinear ones, in computational space: in less memory and time, but with a
     /// warping.
     bool computational = false;
+    /// Of curvilinear grids: keep the error in space as well (C12), whole grids only, ordered by both, with the
+    /// normalised selection. A key then bounds it, too, so the meshes of accuracies keep it; those of fields and
+    /// focuses, which go by tetrahedra's own errors, do not.
+    bool inSpace = false;
     Weighting weighting{}; ///< how much the error at each point counts (R6)
 };
 

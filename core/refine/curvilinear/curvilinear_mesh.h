@@ -178,8 +178,10 @@ public:
 
     std::uint32_t siteCount() const noexcept { return siteCount_; }
     std::uint64_t tetrahedronCount() const noexcept { return tetrahedronCount_; } ///< all that ever lived
-    std::uint64_t inverted() const noexcept { return inverted_; }                 ///< flipped ones alive
-    std::uint64_t degenerate() const noexcept { return degenerate_; }             ///< alive and without volume (S6)
+    /// By slots; dead ones have the determinant 0.
+    std::span<const DelaunayTetrahedron> tetrahedra() const noexcept { return delaunay_.tetrahedra(); }
+    std::uint64_t inverted() const noexcept { return inverted_; }     ///< flipped ones alive
+    std::uint64_t degenerate() const noexcept { return degenerate_; } ///< alive and without volume (S6)
     /// Points in tetrahedra of keys above the stop.
     std::uint64_t pointsAboveStop() const noexcept { return pointsAboveStop_; }
     /// How many points the last insertion moved.

@@ -2,14 +2,18 @@
 #include "core/refine/curvilinear/curvilinear_refinement.h"
 
 #include "core/base/guarded.h"
+#include "core/refine/curvilinear/space_errors.h"
 #include "core/refine/greedy.h"
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/point_pool.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -98,15 +102,114 @@ Status checkSize(const std::array<std::uint32_t, 3>& size)
     return PointPool::checkSize(std::uint64_t(size[0]) * size[1] * size[2]);
 }
 
-Result<CurvilinearRefinementResult> finishedBy(CurvilinearSpace& space, const CurvilinearMesh& mesh, double stopKey,
-                                               HistorySink& sink, const Progress& progress)
+Result<CurvilinearRefinementResult> resultOf(const CurvilinearMesh& mesh, const Result<float>& key)
 {
-    const Result<float> key = refineWorstFirst(space, stopKey, sink, progress);
     if (!key)
         return key.error();
     return CurvilinearRefinementResult{mesh.siteCount(), mesh.tetrahedronCount(), *key, mesh.inverted(),
                                        mesh.degenerate()};
 }
+
+Result<CurvilinearRefinementResult> finishedBy(CurvilinearSpace& space, const CurvilinearMesh& mesh, double stopKey,
+                                               HistorySink& sink, const Progress& progress)
+{
+    return resultOf(mesh, refineWorstFirst(space, stopKey, sink, progress));
+}
+
+/// Refinement of a whole grid that keeps the error in space as well (C12).
+class SpaceRefinement {
+public:
+    SpaceRefinement(const CurvilinearGrid& grid, CurvilinearMesh& mesh, const CurvilinearRefinementOptions& options,
+                    HistorySink& sink)
+        : mesh_(mesh), options_(options), sink_(sink), space_(mesh, CurvilinearSelection::Normalised, sink),
+          errors_(grid, options.valueExtent)
+    {
+    }
+
+    /// The key that was reached.
+    Result<float> run(const Progress& progress)
+    {
+        // The rungs that are too many to be worth it are one, the last.
+        const double least = 1e-5 * std::max(options_.valueExtent, options_.warpingWeight * options_.positionExtent);
+        double rung = std::numeric_limits<double>::infinity(), first = 0;
+        for (;;) {
+            const Result<float> inGrid = refineInGrid(rung, progress);
+            if (!inGrid)
+                return inGrid.error();
+            const float inSpace = errors_.measure(mesh_.tetrahedra(), rung, found_);
+            if (static_cast<double>(inSpace) > rung) {
+                if (const Status inserted = insertFound(); !inserted)
+                    return inserted.error();
+                continue;
+            }
+            key_ = std::max(*inGrid, inSpace);
+            const auto key = static_cast<double>(key_);
+            if (!(key > options_.stopKey)) {
+                const Status finished = sink_.finish(key_);
+                return finished ? Result<float>(key_) : Result<float>(finished.error());
+            }
+            rung = std::max(options_.stopKey, downToRung * key);
+            if (rung < least)
+                rung = options_.stopKey;
+            first = std::max(first, key);
+            const double last = std::max(least, options_.stopKey);
+            progress.report(std::clamp(std::log(first / key) / std::log(std::max(first / last, 2.0)), 0.0, 1.0),
+                            Message::marked("Refining"));
+        }
+    }
+
+private:
+    static constexpr double downToRung = 0.95;
+
+    /// Of a mesh that is no rung's last its distance from the data is not known.
+    Status insert(const CurvilinearMesh::Candidate& candidate)
+    {
+        return space_.insert({candidate, std::exchange(key_, infiniteKey), false});
+    }
+    /// Until nothing in the grid is worse than the rung, and no tetrahedron flipped that may not be; the key then.
+    Result<float> refineInGrid(double rung, const Progress& progress)
+    {
+        constexpr std::uint32_t betweenLooks = 4096;
+        for (std::uint32_t inserted = 0;; ++inserted) {
+            if (inserted % betweenLooks == 0) {
+                if (progress.cancelled())
+                    return cancelledError(Message::marked("The refinement"));
+                space_.sweep();
+            }
+            const CurvilinearSpace::Next next = space_.next();
+            if (next.complete && !(static_cast<double>(next.key) > rung))
+                return next.key;
+            if (const Status done = insert(next.candidate); !done)
+                return done.error();
+        }
+    }
+    /// What was found in tetrahedra that none of these insertions has destroyed.
+    Status insertFound()
+    {
+        std::vector<std::array<PackedPoint, 4>> vertices;
+        for (const SpaceErrors::Worst& worst : found_)
+            vertices.push_back(mesh_.tetrahedra()[worst.slot].vertices);
+        for (std::size_t i = 0; i < found_.size(); ++i) {
+            const DelaunayTetrahedron& now = mesh_.tetrahedra()[found_[i].slot];
+            if (now.determinant() == 0 || now.vertices != vertices[i])
+                continue;
+            const CurvilinearMesh::Candidate candidate = mesh_.at(found_[i].point);
+            if (!candidate.exists())
+                continue;
+            if (const Status inserted = insert(candidate); !inserted)
+                return inserted;
+        }
+        return {};
+    }
+
+    CurvilinearMesh& mesh_;
+    const CurvilinearRefinementOptions& options_;
+    HistorySink& sink_;
+    CurvilinearSpace space_;
+    SpaceErrors errors_;
+    std::vector<SpaceErrors::Worst> found_;
+    float key_ = infiniteKey; ///< of the mesh as it is, if that is known
+};
 
 Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const CurvilinearRefinementOptions& options,
                                            HistorySink& sink, const Progress& progress)
@@ -125,6 +228,8 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Cu
     CurvilinearMesh mesh;
     if (Status status = mesh.start(grid, meshOptions, sink); !status)
         return status.error();
+    if (options.inSpace)
+        return resultOf(mesh, SpaceRefinement(grid, mesh, options, sink).run(progress));
     CurvilinearSpace space(mesh, options.selection, sink);
     return finishedBy(space, mesh, options.stopKey, sink, progress);
 }

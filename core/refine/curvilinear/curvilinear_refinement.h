@@ -26,6 +26,8 @@ struct CurvilinearRefinementOptions {
     double valueExtent = 1;    ///< largest minus smallest value; only the speed depends on it
     double positionExtent = 1; ///< the diagonal of the positions' bounding box; likewise
     CurvilinearSelection selection = CurvilinearSelection::Normalised;
+    /// Keep the error in space as well (C12), with the normalised selection.
+    bool inSpace = false;
 };
 
 struct CurvilinearRefinementResult {
@@ -45,9 +47,15 @@ struct CurvilinearRefinementResult {
 /// With the paper's selection the mesh's warping against its error, both in their own units, decides whether the point
 /// of the largest warping or of the largest error comes next.
 ///
+/// To keep the error in space as well, the mesh goes down rung by rung, each a twentieth below the key that the last
+/// one reached: refined in the grid to the rung, then the error in space is measured at all points (SpaceErrors), the
+/// worst of each tetrahedron that is worse than the rung is inserted, and both again until neither is. Only the meshes
+/// at the ends of rungs have a finite key, the larger of the two, so that it holds for every mesh that a query can
+/// give.
+///
 /// Ties go to the first point of the grid, so the history depends on nothing but the data. The history goes to `sink`
-/// while it is made, then sink.finish(). One thread; about 600 bytes a point. Errors: too large a grid, refused memory,
-/// the sink's, cancelled.
+/// while it is made, then sink.finish(). One thread, but for measuring; about 600 bytes a point. Errors: too large a
+/// grid, refused memory, the sink's, cancelled.
 ///
 /// `size`: points along each axis of the grid, at least two. `positions`: where they lie, one a point, all finite.
 /// `samples`: their values, with weights that multiply errors and warpings or without (R6).

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::string_view normalised = Message::marked("normalised");
 constexpr std::string_view paper = Message::marked("paper");
+constexpr std::string_view inGrid = Message::marked("grid");
+constexpr std::string_view inSpace = Message::marked("space");
 constexpr std::string_view physical = Message::marked("physical");
 constexpr std::string_view computational = Message::marked("computational");
 
@@ -55,6 +57,20 @@ Parameter selectionParameter()
     selection.defaultValue = std::string(normalised);
     selection.choices = {std::string(normalised), std::string(paper)};
     return inComputationalSpace(std::move(selection));
+}
+
+Parameter errorInParameter()
+{
+    Parameter errorIn;
+    errorIn.id = "error-in";
+    errorIn.label = Message::marked("Error in");
+    errorIn.explanation = Message::marked(
+        "For curvilinear data: 'grid' keeps the error at the points' indices, as the paper did; 'space' "
+        "also the error where the points lie, which is what you see. That takes more vertices and "
+        "time, and the whole grid in memory.");
+    errorIn.defaultValue = std::string(inGrid);
+    errorIn.choices = {std::string(inGrid), std::string(inSpace)};
+    return inComputationalSpace(std::move(errorIn));
 }
 
 Parameter blockParameter()
@@ -187,6 +203,7 @@ std::vector<Parameter> RefinementBuilder::parameters() const
             spaceParameter(),
             blockParameter(),
             selectionParameter(),
+            errorInParameter(),
             weightsParameter()};
 }
 
@@ -246,6 +263,7 @@ Result<Refinement> refinementOf(const std::vector<Parameter>& known, const Param
     refinement.block = *block;
     refinement.paperSelection = parameterValue<std::string>(known, values, "selection") == paper;
     refinement.orderedBy = orderedByOf(known, values);
+    refinement.inSpace = parameterValue<std::string>(known, values, "error-in") == inSpace;
     refinement.computational = parameterValue<std::string>(known, values, "space") == computational;
     refinement.weighting = *weighting;
     return refinement;

@@ -5,7 +5,10 @@
 #include "core/verify/exact_cell.h"
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/reference_refinement.h"
+#include "tests/core/refine/plot3d_data.h"
 
+#include <tan/build.h>
+#include <tan/query.h>
 #include <tan/verify.h>
 
 #include <QTemporaryDir>
@@ -47,6 +50,21 @@ Dataset moved(const Dataset& dataset, const std::function<Eigen::Vector3d(std::u
     result.positions = positions;
     result.source.hash = contentHash(result.values, result.positions);
     return result;
+}
+
+/// A bent grid, or with `turn` one that is wrapped around a hole, each point moved by up to `noise` along each axis.
+Dataset movedAtRandom(std::array<std::uint32_t, 3> size, double noise, double turn, bool mirrored)
+{
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> anywhere(-noise, noise);
+    const Dataset bent = bentBumps(SampleType::Float32, size, true, mirrored);
+    return moved(bent, [&](std::uint64_t point, Eigen::Vector3d place) {
+        const auto [i, j, k] = bent.lattice.coordinates(point);
+        const double radius = 2.0 + i;
+        if (turn > 0)
+            place = {radius * std::cos(turn * j), radius * std::sin(turn * j), 1.0 * k};
+        return Eigen::Vector3d(place + Eigen::Vector3d(anywhere(random), anywhere(random), anywhere(random)));
+    });
 }
 
 /// How far the place is from the triangle, and the linear value at the place of it that is next.
@@ -210,18 +228,7 @@ private slots:
         QFETCH(double, noise);
         QFETCH(double, turn);
         QFETCH(bool, mirrored);
-        std::mt19937 random(12);
-        std::uniform_real_distribution<double> anywhere(-noise, noise);
-        const Dataset dataset = moved(
-            bentBumps(SampleType::Float32, {5, 8, 4}, true, mirrored), [&](std::uint64_t point, Eigen::Vector3d place) {
-                if (turn > 0) {
-                    const double angle = turn * static_cast<double>(point / 5 % 8);
-                    const double radius = 2 + static_cast<double>(point % 5);
-                    place = {radius * std::cos(angle), radius * std::sin(angle),
-                             static_cast<double>(point / 40)}; // NOLINT(bugprone-integer-division)
-                }
-                return Eigen::Vector3d(place + Eigen::Vector3d(anywhere(random), anywhere(random), anywhere(random)));
-            });
+        const Dataset dataset = movedAtRandom({5, 8, 4}, noise, turn, mirrored);
         writeModel(path(), dataset);
         const auto model = Model::open(path());
         QVERIFY(model.ok());
@@ -239,6 +246,84 @@ private slots:
         QCOMPARE(twice, noise > 0.5 || turn > 0);
         QVERIFY(differs);
         QCOMPARE(verdict.levels.back().measured.errorInSpace.largest, 0.0);
+    }
+
+    /// C12: a build that keeps the error in space does so at every accuracy, and the checker says so of it; of one that
+    /// only claims it, the checker says no.
+    void theErrorInSpaceIsKept_data() { theErrorInSpaceIsMeasured_data(); }
+    void theErrorInSpaceIsKept()
+    {
+        QFETCH(double, noise);
+        QFETCH(double, turn);
+        QFETCH(bool, mirrored);
+        const Dataset dataset = movedAtRandom({9, 12, 8}, noise, turn, mirrored);
+        const auto built = buildModel(dataset, path(), Refinement{.inSpace = true});
+        QVERIFY2(built.ok(), built ? "" : built.error().text().c_str());
+        const auto model = Model::open(path());
+        QVERIFY(model.ok());
+        const std::vector<Accuracy> levels = {{30, 30}, {20, anyWarping}, {10, 10}, {5, 5}, {2, 8}, {1, 1}, {0, 0}};
+        const auto verdict = verify(**model, dataset, levels);
+        QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(verdict ? textOf(*verdict) : QString()));
+        std::uint32_t before = 0;
+        for (const LevelReport& level : verdict->levels) {
+            QCOMPARE(level.sites, meshSizeAt(**model, level.asked).sites);
+            before = std::max(before, level.sites);
+        }
+        QVERIFY(verdict->levels.front().sites < before); // it has levels
+        const auto mesh = MeshExtractor(*model).extract({.error = 5.0, .warping = 5.0});
+        QVERIFY(mesh.ok());
+        QCOMPARE((*mesh)->wholeSites, meshSizeAt(**model, {5, 5}).sites);
+
+        const Dataset small = movedAtRandom({5, 8, 4}, noise, turn, mirrored);
+        ModelDescription claiming;
+        claiming.parameters = {{"error-in", "space"}};
+        auto writer = ModelWriter::create(path(), small, claiming);
+        QVERIFY(writer.ok());
+        QVERIFY(replay(historyOf(small), **writer).ok());
+        writer->reset();
+        const QString says = textOf(verdictOf(small));
+        QVERIFY2(says.contains("The error at the place in space of sample"), qPrintable(says));
+    }
+
+    /// C12, C15: the figures of docs/performance.md, and that the option keeps what it says on the same grid.
+    void theErrorInSpaceOfARealGrid()
+    {
+        auto data = readPlot3d("bluntfin");
+        if (!data)
+            QSKIP("skipped: no data");
+        const auto dataset =
+            curvilinearDataset(data->size, std::move(data->positions), ScalarField::of(std::move(data->values)), "fin");
+        QVERIFY(dataset.ok());
+        const auto levelsOf = [&](const Refinement& refinement) {
+            if (!buildModel(*dataset, path(), refinement))
+                qFatal("the grid was not built");
+            auto verdict = verify(*Model::open(path()).value(), *dataset, {{8, 8}, {4, 4}});
+            if (!verdict || !verdict->ok())
+                qFatal("%s", verdict ? qPrintable(textOf(*verdict)) : verdict.error().text().c_str());
+            return verdict->levels;
+        };
+        const std::vector<LevelReport> inGrid = levelsOf({.error = 4, .block = 0});
+        QVERIFY(std::abs(inGrid[1].measured.errorInSpace.largest - 11.97) < 0.1);
+        QVERIFY(std::abs(inGrid[1].measured.errorInSpace.percentile99 - 4.32) < 0.1);
+        const std::vector<LevelReport> inSpace = levelsOf({.error = 4, .inSpace = true});
+        for (std::size_t level = 0; level < inSpace.size(); ++level) {
+            QVERIFY(inSpace[level].measured.errorInSpace.largest < 1.1 * inSpace[level].asked.error);
+            QVERIFY(inSpace[level].sites > inGrid[level].sites && inSpace[level].sites < 2 * inGrid[level].sites);
+        }
+    }
+
+    /// What does not go with keeping the error in space is refused.
+    void theErrorInSpaceIsOfWholeGrids()
+    {
+        const Dataset dataset = bentBumps(SampleType::Float32, {5, 4, 4});
+        QCOMPARE(buildModel(dataset, path(), Refinement{.block = 4, .inSpace = true}).error().kind,
+                 ErrorKind::WrongUsage);
+        QCOMPARE(buildModel(dataset, path(), Refinement{.paperSelection = true, .inSpace = true}).error().kind,
+                 ErrorKind::WrongUsage);
+        const Refinement byError{.orderedBy = OrderedBy::Error, .inSpace = true};
+        QCOMPARE(buildModel(dataset, path(), byError).error().kind, ErrorKind::WrongUsage);
+        const Dataset lattice = bumps(SampleType::UInt8, {5, 4, 4});
+        QCOMPARE(buildModel(lattice, path(), Refinement{.inSpace = true}).error().kind, ErrorKind::WrongUsage);
     }
 
     /// C12: where the grid is a lattice under a linear map there is one error only.
