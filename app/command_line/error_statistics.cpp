@@ -3,6 +3,8 @@
 
 #include "app/command_line/table.h"
 
+#include <algorithm>
+
 namespace tetra {
 
 namespace {
@@ -16,6 +18,18 @@ QJsonObject toJson(const ResidualStatistics& statistics)
 }
 
 } // namespace
+
+std::string guaranteeText(const ModelDescription& description)
+{
+    if (description.domain != DomainClass::Curvilinear)
+        return {};
+    const std::pair<std::string, std::string> inSpace("error-in", "space");
+    return std::ranges::find(description.parameters, inSpace) != description.parameters.end()
+               ? "\nThe error in the grid and the error in space, at the place where you look, are both guaranteed at "
+                 "every accuracy; in a focus or a field, the error in the grid alone.\n"
+               : "\nWhat is guaranteed is the error in the grid; the error in space, at the place where you look, may "
+                 "be larger.\n";
+}
 
 void addStatistics(QJsonObject& figures, const ErrorStatistics& measured, DomainClass domain)
 {

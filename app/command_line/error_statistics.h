@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tan/data.h>
+#include <tan/model.h>
 #include <tan/verify.h>
 
 #include <QJsonObject>
@@ -22,5 +23,8 @@ struct NamedStatistics {
     const ErrorStatistics& measured;
 };
 std::string statisticsText(const std::vector<NamedStatistics>& meshes, DomainClass domain);
+
+/// Which of the two a model of curvilinear data guarantees, in a paragraph of its own; of other data nothing.
+std::string guaranteeText(const ModelDescription& description);
 
 } // namespace tetra

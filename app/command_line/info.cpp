@@ -178,7 +178,8 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
     outcome.figures["levels"] = found->list;
     outcome.text = path + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
                    std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
-                   " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows);
+                   " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
+                   guaranteeText(description);
     if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
     if (const Status measured = addMeasured(invocation, model, levels, outcome); !measured)

@@ -128,7 +128,8 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
                        {"levels", levels}};
     outcome.text = path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) + "\n" +
-                   statisticsText(measured, description.domain) + remarkOn(verdict) + failureText(verdict, warps);
+                   statisticsText(measured, description.domain) + guaranteeText(description) + remarkOn(verdict) +
+                   failureText(verdict, warps);
     return outcome;
 }
 
@@ -184,7 +185,7 @@ Syntax verifySyntax(PluginHost& host)
             "far it is from theirs. "
             "It also says how large error and warping are on the whole: mean, 99th percentile and root mean square; "
             "and for curvilinear data the error in space, at the place where each point lies, which is not the error "
-            "in the grid that the model guarantees. "
+            "in the grid that models guarantee; of models built with '--error-in space' it is judged as well. "
             "Also the file itself: its checksums, its structure, and its values against the original ones.\n"
             "A model of a part of a dataset, or of an array of a file that holds several, keeps how that was opened; "
             "the options that say it are needed only to check against something else.\n"

@@ -15,10 +15,6 @@
 
 namespace tetra {
 
-/// The weights of a triangle's corners whose mean is nearest to the origin (C. Ericson, "Real-Time Collision
-/// Detection", 2005, 5.1.5).
-std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners);
-
 /// How far triangles between points of a mesh are from its original boundary: the direction that the paper's warping
 /// leaves out (S13).
 class BoundaryDistance {

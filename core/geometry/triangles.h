@@ -27,4 +27,8 @@ enum class Crossing { None, Leaving, Entering, Unclear };
 Crossing crossingOf(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& a,
                     const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
+/// The weights of a triangle's corners whose mean is nearest to the origin (C. Ericson, "Real-Time Collision
+/// Detection", 2005, 5.1.5).
+std::array<double, 3> nearestWeights(const std::array<std::array<double, 3>, 3>& corners);
+
 } // namespace tetra

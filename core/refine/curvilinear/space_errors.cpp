@@ -3,7 +3,9 @@
 
 #include "core/base/rounding.h"
 #include "core/geometry/orientation.h"
+#include "core/geometry/triangles.h"
 #include "core/mesh/topology.h"
+#include "core/refine/interpolation.h"
 
 #include <Eigen/Geometry>
 #include <tbb/blocked_range.h>
@@ -22,6 +24,7 @@ namespace {
 using Place = std::array<double, 3>;
 
 constexpr std::uint64_t notMeasured = ~std::uint64_t(0);
+constexpr double rounding = 1e-13; ///< of an error, of the extent of the values
 
 Eigen::Vector3d vectorOf(const PhysicalPoint& point)
 {
@@ -40,80 +43,31 @@ bool holds(const std::array<Place, 4>& corners, const Place& place)
     return true;
 }
 
-__extension__ using Quadruple = __float128;
-
-struct Deviation {
-    double error = 0;
-    double doubt = 0; ///< how much of it may be rounding
-};
-
-/// How far the linear function that has the corners' values is from the point's value at its place, by the volumes of
-/// the point with three corners each.
-template <class Real>
-Deviation deviation(const std::array<const PhysicalPoint*, 4>& corners, const PhysicalPoint& point)
-{
-    using Way = std::array<Real, 3>;
-    const auto from = [&point](const PhysicalPoint& to) {
-        Way way{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            way[axis] = static_cast<Real>(to.components[axis]) - static_cast<Real>(point.components[axis]);
-        return way;
-    };
-    const std::array<Way, 4> ways = {from(*corners[0]), from(*corners[1]), from(*corners[2]), from(*corners[3])};
-    const auto size = [](Real number) { return number < 0 ? -number : number; };
-    Real sum = 0, volume = 0, doubtOfSum = 0, doubtOfVolume = 0;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        const auto& [first, second, third] = cornersOfFace[corner];
-        const Way &a = ways[first], &b = ways[second], &c = ways[third];
-        const Real rise = static_cast<Real>(corners[corner]->components[3]) - static_cast<Real>(point.components[3]);
-        for (std::size_t x = 0; x < 3; ++x) {
-            const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
-            const Real one = a[x] * b[y] * c[z], other = a[x] * b[z] * c[y];
-            volume += one - other;
-            sum += rise * (one - other);
-            doubtOfVolume += size(one) + size(other);
-            doubtOfSum += size(rise) * (size(one) + size(other));
-        }
-    }
-    constexpr Real unit = 64 * static_cast<Real>(std::numeric_limits<long double>::epsilon());
-    const Real certain = size(volume) - unit * doubtOfVolume;
-    if (!(certain > 0))
-        return {size(volume) > 0 ? static_cast<double>(size(sum / volume)) : 0,
-                std::numeric_limits<double>::infinity()};
-    const Real error = size(sum / volume);
-    return {static_cast<double>(error), static_cast<double>(unit * (doubtOfSum + error * doubtOfVolume) / certain)};
-}
-
-/// A triangle's place next to another one.
-struct NextPlace {
+/// What is nearest to a place on some triangles.
+struct NearestPlace {
     double squaredDistance = std::numeric_limits<double>::infinity();
     double value = 0;
+    std::uint32_t triangle = 0;
 };
 
-NextPlace nextPlace(const std::array<const PhysicalPoint*, 3>& corners, const Eigen::Vector3d& from)
+/// Looks at one more triangle.
+void look(const std::array<const PhysicalPoint*, 3>& corners, std::uint32_t triangle, const Place& place,
+          NearestPlace& nearest)
 {
-    const std::array<Eigen::Vector3d, 3> places = {vectorOf(*corners[0]), vectorOf(*corners[1]), vectorOf(*corners[2])};
-    const Eigen::Vector3d ab = places[1] - places[0], ac = places[2] - places[0], to = from - places[0];
-    const Eigen::Vector3d normal = ab.cross(ac);
-    const double area = normal.squaredNorm();
-    const auto value = [&corners](std::size_t corner) { return corners[corner]->components[3]; };
-    if (area > 0) {
-        const double b = normal.dot(to.cross(ac)) / area, c = normal.dot(ab.cross(to)) / area;
-        if (b >= 0 && c >= 0 && b + c <= 1)
-            return {(to - b * ab - c * ac).squaredNorm(),
-                    value(0) + b * (value(1) - value(0)) + c * (value(2) - value(0))};
+    std::array<Place, 3> ways{};
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            ways[corner][axis] = corners[corner]->components[axis] - place[axis];
+    const auto weights = nearestWeights(ways);
+    double squaredDistance = 0, value = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double away = weights[0] * ways[0][axis] + weights[1] * ways[1][axis] + weights[2] * ways[2][axis];
+        squaredDistance += away * away;
     }
-    NextPlace best;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        const std::size_t next = (corner + 1) % 3;
-        const Eigen::Vector3d edge = places[next] - places[corner];
-        const double length = edge.squaredNorm();
-        const double along = length > 0 ? std::clamp(edge.dot(from - places[corner]) / length, 0.0, 1.0) : 0;
-        const double distance = (places[corner] + along * edge - from).squaredNorm();
-        if (distance < best.squaredDistance)
-            best = {distance, value(corner) + along * (value(next) - value(corner))};
-    }
-    return best;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        value += weights[corner] * corners[corner]->components[3];
+    if (squaredDistance < nearest.squaredDistance)
+        nearest = {squaredDistance, value, triangle};
 }
 
 } // namespace
@@ -134,7 +88,7 @@ SpaceErrors::SpaceErrors(const CurvilinearGrid& grid, double extent)
 void SpaceErrors::note(std::uint32_t point, double error, std::uint32_t slot)
 {
     const double weighted = error * (grid_.weighted() ? grid_.weight(grid_.lattice().pointAt(point)) : 1);
-    const float bound = weighted > 5e-13 * extent_ ? roundedUp(weighted) : 0.0f;
+    const float bound = weighted > 5 * rounding * extent_ ? roundedUp(weighted) : 0.0f;
     const std::uint64_t entry = std::uint64_t(std::bit_cast<std::uint32_t>(bound)) << 32 | slot;
     std::uint64_t known = measured_[point].load(std::memory_order_relaxed);
     while (entry < known && !measured_[point].compare_exchange_weak(known, entry, std::memory_order_relaxed))
@@ -143,35 +97,29 @@ void SpaceErrors::note(std::uint32_t point, double error, std::uint32_t slot)
 
 void SpaceErrors::measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_t slot)
 {
-    std::array<const PhysicalPoint*, 4> corners{};
+    InterpolatingCell cell;
     std::array<Place, 4> places{};
+    Eigen::AlignedBox3d box;
     for (std::size_t corner = 0; corner < 4; ++corner) {
         const std::uint32_t point = grid_.lattice().index(tetrahedron.vertices[corner]);
         measured_[point].store(0, std::memory_order_relaxed);
-        corners[corner] = &grid_[point];
         places[corner] = grid_[point].position();
+        cell.corners[corner] = vectorOf(grid_[point]);
+        cell.values[corner] = grid_[point].components[3];
+        box.extend(cell.corners[corner]);
     }
     const int sign = orientationSign(places[0], places[1], places[2], places[3]);
     if (sign == 0)
         return;
-    if (sign < 0) {
-        std::swap(corners[2], corners[3]);
+    if (sign < 0)
         std::swap(places[2], places[3]);
-    }
-    Eigen::AlignedBox3d box;
-    for (const PhysicalPoint* corner : corners)
-        box.extend(vectorOf(*corner));
     const auto meets = [&box](const Eigen::AlignedBox3d& other) { return box.intersects(other); };
     tree_.visitNear(meets, [&](std::uint32_t point) {
-        const PhysicalPoint& at = grid_[point];
-        if (measured_[point].load(std::memory_order_relaxed) >> 32 == 0 || !box.contains(vectorOf(at)) ||
-            !holds(places, at.position()))
+        const Eigen::Vector3d at = vectorOf(grid_[point]);
+        if (measured_[point].load(std::memory_order_relaxed) >> 32 == 0 || !box.contains(at) ||
+            !holds(places, grid_[point].position()))
             return;
-        const double enough = 1e-13 * extent_;
-        Deviation found = deviation<long double>(corners, at);
-        if (!(found.doubt <= enough))
-            found = {deviation<Quadruple>(corners, at).error, enough};
-        note(point, found.error + found.doubt, slot);
+        note(point, interpolationError(cell, at, grid_[point].components[3]) + rounding * extent_, slot);
     });
 }
 
@@ -212,33 +160,27 @@ void SpaceErrors::measureOutside(std::span<const DelaunayTetrahedron> tetrahedra
                 sum += corner->components[static_cast<std::size_t>(axis)];
             return sum;
         });
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(measured_.size()), 1024),
-                      [&](const auto& range) {
-                          for (std::uint32_t point = range.begin(); point != range.end(); ++point) {
-                              if (measured_[point].load(std::memory_order_relaxed) != notMeasured)
-                                  continue;
-                              const Eigen::Vector3d place = vectorOf(grid_[point]);
-                              NextPlace best;
-                              std::uint32_t slot = 0;
-                              tree.visitNearer(
-                                  place, [&best] { return std::sqrt(best.squaredDistance); },
-                                  [&](std::uint32_t face) {
-                                      const NextPlace next = nextPlace(boundary.faces[face], place);
-                                      if (!(next.squaredDistance < best.squaredDistance))
-                                          return;
-                                      best = next;
-                                      slot = boundary.slots[face];
-                                  });
-                              note(point, std::abs(best.value - grid_[point].components[3]) + 1e-13 * extent_, slot);
-                          }
-                      });
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(measured_.size()), 1024),
+        [&](const auto& range) {
+            for (std::uint32_t point = range.begin(); point != range.end(); ++point) {
+                if (measured_[point].load(std::memory_order_relaxed) != notMeasured)
+                    continue;
+                NearestPlace nearest;
+                tree.visitNearer(
+                    vectorOf(grid_[point]), [&nearest] { return std::sqrt(nearest.squaredDistance); },
+                    [&](std::uint32_t face) { look(boundary.faces[face], face, grid_[point].position(), nearest); });
+                note(point, std::abs(nearest.value - grid_[point].components[3]) + rounding * extent_,
+                     boundary.slots[nearest.triangle]);
+            }
+        });
 }
 
 float SpaceErrors::measure(std::span<const DelaunayTetrahedron> tetrahedra, double limit, std::vector<Worst>& found)
 {
     for (std::atomic<std::uint64_t>& measured : measured_)
         measured.store(notMeasured, std::memory_order_relaxed);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(tetrahedra.size()), 64),
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(tetrahedra.size()), 8),
                       [&](const auto& range) {
                           for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot)
                               if (tetrahedra[slot].determinant() != 0)

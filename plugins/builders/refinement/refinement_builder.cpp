@@ -223,8 +223,8 @@ BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const Parame
     if (!isOnLattice(dataset.domain) || !block)
         return {};
     const auto chosen = [&](const char* id) { return parameterValue<std::string>(parameters(), values, id); };
-    if (dataset.domain == DomainClass::Curvilinear &&
-        (chosen("selection") == paper || (dataset.convex && chosen("space") != computational)))
+    if (dataset.domain == DomainClass::Curvilinear && (chosen("selection") == paper || chosen("error-in") == inSpace ||
+                                                       (dataset.convex && chosen("space") != computational)))
         return {}; // these take no blocks
     const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
     const bool inBlocks = cells && *cells > 0;
