@@ -414,10 +414,11 @@ Result<Dataset> takenFor(const Refinement& refinement, const Dataset& dataset, c
     const bool warps = refinement.warping > 0 || refinement.paperSelection || refinement.orderedBy != OrderedBy::Both;
     const bool hasBlocks = refinement.block.value_or(0) > 0;
     if (refinement.inSpace && !inIndices)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("Where '%1' is refined there is no error in space apart from the one that is kept "
-                                  "anyway. Leave it out.",
-                                  dataset.source.name)};
+        return Error{
+            ErrorKind::WrongUsage,
+            Message::say("'%1' is refined in the space where its points lie, so its error is the error in space. "
+                         "Leave this choice out.",
+                         dataset.source.name)};
     if (isGrid && !inIndices && (warps || hasBlocks))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is a rectilinear grid, which is refined in physical space: there it has no "

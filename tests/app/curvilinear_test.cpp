@@ -221,6 +221,28 @@ private slots:
         QCOMPARE(tan({"info", "body.xyz", "--against", "body.xyz"}).exitCode, 2);
     }
 
+    /// C12: which error a model guarantees is chosen, said and proved.
+    void theErrorInSpaceIsKept()
+    {
+        const Run built = tan(
+            {"build", "body.xyz", "--error-in", "space", "--error", "1", "--warping", "1", "-o", "seen.tan", "--json"});
+        QVERIFY2(built.exitCode == 0, built.messages);
+        for (const char* command : {"info", "verify"}) {
+            const QStringList last = {"--against", "body.xyz", "--lod", "4"};
+            const Run seen = tan(QStringList{command, "seen.tan"} + last);
+            QVERIFY2(seen.exitCode == 0 && seen.output.contains("are both guaranteed"), seen.output);
+            const Run other = tan(QStringList{command, "body.tan"} + last);
+            QVERIFY2(other.output.contains("What is guaranteed is the error in the grid"), other.output);
+        }
+        const auto inSpace = [this](const char* model) {
+            const Run run = tan({"verify", model, "--against", "body.xyz", "--lod", "4", "--json"});
+            return run.json()["levels"].toArray()[0].toObject()["error_in_space"].toObject()["largest"].toDouble(-1);
+        };
+        QVERIFY(inSpace("seen.tan") < 4.4 && inSpace("body.tan") > 4.4);
+        const Run refused = tan({"build", "body.xyz", "--error-in", "space", "--block", "4", "-o", "no.tan"});
+        QVERIFY2(refused.exitCode == 2 && refused.messages.contains("whole grids only"), refused.messages);
+    }
+
     void surfacesAndPicturesAreMade()
     {
         const Run surface = tan(

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/volume/volume_mesh.h"
+#include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/sample_window.h"
 #include "ui/panels/model_statistics.h"
 #include "ui/session/accuracy_scale.h"
 
+#include <tan/build.h>
+#include <tan/model.h>
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
@@ -14,6 +17,8 @@
 #include <QFileDialog>
 #include <QPushButton>
 #include <QTreeWidget>
+
+#include <algorithm>
 
 using namespace tetra;
 
@@ -30,6 +35,7 @@ private slots:
     void allOfItIsCopied();
     void theTableIsSaved();
     void cyclesOfTheOrderAreCounted();
+    void whichErrorIsSaid();
     void withoutAModelThereIsNothing();
 
 private:
@@ -85,6 +91,25 @@ void StatisticsTest::choosingALineChoosesItsAccuracy()
     QCOMPARE(session().undoStack().count(), steps + 2);
     window_->find<QAction>("action.undo").trigger();
     QVERIFY(table().currentItem() == table().topLevelItem(1));
+}
+
+/// C12: of a curvilinear grid, whether the model keeps the error in space or that in the grid alone.
+void StatisticsTest::whichErrorIsSaid()
+{
+    const auto grid = makeSample({.name = "bent-duct", .size = 6, .type = std::nullopt, .seed = 1});
+    QVERIFY(grid);
+    const auto said = [&](bool inSpace) {
+        const std::filesystem::path path = window_->folderPath() + "/grid.tan";
+        if (!tetra::buildModel(*grid, path, Refinement{.inSpace = inSpace}))
+            return QString("no model");
+        const auto facts = modelFacts(*Model::open(path).value());
+        const auto fact = std::ranges::find(facts, QString("Error"), &StatisticsFact::name);
+        return fact == facts.end() ? QString() : fact->value;
+    };
+    QCOMPARE(said(true), QString("in the grid and in space"));
+    QCOMPARE(said(false), QString("in the grid; in space it may be larger"));
+    const auto facts = modelFacts(*session().model()); // a lattice has one
+    QVERIFY(std::ranges::none_of(facts, [](const auto& one) { return one.name == "Error"; }));
 }
 
 void StatisticsTest::theTableFollowsTheSession()

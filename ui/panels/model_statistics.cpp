@@ -85,11 +85,11 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
                                       {Statistics::tr("Total vertices"), countText(model.siteCount())},
                                       {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
     if (model.description().domain == DomainClass::Curvilinear) {
-        const bool inSpace = std::ranges::any_of(model.description().parameters, [](const auto& parameter) {
-            return parameter.first == "error-in" && parameter.second == "space";
-        });
-        facts.push_back({Statistics::tr("Error"),
-                         inSpace ? Statistics::tr("in the grid and in space") : Statistics::tr("in the grid")});
+        const auto& parameters = model.description().parameters;
+        const bool inSpace =
+            std::ranges::find(parameters, std::pair<std::string, std::string>("error-in", "space")) != parameters.end();
+        facts.push_back({Statistics::tr("Error"), inSpace ? Statistics::tr("in the grid and in space")
+                                                          : Statistics::tr("in the grid; in space it may be larger")});
     }
     return facts;
 }
