@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
 #include "app/command_line/option_values.h"
+#include "app/command_line/packing.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/model_building.h"
@@ -55,6 +57,20 @@ Outcome describe(const ModelBuild& build, const std::string& output)
     if (report.degenerate > 0)
         outcome.text += "tetrahedra without volume in the finest mesh: " + std::to_string(report.degenerate) + "\n";
     return outcome;
+}
+
+/// What was built into what was asked for.
+Status pack(const std::filesystem::path& built, const std::filesystem::path& output, const Progress& progress,
+            Outcome& outcome)
+{
+    const auto model = Model::open(built);
+    if (!model)
+        return model.error();
+    const auto report = packModel(**model, output, progress);
+    if (!report)
+        return report.error();
+    addPacking(*report, (*model)->fileSize(), outcome);
+    return {};
 }
 
 std::string optionInQuotes(std::string_view option)
@@ -154,6 +170,10 @@ Syntax buildSyntax(PluginHost& host)
                      .explanation = "For builds that are not in blocks: if the build is interrupted, keep what is "
                                     "finished, of refinement "
                                     "as a model of lower accuracy, of decimation as one without the coarser meshes."},
+                    {.name = "packed",
+                     .placeholder = "",
+                     .explanation = "Write a packed model, as 'tan pack' does; the model itself lies in the folder "
+                                    "MODEL.packing until it is packed."},
                     buildThreadsOption(),
                     {.name = "resume",
                      .placeholder = "",
@@ -182,6 +202,10 @@ Result<Outcome> runBuild(const Invocation& invocation)
         limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*threads));
     if (const Status safe = checkOutputs(input, output); !safe)
         return safe.error();
+    if (arguments.has("packed") && arguments.has("keep"))
+        return Error{ErrorKind::WrongUsage,
+                     "'--keep' and '--packed' do not go together: what an interrupted build keeps "
+                     "is packed by 'tan pack'. Leave one of the two out."};
 
     auto imported = importOptions(invocation, input);
     if (!imported)
@@ -204,16 +228,33 @@ Result<Outcome> runBuild(const Invocation& invocation)
         return used.error();
     if (const Status able = checkAbilities(arguments, *builder, *dataset, *values); !able)
         return able.error();
+    const bool isPacked = arguments.has("packed");
+    std::optional<WorkFolder> packing;
+    if (isPacked) {
+        auto folder = WorkFolder::open(output + ".packing", arguments.has("resume") ? WorkFolder::Leftovers::Keep
+                                                                                    : WorkFolder::Leftovers::Remove);
+        if (!folder)
+            return folder.error();
+        packing.emplace(*std::move(folder));
+    }
+    const std::filesystem::path target = isPacked ? packing->path() / "model.tan" : std::filesystem::path(output);
     const std::atomic<bool> keep = arguments.has("keep");
+    const double builtEnd = isPacked ? 0.4 : 1;
     const auto build =
-        buildModel(invocation.host, *dataset, builder->id, *values, output, invocation.progress.part(0.05, 1),
+        buildModel(invocation.host, *dataset, builder->id, *values, target, invocation.progress.part(0.05, builtEnd),
                    {.live = nullptr,
                     .keepWhenCancelled = &keep,
                     .resume = arguments.has("resume"),
                     .imported = toKeep(*std::move(imported), arguments)});
-    if (!build)
+    if (!build) {
+        if (isPacked && arguments.has("resume"))
+            packing->keep(); // with what the build left in it
         return build.error();
+    }
     Outcome outcome = describe(*build, output);
+    if (isPacked)
+        if (const Status packed = pack(target, output, invocation.progress.part(builtEnd, 1), outcome); !packed)
+            return packed.error();
     tellThreads(arguments, *threads, *builder, *dataset, *values, outcome);
     addRemarks(*dataset, outcome);
     return outcome;

@@ -139,6 +139,12 @@ DatasetSummary summaryOf(const Model& model)
             description.range,  cellsOf(description.domain, description.lattice, model.meshSizes().back())};
 }
 
+DatasetSummary summaryOf(const ModelDescription& description)
+{
+    return {description.domain,     description.lattice, description.bounds,
+            description.sampleType, description.range,   cellsOf(description.domain, description.lattice, 0)};
+}
+
 QJsonObject datasetFigures(const DatasetSummary& summary)
 {
     const Lattice& lattice = summary.lattice;

@@ -33,6 +33,8 @@ struct DatasetSummary {
 
 DatasetSummary summaryOf(const Dataset& dataset);
 DatasetSummary summaryOf(const Model& model);
+/// Of a model that is not there: its cells may be unknown, 0.
+DatasetSummary summaryOf(const ModelDescription& description);
 
 /// "kind", "points", "cells", "range", "type" and "bounds"; of grids also "size", of lattices "spacing" and "origin";
 /// of other grids and meshes "convex".

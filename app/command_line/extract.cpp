@@ -2,6 +2,7 @@
 #include "app/command_line/datasets.h"
 #include "app/command_line/error_statistics.h"
 #include "app/command_line/extracted_content.h"
+#include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
@@ -143,7 +144,7 @@ Syntax extractSyntax(PluginHost& host)
             "a VTK XML unstructured grid (.vtu), a legacy one (.vtk) or binary PLY (.ply), with the array 'value' of "
             "the vertices; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), STL (.stl), Wavefront "
             "text (.obj) or binary glTF (.glb).",
-        .positionals = {{"MODEL", "The model."}},
+        .positionals = {{"MODEL", modelExplanation()}},
         .options = queryOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
                      {"tan extract engine.tan --error 4 --focus sphere:120,100,60,30 --focus-error 0.5 -o detail.vtu",
@@ -177,21 +178,25 @@ Result<Outcome> runExtract(const Invocation& invocation)
         return safe.error();
 
     const auto start = std::chrono::steady_clock::now();
-    const auto model = Model::open(input);
-    if (!model)
-        return model.error();
-    if (const Status warps = checkWarpingOption(arguments, **model); !warps)
+    const double opened = isAtHand(input) ? 0 : 0.5;
+    const auto found = openInput(invocation, input, *query, invocation.progress.part(0, opened));
+    if (!found)
+        return found.error();
+    const std::shared_ptr<const Model>& model = found->model;
+    if (const Status warps = checkWarpingOption(arguments, *model); !warps)
         return warps.error();
-    if (const Status safe = checkMeshOutput(output, **model); !safe)
+    if (const Status safe = checkMeshOutput(output, *model); !safe)
         return safe.error();
-    const Task task{invocation, arguments, output, invocation.host, *values, **model, invocation.progress};
-    auto outcome = extractMesh(task, *query, *model);
+    const Progress progress = invocation.progress.part(opened, 1);
+    const Task task{invocation, arguments, output, invocation.host, *values, *model, progress};
+    auto outcome = extractMesh(task, *query, model);
     if (!outcome)
         return outcome.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     outcome->figures["seconds"] = elapsed.count();
     outcome->text.insert(std::min(outcome->text.find('\n'), outcome->text.size()),
                          ", in " + rounded(elapsed.count(), 3) + " s\n");
+    tellPart(*found, *outcome);
     return outcome;
 }
 

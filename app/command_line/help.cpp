@@ -105,6 +105,8 @@ std::vector<std::pair<std::string, std::string>> environmentVariables()
     return {
         {"TAN_PLUGIN_PATH", "more folders with plugins, separated by ':'"},
         {"TAN_PLUGIN_DISABLE", "ids of plugins that are not to be loaded, separated by ','"},
+        {"TAN_CACHE_MB",
+         "how many megabytes the cache of models that are packed or on a server takes at most; 8590 without it"},
     };
 }
 

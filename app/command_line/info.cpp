@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
 #include "app/command_line/error_statistics.h"
+#include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
@@ -148,10 +149,10 @@ Status addMeasured(const Invocation& invocation, const Model& model, const std::
 Result<Outcome> describeModel(const Invocation& invocation, const std::string& path,
                               const std::vector<Accuracy>& levels, const std::optional<std::string>& output)
 {
-    const auto opened = Model::open(path);
+    const auto opened = openWholeInput(path, invocation.progress);
     if (!opened)
         return opened.error();
-    const Model& model = **opened;
+    const Model& model = *opened->model;
     if (const Status warps = checkWarpingOption(invocation.arguments, model); !warps)
         return warps.error();
     const ModelDescription& description = model.description();
@@ -184,6 +185,61 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
     if (const Status measured = addMeasured(invocation, model, levels, outcome); !measured)
         return measured.error();
+    return outcome;
+}
+
+/// Of a model that is packed or on a server, as far as the front of its file tells: nothing is unpacked or fetched.
+Result<Outcome> describeFront(const Invocation& invocation, const std::string& path, const std::vector<Accuracy>& asked)
+{
+    const auto facts = modelFacts(path, invocation.progress);
+    if (!facts)
+        return facts.error();
+    const ModelDescription& description = facts->description;
+    const bool warps = description.warpingWeight > 0;
+    if (invocation.arguments.has("warping") && !warps)
+        return Error{ErrorKind::WrongUsage,
+                     "'--warping' is of data that warp, and those of '" + path + "' cannot. Leave it out."};
+    const bool isPacked = facts->form == ModelForm::Packed;
+    const DatasetSummary summary = summaryOf(description);
+    QJsonArray list;
+    std::vector<std::vector<std::string>> rows = {{"error %", "sites", "read", "reached %"}};
+    if (warps) {
+        rows[0].insert(rows[0].begin() + 1, "warping %");
+        rows[0].emplace_back("warping reached %");
+    }
+    for (const Accuracy& level : asked) {
+        const auto keeps = [&](const LevelInFile& one) {
+            return one.error <= level.error && one.warping <= level.warping;
+        };
+        const auto found = std::ranges::find_if(facts->levels, keeps);
+        const LevelInFile& reached = found != facts->levels.end() ? *found : facts->levels.back();
+        list.append(QJsonObject{{"error", level.error},
+                                {"warping", warps ? level.warping : 0},
+                                {"sites", static_cast<qint64>(reached.sites)},
+                                {"bytes", static_cast<qint64>(reached.bytes)},
+                                {"reached", reached.error},
+                                {"reached_warping", reached.warping}});
+        std::vector<std::string> row = {warps ? limitText(level.error) : rounded(level.error),
+                                        std::to_string(reached.sites), byteText(reached.bytes), rounded(reached.error)};
+        if (warps) {
+            row.insert(row.begin() + 1, limitText(level.warping));
+            row.push_back(rounded(reached.warping));
+        }
+        rows.push_back(std::move(row));
+    }
+    Outcome outcome{.figures = datasetFigures(summary), .text = {}};
+    for (const auto& [key, value] : provenanceFigures(description).toVariantMap().asKeyValueRange())
+        outcome.figures[key] = QJsonValue::fromVariant(value);
+    outcome.figures["form"] = isPacked ? "packed" : "explicit";
+    outcome.figures["sites"] = static_cast<qint64>(facts->sites);
+    outcome.figures["tetrahedra"] = static_cast<qint64>(facts->tetrahedra);
+    outcome.figures["bytes"] = static_cast<qint64>(facts->fileBytes);
+    outcome.figures["unpacked_bytes"] = static_cast<qint64>(facts->unpackedBytes);
+    outcome.figures["levels"] = list;
+    outcome.text = path + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n" +
+                   provenanceText(description) + std::to_string(facts->sites) + " sites, " +
+                   std::to_string(facts->tetrahedra) + " tetrahedra in the history, " + byteText(facts->fileBytes) +
+                   (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows);
     return outcome;
 }
 
@@ -248,12 +304,17 @@ Syntax infoSyntax(PluginHost& host)
         .explanation =
             "Of a model: its domain, how it was made, and the size of the mesh at each level of "
             "detail. The sizes are looked up, not counted, so this is quick for models of any size; of curvilinear "
-            "grids the inverted tetrahedra are counted, some ten million a second. "
+            "grids the inverted tetrahedra are counted, some ten million a second. Of a packed model and of one on a "
+            "server "
+            "the sizes of a few levels, and how much of the file is read for each; nothing is unpacked or fetched. "
             "Of a dataset: its size, its type, its range of values, and what each builder would take for a model of "
             "it.\n\nDatasets that can be read, also compressed "
             "with gzip (*.gz): " +
             readable + ".",
-        .positionals = {{"FILE", "A model, or a dataset that one of the readers knows."}},
+        .positionals =
+            {{"FILE",
+              "A model, packed or not, or its address on a server (http:// or https://); or a dataset that one of the "
+              "readers knows."}},
         .options = {levelsOption(),
                     warpingOption(),
                     {.name = "against",
@@ -277,7 +338,7 @@ Result<Outcome> runInfo(const Invocation& invocation)
     if (!levels)
         return levels.error();
     const auto output = invocation.arguments.value("output");
-    if (!isModelFile(path)) {
+    if (!isAddress(path) && !isModelFile(path)) {
         if (output)
             return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
                                                     "' is none. Build a model of it first."};
@@ -294,7 +355,9 @@ Result<Outcome> runInfo(const Invocation& invocation)
                                                       {}, "model '" + path + "'");
         !known)
         return known.error();
-    return describeModel(invocation, path, *levels, output);
+    const bool needsMeshes = against || output.has_value();
+    return isAtHand(path) || needsMeshes ? describeModel(invocation, path, *levels, output)
+                                         : describeFront(invocation, path, *levels);
 }
 
 } // namespace tetra

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/extracted_content.h"
+#include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
@@ -149,7 +150,7 @@ Syntax isosurfaceSyntax(PluginHost& host)
                       "unstructured grid (.vtu), binary PLY (.ply) or STL (.stl), Wavefront text (.obj) or binary glTF "
                       "(.glb). Each vertex has a position, a normal and the isovalue that it belongs to, as far as the "
                       "format can hold them.",
-                  .positionals = {{"MODEL", "The model."}},
+                  .positionals = {{"MODEL", modelExplanation()}},
                   .options = {{.name = "value",
                                .placeholder = "V[,V2...]",
                                .explanation = "The isovalues, in units of the data.",
@@ -186,30 +187,32 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         return safe.error();
 
     const auto start = std::chrono::steady_clock::now();
-    const auto model = Model::open(input);
-    if (!model)
-        return model.error();
-    if (const Status warps = checkWarpingOption(arguments, **model); !warps)
+    const double opened = isAtHand(input) ? 0 : 0.2;
+    const auto found = openInput(invocation, input, *query, invocation.progress.part(0, opened));
+    if (!found)
+        return found.error();
+    const std::shared_ptr<const Model>& model = found->model;
+    if (const Status warps = checkWarpingOption(arguments, *model); !warps)
         return warps.error();
-    if (const Status inRange = checkInRange(*isovalues, (*model)->description().range); !inRange)
+    if (const Status inRange = checkInRange(*isovalues, model->description().range); !inRange)
         return inRange.error();
-    if (const Status safe = checkMeshOutput(output, **model); !safe)
+    if (const Status safe = checkMeshOutput(output, *model); !safe)
         return safe.error();
-    MeshExtractor extractor(*model);
+    MeshExtractor extractor(model);
     const auto extracted =
-        confirmed(**model, extractor.extract(*query, invocation.progress.part(0, 0.3)), invocation.progress);
+        confirmed(*model, extractor.extract(*query, invocation.progress.part(opened, 0.3)), invocation.progress);
     if (!extracted)
         return extracted.error();
     const ExtractedMesh& mesh = **extracted;
-    if (const Status some = checkNotEmpty(arguments, **model, mesh.mesh); !some)
+    if (const Status some = checkNotEmpty(arguments, *model, mesh.mesh); !some)
         return some.error();
     if (const Status fits = checkMemoryForSurfaces(mesh.mesh, *isovalues); !fits)
         return fits.error();
     const auto surfaces = extractAll(mesh, *isovalues, invocation.progress.part(0.3, 0.8));
     if (!surfaces)
         return surfaces.error();
-    if (const Status written = saveSurface(invocation.host, contentOf(**model, *query, mesh, *surfaces), output,
-                                           *values, invocation.progress.part(0.8, 1));
+    if (const Status written = saveSurface(invocation.host, contentOf(*model, *query, mesh, *surfaces), output, *values,
+                                           invocation.progress.part(0.8, 1));
         !written)
         return written.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -220,16 +223,18 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
         vertices += surface.mesh.positions.size();
         triangles += surface.mesh.triangles.size();
     }
-    QJsonObject figures = figuresOf(**model, *query, mesh);
+    QJsonObject figures = figuresOf(*model, *query, mesh);
     figures["file"] = QFile::decodeName(output.c_str());
     figures["vertices"] = static_cast<qint64>(vertices);
     figures["triangles"] = static_cast<qint64>(triangles);
     figures["seconds"] = elapsed.count();
-    return Outcome{.figures = figures,
-                   .text = output.string() + ": " + std::to_string(vertices) + " vertices, " +
-                           std::to_string(triangles) + " triangles from " +
-                           std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra, in " +
-                           rounded(elapsed.count(), 3) + " s\n"};
+    Outcome outcome{.figures = figures,
+                    .text = output.string() + ": " + std::to_string(vertices) + " vertices, " +
+                            std::to_string(triangles) + " triangles from " +
+                            std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra, in " +
+                            rounded(elapsed.count(), 3) + " s\n"};
+    tellPart(*found, outcome);
+    return outcome;
 }
 
 } // namespace tetra

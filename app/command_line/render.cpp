@@ -2,6 +2,7 @@
 #include "app/command_line/annotation_options.h"
 #include "app/command_line/camera_option.h"
 #include "app/command_line/depth_file.h"
+#include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
@@ -32,6 +33,9 @@ namespace tetra {
 namespace {
 
 constexpr std::string_view defaultMode = "isosurface";
+// How far all is when the model is open, if it was packed or far away, and when its scene is made.
+constexpr double openingEnd = 0.4;
+constexpr double sceneEnd = 0.6;
 
 using Clock = std::chrono::steady_clock;
 
@@ -58,6 +62,8 @@ std::vector<Parameter> rendererParameters(PluginHost& host, const FieldExtent& f
 
 /// A model and how it is to be seen, by the options or by a session.
 struct ModelView {
+    FoundModel found{};
+    double opened = 0; ///< how far all is by then
     std::shared_ptr<const Model> model{};
     Provided<Renderer> renderer{};
     SceneRequest scene{};
@@ -67,6 +73,7 @@ struct ModelView {
 
 /// What is drawn, and what there is to tell of how it was made.
 struct PreparedScene {
+    FoundModel found;
     ViewPicture picture;
     QJsonObject figures;
     std::size_t tetrahedra = 0;
@@ -149,11 +156,12 @@ Status checkAppearance(const Arguments& arguments, const Model& model, const Pro
 Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
                                 const Provided<Renderer>& renderer)
 {
-    ModelView view{.renderer = renderer};
-    const auto model = Model::open(request.input);
-    if (!model)
-        return model.error();
-    view.model = *model;
+    ModelView view{.opened = isAtHand(request.input) ? 0 : openingEnd, .renderer = renderer};
+    const auto found = openInput(invocation, request.input, request.query, invocation.progress.part(0, view.opened));
+    if (!found)
+        return found.error();
+    view.found = *found;
+    view.model = found->model;
     const ModelDescription& data = view.model->description();
     // What does not fit is told before the work begins.
     const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(roughExtentOf(*view.model)));
@@ -207,10 +215,12 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
         return document.error();
     if (const Status safe = checkOutput(request.output, std::array{document->model}); !safe)
         return safe.error();
-    const auto model = Model::open(document->model);
-    if (!model)
-        return Error{model.error().kind, "The model of the session cannot be opened. " + model.error().text()};
-    view.model = *model;
+    view.opened = isAtHand(document->model) ? 0 : openingEnd;
+    const auto found = openWholeInput(document->model, invocation.progress.part(0, view.opened));
+    if (!found)
+        return Error{found.error().kind, "The model of the session cannot be opened. " + found.error().text()};
+    view.found = *found;
+    view.model = found->model;
     const auto modes = renderingModes(invocation.host);
     const FieldExtent field = extentOf(*view.model);
     SessionDocument kept = restoredView(*document, modes, *view.model, field);
@@ -242,8 +252,8 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
 /// With the scene, and with what can be said of it.
 Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view, ScenePipeline& pipeline)
 {
-    const auto built =
-        confirmed(*view.model, pipeline.make(view.scene, invocation.progress.part(0, 0.6)), invocation.progress);
+    const auto built = confirmed(
+        *view.model, pipeline.make(view.scene, invocation.progress.part(view.opened, sceneEnd)), invocation.progress);
     if (!built)
         return built.error();
     const ExtractedMesh& mesh = *pipeline.mesh();
@@ -265,7 +275,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
         content.title = asked.title;
     asked = content;
     view.picture.scene = built->scene;
-    return PreparedScene{view.picture, figures, built->mesh.tetrahedra, view.scene, *built};
+    return PreparedScene{view.found, view.picture, figures, built->mesh.tetrahedra, view.scene, *built};
 }
 
 void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
@@ -351,9 +361,9 @@ Syntax renderSyntax(PluginHost& host)
             "Works without a display, with the processor alone or with OpenGL. What is drawn is a mesh as "
             "'tan extract' takes it from the model: of one accuracy, with a focus, of so many tetrahedra, or "
             "a part of it.",
-        .positionals = {{"MODEL",
-                         "The model; or a session that the window has saved, or a picture that holds one: that "
-                         "is drawn as the window would, and what it says cannot be said by options."}},
+        .positionals = {{"MODEL", modelExplanation() +
+                                      " Or a session that the window has saved, or a picture that holds one: that "
+                                      "is drawn as the window would, and what it says cannot be said by options."}},
         .options = {{.name = "mode",
                      .placeholder = idChoices(host.renderers()),
                      .explanation = "What to show.",
@@ -425,7 +435,7 @@ Result<Outcome> runRender(const Invocation& invocation)
         return some.error();
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
-    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(0.6, 1));
+    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, 1));
     if (!picture)
         return picture.error();
     QJsonObject figures = prepared->figures;
@@ -444,10 +454,12 @@ Result<Outcome> runRender(const Invocation& invocation)
     figures["triangles"] = static_cast<qint64>(triangleCount(*order.scene));
     figures["backend"] = QString::fromStdString(request->backend);
     figures["seconds"] = seconds;
-    return Outcome{.figures = figures,
-                   .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
-                           std::to_string(picture->height) + " pixels, " +
-                           contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
+    Outcome outcome{.figures = figures,
+                    .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
+                            std::to_string(picture->height) + " pixels, " +
+                            contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
+    tellPart(prepared->found, outcome);
+    return outcome;
 }
 
 } // namespace tetra

@@ -10,7 +10,7 @@ namespace tetra {
 
 std::span<const Subcommand> subcommands()
 {
-    static constexpr std::array<Subcommand, 9> all = {{
+    static constexpr std::array<Subcommand, 12> all = {{
         {"sample", sampleSyntax, runSample},
         {"build", buildSyntax, runBuild},
         {"info", infoSyntax, runInfo},
@@ -18,6 +18,9 @@ std::span<const Subcommand> subcommands()
         {"extract", extractSyntax, runExtract},
         {"isosurface", isosurfaceSyntax, runIsosurface},
         {"render", renderSyntax, runRender, askForAnnotations},
+        {"cut", cutSyntax, runCut},
+        {"pack", packSyntax, runPack},
+        {"unpack", unpackSyntax, runUnpack},
         {"reproduce", reproduceSyntax, runReproduce, [](std::span<const std::string>) { return true; }},
         {"plugins", pluginsSyntax, runPlugins},
     }};

@@ -30,6 +30,16 @@ Result<Outcome> runRender(const Invocation& invocation);
 Syntax reproduceSyntax(PluginHost& host);
 Result<Outcome> runReproduce(const Invocation& invocation);
 
+Syntax cutSyntax(PluginHost& host);
+Result<Outcome> runCut(const Invocation& invocation);
+
+Syntax packSyntax(PluginHost& host);
+Result<Outcome> runPack(const Invocation& invocation);
+
+/// In cut.cpp.
+Syntax unpackSyntax(PluginHost& host);
+Result<Outcome> runUnpack(const Invocation& invocation);
+
 Syntax pluginsSyntax(PluginHost& host);
 Result<Outcome> runPlugins(const Invocation& invocation);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/datasets.h"
 #include "app/command_line/error_statistics.h"
+#include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/query_options.h"
@@ -191,7 +192,7 @@ Syntax verifySyntax(PluginHost& host)
             "the options that say it are needed only to check against something else.\n"
             "With an error, a focus, a field or a budget the mesh that these ask for is extracted and proved in the "
             "same way: its error at every sample is at most the one asked for at that place.",
-        .positionals = {{"MODEL", "The model."}},
+        .positionals = {{"MODEL", modelExplanation()}},
         .options = {{.name = "against",
                      .placeholder = "IN",
                      .explanation = "The dataset that the model was built from.",
@@ -219,29 +220,32 @@ Result<Outcome> runVerify(const Invocation& invocation)
     const auto levels = noLevels ? std::vector<Accuracy>() : levelsOf(invocation.arguments);
     if (!levels)
         return levels.error();
-    const auto model = Model::open(path);
-    if (!model)
-        return model.error();
-    if (const Status warps = checkWarpingOption(invocation.arguments, **model); !warps)
+    const double opened = isAtHand(path) ? 0 : 0.3;
+    const auto found = openWholeInput(path, invocation.progress.part(0, opened));
+    if (!found)
+        return found.error();
+    const std::shared_ptr<const Model>& model = found->model;
+    const Progress progress = invocation.progress.part(opened, 1);
+    if (const Status warps = checkWarpingOption(invocation.arguments, *model); !warps)
         return warps.error();
     const std::string against = *invocation.arguments.value("against");
-    const auto options = importOptions(invocation, against, &(*model)->description());
+    const auto options = importOptions(invocation, against, &model->description());
     if (!options)
         return options.error();
-    const auto original = openDataset(invocation.host, against, *options, invocation.progress.part(0, 0.05));
+    const auto original = openDataset(invocation.host, against, *options, progress.part(0, 0.05));
     if (!original)
         return original.error();
     const double levelsEnd = asksMesh ? 0.5 : 1;
-    auto verdict = verify(**model, *original, *levels, invocation.progress.part(0.05, levelsEnd));
+    auto verdict = verify(*model, *original, *levels, progress.part(0.05, levelsEnd));
     if (!verdict)
         return verdict.error();
     if (asksMesh) {
-        auto level = verifyExtracted(*model, *original, *query, invocation.progress.part(levelsEnd, 1));
+        auto level = verifyExtracted(model, *original, *query, progress.part(levelsEnd, 1));
         if (!level)
             return level.error();
         verdict->levels.push_back(*std::move(level));
     }
-    Outcome outcome = describe(*verdict, path, (*model)->description());
+    Outcome outcome = describe(*verdict, path, model->description());
     addFaultyCells(*original, outcome);
     return outcome;
 }

@@ -106,9 +106,6 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
         answer.status = statusOf(line);
         return;
     }
-    if (answer.isWhole) // what comes behind the content says nothing of it
-        return;
-    answer.isWhole = line.empty();
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos || colon > longestText)
         return;

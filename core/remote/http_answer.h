@@ -26,7 +26,6 @@ std::optional<ContentRange> parseContentRange(std::string_view value);
 /// One answer's status and those of its headers that matter; texts no longer than a kilobyte, others are left out.
 struct HttpAnswer {
     int status = 0;
-    bool isWhole = false;         ///< the empty line that ends it has come
     bool hasContentRange = false; ///< one that can be read or not, or several
     std::optional<ContentRange> contentRange;
     std::optional<std::uint64_t> contentLength;
@@ -44,7 +43,7 @@ struct HttpAnswer {
 };
 
 /// Takes a line of the answer's head, with or without its line end. A status line begins a new answer: after a
-/// redirection, or one that says to go on; what comes after an empty line and is none is left out.
+/// redirection, or one that says to go on.
 void takeHeaderLine(HttpAnswer& answer, std::string_view line);
 
 /// Whether an answer is a page for people, such as one to log in at, in place of data; `start` is where its content

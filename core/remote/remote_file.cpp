@@ -203,26 +203,6 @@ Refusal refusedTransfer(CURLcode code, const char* detail, const HttpAnswer& ans
     }
 }
 
-/// Spreads what comes over time; libcurl's own limit lets bursts of a megabyte through.
-class RateLimit {
-public:
-    explicit RateLimit(std::uint64_t bytesPerSecond) : bytesPerSecond_(bytesPerSecond) {}
-
-    /// When the next bytes may be taken.
-    Clock::time_point next() const { return next_; }
-    void take(std::size_t bytes)
-    {
-        if (bytesPerSecond_ == 0)
-            return;
-        const std::chrono::duration<double> time(double(bytes) / double(bytesPerSecond_));
-        next_ = std::max(next_, Clock::now()) + std::chrono::duration_cast<Clock::duration>(time);
-    }
-
-private:
-    std::uint64_t bytesPerSecond_;
-    Clock::time_point next_{};
-};
-
 /// One range, on its way or waiting for it.
 struct Request {
     std::uint64_t offset = 0; ///< all before it has come; the start of a piece
@@ -239,7 +219,6 @@ struct Request {
     int fruitless = 0;            ///< attempts in a row
     std::uint64_t depth = 1;      ///< answers that were waited for up to its own
     Clock::time_point notBefore{};
-    bool isPaused = false; ///< for the limit of the rate
     CURL* handle = nullptr;
     curl_slist* headers = nullptr;
     std::array<char, CURL_ERROR_SIZE> detail{};
@@ -249,7 +228,6 @@ struct Request {
     std::uint64_t size = 0;            ///< of the file, if there was one
     const std::function<Status(std::uint64_t offset, std::span<const std::byte> piece)>* take = nullptr;
     std::uint64_t* bytes = nullptr;
-    RateLimit* rate = nullptr;
     Clock::time_point* lastPiece = nullptr;
 };
 
@@ -258,8 +236,6 @@ std::optional<Refusal> checkAnswer(Request& request, std::span<const std::byte> 
 {
     const HttpAnswer& answer = request.answer;
     const bool isFirst = request.first == nullptr;
-    if (answer.status != 0 && !answer.isWhole)
-        return brokenOff();
     if (answer.status == 416) {
         if (!isFirst)
             return changedFile();
@@ -321,12 +297,7 @@ try {
 std::size_t takeContent(char* data, std::size_t, std::size_t size, void* user)
 try {
     Request& request = *static_cast<Request*>(user);
-    if (Clock::now() < request.rate->next()) {
-        request.isPaused = true;
-        return CURL_WRITEFUNC_PAUSE;
-    }
     std::span<const std::byte> bytes = std::as_bytes(std::span(data, size));
-    request.rate->take(size);
     *request.bytes += size;
     if (!request.checked) {
         request.checked = true;
@@ -391,7 +362,7 @@ private:
 class RemoteFile::Shared {
 public:
     Shared(std::string_view givenAddress, const RemoteOptions& givenOptions)
-        : address(givenAddress), options(givenOptions), rate_(givenOptions.bytesPerSecond), current_(givenAddress)
+        : address(givenAddress), options(givenOptions), current_(givenAddress)
     {
     }
 
@@ -572,9 +543,9 @@ private:
             request.size = size;
             request.take = &work.take;
             request.bytes = &work.counts.bytes;
-            request.rate = &rate_;
             request.lastPiece = &work.lastPiece;
         }
+        const std::size_t atOnce = std::min(mostInFlight, ranges.size());
         while (!work.waiting.empty() || !work.running.empty()) {
             if (work.progress.cancelled())
                 return cancelledError(activity());
@@ -589,7 +560,7 @@ private:
                 if (request->notBefore > now)
                     continue;
                 work.running.splice(work.running.end(), work.waiting, request);
-                if (!start(*request))
+                if (!start(*request, atOnce))
                     throw std::bad_alloc();
                 ++work.counts.requests;
             }
@@ -607,24 +578,9 @@ private:
                     return finished;
             }
             if (!any)
-                wait(work);
+                ::curl_multi_poll(connections_->multi(), nullptr, 0, static_cast<int>(betweenLooks.count()), nullptr);
         }
         return {};
-    }
-
-    /// Until something may have happened.
-    void wait(Work& work)
-    {
-        const auto left = std::chrono::ceil<milliseconds>(rate_.next() - Clock::now());
-        const auto most = std::clamp(left, milliseconds(1), betweenLooks);
-        const bool isLimited = std::ranges::any_of(work.running, &Request::isPaused);
-        ::curl_multi_poll(connections_->multi(), nullptr, 0,
-                          static_cast<int>((isLimited ? most : betweenLooks).count()), nullptr);
-        for (Request& request : work.running)
-            if (request.isPaused && Clock::now() >= rate_.next()) {
-                request.isPaused = false;
-                ::curl_easy_pause(request.handle, CURLPAUSE_CONT); // what fails is told by the transfer
-            }
     }
 
     /// A limit of the rate may not be what ends a wait.
@@ -635,11 +591,10 @@ private:
         return std::max(options.silence, milliseconds(8000 * pieceBytes / options.bytesPerSecond));
     }
 
-    bool start(Request& request)
+    bool start(Request& request, std::size_t atOnce)
     {
         request.answer = {};
         request.checked = false;
-        request.isPaused = false;
         request.headBytes = 0;
         request.answerEnd = 0;
         request.piece.clear();
@@ -670,7 +625,8 @@ private:
             set(CURLOPT_CONNECTTIMEOUT_MS, connecting) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
             set(CURLOPT_HEADERFUNCTION, &takeHead) && set(CURLOPT_HEADERDATA, &request) &&
             set(CURLOPT_WRITEFUNCTION, &takeContent) && set(CURLOPT_WRITEDATA, &request) &&
-            set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
+            set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L) &&
+            set(CURLOPT_MAX_RECV_SPEED_LARGE, curl_off_t(options.bytesPerSecond / atOnce));
         return isSet && ::curl_multi_add_handle(connections_->multi(), handle) == CURLM_OK;
     }
 
@@ -738,7 +694,6 @@ private:
 
     std::timed_mutex network_; ///< guards all of these but the last two
     std::optional<Connections> connections_;
-    RateLimit rate_;
     std::optional<HttpAnswer> first_;
     std::string current_; ///< where redirections led
     std::shared_ptr<PieceStore> store_;

@@ -415,7 +415,8 @@ private slots:
         const Run all = tan({"--help"});
         QCOMPARE(all.exitCode, 0);
         QVERIFY(all.messages.isEmpty());
-        for (const char* name : {"sample", "build", "info", "verify", "extract", "isosurface", "render", "plugins"}) {
+        for (const char* name : {"sample", "build", "info", "verify", "extract", "isosurface", "render", "cut", "pack",
+                                 "unpack", "plugins"}) {
             QVERIFY2(all.output.contains(QByteArray("  ") + name + " "), name);
             const Run one = tan({name, "--help"});
             QCOMPARE(one.exitCode, 0);

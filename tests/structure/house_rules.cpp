@@ -31,7 +31,8 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanData = "core/include/tan/data.h", tanModel = "core/include/tan/model.h",
                            tanQuery = "core/include/tan/query.h", tanBuild = "core/include/tan/build.h",
                            tanVerify = "core/include/tan/verify.h", tanTransfer = "core/include/tan/transfer.h",
-                           tanRender = "core/include/tan/render.h", tanPacked = "core/include/tan/packed.h";
+                           tanOpen = "core/include/tan/open.h", tanRender = "core/include/tan/render.h",
+                           tanPacked = "core/include/tan/packed.h";
 
 const std::vector<Room>& rooms()
 {
@@ -43,6 +44,7 @@ const std::vector<Room>& rooms()
         {tanModel, {tanBase, tanData}},
         {tanQuery, {tanBase, tanMesh, tanData, tanModel}},
         {tanBuild, {tanBase, tanData}},
+        {tanOpen, {tanBase, tanModel, tanQuery}},
         {tanVerify, {tanBase, tanData, tanModel, tanQuery}},
         {tanRender, {tanBase, tanMesh, tanTransfer}},
         {tanPacked, {tanBase, tanModel}},
@@ -74,6 +76,8 @@ const std::vector<Room>& rooms()
         {"core/packed",
          {tanBase, tanMesh, tanData, tanModel, tanBuild, tanPacked, "core/base", "core/mesh", "core/data",
           "core/refine", "core/refine/lattice", "core/refine/curvilinear", "core/history", "core/build"}},
+        {"core/opening",
+         {tanBase, tanModel, tanQuery, tanPacked, tanOpen, "core/base", "core/history", "core/packed", "core/remote"}},
         {"core/verify",
          {tanBase, tanData, tanModel, tanQuery, tanVerify, "core/base", "core/geometry", "core/mesh", "core/data",
           "core/history", "core/history/query"}},

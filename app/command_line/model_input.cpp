@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/model_input.h"
+
+#include "app/command_line/table.h"
+
+#include <tan/packed.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace tetra {
+namespace {
+
+/// Fetched unasked.
+constexpr std::uint64_t aMoment = 32 << 20;
+
+/// That some part of a mesh is to keep.
+std::optional<Accuracy> finestAsked(const MeshQuery& query, const Arguments& arguments)
+{
+    if (query.range)
+        return Accuracy{std::min(query.range->one.error, query.range->other.error),
+                        std::min(query.range->one.warping, query.range->other.warping)};
+    // A mesh that points are inserted into needs all samples.
+    if (query.method == VariableMethod::Insertion)
+        return std::nullopt;
+    if (arguments.has("budget") && !arguments.has("error"))
+        return std::nullopt;
+    return Accuracy{query.error.bounds().minimum, query.warping.bounds().minimum};
+}
+
+bool saysHowAccurate(const Arguments& arguments)
+{
+    constexpr std::array<std::string_view, 6> options = {"error", "warping", "field", "focus", "range", "method"};
+    return std::ranges::any_of(options, [&](std::string_view option) { return arguments.has(option); });
+}
+
+} // namespace
+
+std::string modelExplanation()
+{
+    return "The model, packed or not: a file, or its address on a server (http:// or https://).";
+}
+
+bool isAtHand(const std::filesystem::path& place)
+{
+    return !isAddress(place.string()) && !isPacked(place);
+}
+
+Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem::path& place, const MeshQuery& query,
+                             const Progress& progress)
+{
+    OpenOptions options{.accuracy = finestAsked(query, invocation.arguments)};
+    if (isAddress(place.string()) && !saysHowAccurate(invocation.arguments))
+        options.mostBytes = aMoment;
+    return openModel(place.string(), options, progress);
+}
+
+Result<FoundModel> openWholeInput(const std::filesystem::path& place, const Progress& progress)
+{
+    return openModel(place.string(), {}, progress);
+}
+
+void tellPart(const FoundModel& found, Outcome& outcome)
+{
+    if (found.isWhole)
+        return;
+    const std::uint32_t sites = found.model->siteCount();
+    outcome.figures["read_part"] = QJsonObject{{"sites", static_cast<qint64>(sites)},
+                                               {"of_sites", static_cast<qint64>(found.sitesOfWhole)},
+                                               {"bytes", static_cast<qint64>(found.readBytes)},
+                                               {"of_bytes", static_cast<qint64>(found.fileBytes)}};
+    outcome.text += "read of the model: " + std::to_string(sites) + " of " + std::to_string(found.sitesOfWhole) +
+                    " sites, " + byteText(found.readBytes) + " of " + byteText(found.fileBytes) +
+                    ", as '--error' asks\n";
+}
+
+} // namespace tetra

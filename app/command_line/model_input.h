@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/command_line/subcommand.h"
+
+#include <tan/open.h>
+#include <tan/query.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tetra {
+
+/// What the help says of a model that is read.
+std::string modelExplanation();
+
+/// Whether a model is simply mapped, with nothing to be fetched or unpacked first.
+bool isAtHand(const std::filesystem::path& place);
+
+/// The model at a path or an address; of what is packed or on a server no more than the query needs. Of a file on a
+/// server, if no option says how accurate the mesh is to be, not more than takes a moment.
+Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem::path& place, const MeshQuery& query,
+                             const Progress& progress);
+/// The same, whole.
+Result<FoundModel> openWholeInput(const std::filesystem::path& place, const Progress& progress);
+
+/// Adds "read_part" and a line of the text if only a part of the model was read.
+void tellPart(const FoundModel& found, Outcome& outcome);
+
+} // namespace tetra

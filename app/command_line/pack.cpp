@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/model_input.h"
+#include "app/command_line/option_values.h"
+#include "app/command_line/packing.h"
+#include "app/command_line/subcommands.h"
+#include "app/command_line/table.h"
+#include "core/build/model_build.h"
+#include "plugins/host/output_check.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+
+namespace tetra {
+
+void addPacking(const PackReport& report, std::uint64_t unpackedBytes, Outcome& outcome)
+{
+    const bool replayed = report.method == PackMethod::Replayed;
+    outcome.figures["packed"] = QJsonObject{
+        {"method", replayed ? "replayed" : "by-parts"},         {"bytes", static_cast<qint64>(report.fileBytes)},
+        {"unpacked_bytes", static_cast<qint64>(unpackedBytes)}, {"positions", static_cast<qint64>(report.positions)},
+        {"values", static_cast<qint64>(report.values)},         {"accuracy", static_cast<qint64>(report.accuracy)},
+        {"own_errors", static_cast<qint64>(report.ownErrors)},  {"other", static_cast<qint64>(report.other)}};
+    const double times =
+        static_cast<double>(unpackedBytes) / static_cast<double>(std::max<std::uint64_t>(report.fileBytes, 1));
+    outcome.text += "packed in " + byteText(report.fileBytes) + " instead of " + byteText(unpackedBytes) + ", " +
+                    rounded(times, 3) + " times smaller, " +
+                    (replayed ? "as the samples that the history is made from\n" : "each part of the file by itself\n");
+}
+
+Syntax packSyntax(PluginHost&)
+{
+    return {.purpose = "pack a model for archives and for the way over a network",
+            .explanation =
+                "A packed model is a small part of the size, and gives the model back byte for byte. Every command, "
+                "and the window, takes it in place of the model: they unpack it into a cache folder, and of what "
+                "needs no fine mesh only the beginning.",
+            .positionals = {{"MODEL", "The model."}},
+            .options = {outputOption("PACKED", "The packed model to write, conventionally *.packed.tan.")},
+            .examples = {{"tan pack engine.tan -o engine.packed.tan", "Then engine.tan can go."}}};
+}
+
+Result<Outcome> runPack(const Invocation& invocation)
+{
+    const std::filesystem::path input = invocation.arguments.positionals[0];
+    const std::filesystem::path output = *invocation.arguments.value("output");
+    if (const Status distinct = checkOutput(output, std::array{input}); !distinct)
+        return distinct.error();
+    if (const Status safe = checkModelOutput(output); !safe)
+        return safe.error();
+    const auto found = openWholeInput(input, invocation.progress.part(0, 0.05));
+    if (!found)
+        return found.error();
+    const auto report = packModel(*found->model, output, invocation.progress.part(0.05, 1));
+    if (!report)
+        return report.error();
+    Outcome outcome{.figures = {{"file", QFile::decodeName(output.c_str())},
+                                {"sites", static_cast<qint64>(found->model->siteCount())}},
+                    .text = output.string() + ": " + std::to_string(found->model->siteCount()) + " sites, "};
+    addPacking(*report, found->model->fileSize(), outcome);
+    return outcome;
+}
+
+} // namespace tetra

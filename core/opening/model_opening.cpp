@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/guarded.h"
+#include "core/history/derived_sections.h"
+#include "core/history/prefix_copy.h"
+#include "core/packed/packed_file.h"
+#include "core/remote/cache_folder.h"
+#include "core/remote/remote_file.h"
+
+#include <tan/open.h>
+#include <tan/packed.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace tetra {
+
+namespace {
+
+using format::LevelEntry;
+
+// What is shown on the way: a first mesh that is there at once, then always several times as large a one, as long as
+// these take little beside the whole.
+constexpr std::uint32_t sitesShownFirst = 4'000;
+constexpr std::uint32_t growthShown = 4;
+constexpr std::uint32_t sitesShownLast = 500'000;
+
+/// Whether a file is a packed model, by its table.
+Result<bool> holdsPacked(const ByteSource& source, const Progress& progress)
+{
+    constexpr std::uint64_t atOnce = 16 << 10;
+    Buffer<std::byte> front(std::min(source.size, atOnce));
+    if (const Status read = source.read(0, front, progress); !read)
+        return read.error();
+    const std::uint64_t end = std::min<std::uint64_t>(frontBytes(front), front.size());
+    for (std::uint64_t at = sizeof(format::Header); at + sizeof(format::Section) <= end;
+         at += sizeof(format::Section)) {
+        std::uint32_t id = 0;
+        std::memcpy(&id, front.data() + at, sizeof id);
+        if (id == static_cast<std::uint32_t>(format::SectionId::PackedFacts))
+            return true;
+    }
+    return false;
+}
+
+/// A model's file that is not simply mapped: how far it goes, and how its beginnings are made into models.
+class ModelSource {
+public:
+    virtual ~ModelSource() = default;
+
+    virtual ModelFacts facts() const = 0;
+    /// Stands for the content of the file.
+    virtual std::uint64_t checksum() const = 0;
+    /// Of the model of a level.
+    virtual std::uint64_t expectedBytes(std::size_t level) const = 0;
+    virtual Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output,
+                                      const Progress& progress) const = 0;
+};
+
+class ExplicitSource final : public ModelSource {
+public:
+    ExplicitSource(ByteSource source, std::string name, ModelFront front)
+        : source_(std::move(source)), name_(std::move(name)), front_(std::move(front))
+    {
+    }
+
+    ModelFacts facts() const override;
+    std::uint64_t checksum() const override { return front_.layout.header.checksum; }
+    std::uint64_t expectedBytes(std::size_t level) const override { return bytesOf(endAt(level)); }
+    Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output,
+                              const Progress& progress) const override
+    {
+        const Status copied = copyPrefix(source_, name_, front_, endAt(level), output, progress);
+        return copied ? Result<UnpackReport>(UnpackReport()) : copied.error();
+    }
+
+private:
+    PrefixEnd endAt(std::size_t level) const
+    {
+        const format::Header& header = front_.layout.header;
+        if (level + 1 >= front_.levels.size())
+            return {header.siteCount, header.tetrahedronCount, header.finalKey};
+        const LevelEntry& entry = front_.levels[level];
+        return {entry.sites, entry.created, entry.key};
+    }
+    std::uint64_t bytesOf(const PrefixEnd& end) const
+    {
+        std::uint64_t bytes = 0;
+        for (const ByteRange& range : prefixRanges(front_, end))
+            bytes += range.size;
+        return bytes;
+    }
+
+    ByteSource source_;
+    std::string name_;
+    ModelFront front_;
+};
+
+ModelFacts ExplicitSource::facts() const
+{
+    const format::Header& header = front_.layout.header;
+    const ModelDescription& about = front_.description;
+    ModelFacts facts;
+    facts.fileBytes = facts.unpackedBytes = header.fileBytes;
+    facts.description = about;
+    facts.sites = header.siteCount;
+    facts.tetrahedra = header.tetrahedronCount;
+    const double extent = about.range.extent(), diagonal = about.bounds.diagonal().norm();
+    const auto percent = [](double part, double whole) { return whole > 0 ? 100 * part / whole : 0; };
+    const bool byKey = claimsTwoSides(about); // the warping that is told apart is of one side only
+    for (std::size_t level = 0; level < std::max<std::size_t>(front_.levels.size(), 1); ++level) {
+        LevelEntry entry{.key = header.finalKey, .error = header.finalKey};
+        if (level < front_.levels.size())
+            entry = front_.levels[level];
+        const auto key = static_cast<double>(entry.key);
+        const bool isByKey = byKey || front_.levels.empty();
+        const double error = isByKey ? key : static_cast<double>(entry.error);
+        const double warping = !(about.warpingWeight > 0) ? 0
+                               : isByKey                  ? key / about.warpingWeight
+                                                          : static_cast<double>(entry.warping);
+        const PrefixEnd end = endAt(level);
+        facts.levels.push_back({percent(error, extent), percent(warping, diagonal), end.sites, bytesOf(end)});
+    }
+    return facts;
+}
+
+class PackedSource final : public ModelSource {
+public:
+    explicit PackedSource(std::shared_ptr<const PackedModel> packed) : packed_(std::move(packed)) {}
+
+    ModelFacts facts() const override
+    {
+        ModelFacts facts;
+        facts.form = ModelForm::Packed;
+        facts.fileBytes = packed_->fileSize();
+        facts.unpackedBytes = packed_->unpackedBytes();
+        facts.description = packed_->description();
+        facts.sites = packed_->siteCount();
+        facts.tetrahedra = packed_->tetrahedronCount();
+        for (const PackedLevel& level : packed_->levels())
+            facts.levels.push_back({level.error, level.warping, level.sites, level.bytes});
+        facts.levels.back().bytes = facts.fileBytes;
+        return facts;
+    }
+    std::uint64_t checksum() const override { return packed_->file().header().checksum; }
+    std::uint64_t expectedBytes(std::size_t level) const override
+    {
+        // As the whole has, site by site.
+        const PackedLevel& last = packed_->levels().back();
+        const double share = static_cast<double>(packed_->levels()[level].sites) / last.sites;
+        return static_cast<std::uint64_t>(share * static_cast<double>(packed_->unpackedBytes()));
+    }
+    Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output,
+                              const Progress& progress) const override
+    {
+        if (level + 1 == packed_->levels().size())
+            return unpackModel(*packed_, output, progress);
+        const Status unpacked = unpackPrefix(*packed_, level, output, progress);
+        return unpacked ? Result<UnpackReport>(UnpackReport()) : unpacked.error();
+    }
+
+private:
+    std::shared_ptr<const PackedModel> packed_;
+};
+
+Result<std::unique_ptr<const ModelSource>> sourceOf(ByteSource source, const std::string& name,
+                                                    const Progress& progress)
+{
+    const Result<bool> isPacked = holdsPacked(source, progress);
+    if (!isPacked)
+        return isPacked.error();
+    if (*isPacked) {
+        auto packed = PackedModel::open(std::move(source), name, progress);
+        if (!packed)
+            return packed.error();
+        return std::unique_ptr<const ModelSource>(std::make_unique<PackedSource>(*std::move(packed)));
+    }
+    auto front = readFront(source, name, progress);
+    if (!front)
+        return front.error();
+    return std::unique_ptr<const ModelSource>(
+        std::make_unique<ExplicitSource>(std::move(source), name, *std::move(front)));
+}
+
+Result<CacheFolder> cacheOf(const OpenOptions& options)
+{
+    if (options.cacheFolder.empty())
+        return CacheFolder::standard();
+    return CacheFolder::open(options.cacheFolder,
+                             options.cacheBytes > 0 ? options.cacheBytes : CacheFolder::defaultLimit);
+}
+
+Result<std::unique_ptr<const ModelSource>> sourceAt(const std::string& place, const OpenOptions& options,
+                                                    const Progress& progress)
+{
+    if (!isAddress(place)) {
+        auto file = fileSource(place);
+        return file ? sourceOf(*std::move(file), place, progress) : file.error();
+    }
+    const auto cache = cacheOf(options);
+    if (!cache)
+        return cache.error();
+    const auto file = RemoteFile::open(place, *cache, {}, progress);
+    return file ? sourceOf(file->source(), shownAddress(place), progress) : file.error();
+}
+
+std::size_t levelFor(const std::vector<LevelInFile>& levels, const std::optional<Accuracy>& asked,
+                     std::uint64_t mostBytes)
+{
+    std::size_t level = levels.size() - 1;
+    if (asked) {
+        const auto keeps = [&](const LevelInFile& one) {
+            return one.error <= asked->error && one.warping <= asked->warping;
+        };
+        level = std::min(level, static_cast<std::size_t>(std::ranges::find_if(levels, keeps) - levels.begin()));
+    }
+    while (level > 0 && levels[level].bytes > mostBytes)
+        --level;
+    return level;
+}
+
+/// Makes models of a source's levels in the cache, or finds them there.
+class LevelCache {
+public:
+    LevelCache(const ModelSource& source, CacheFolder folder, std::filesystem::path place)
+        : source_(source), facts_(source.facts()), folder_(std::move(folder)), place_(std::move(place))
+    {
+    }
+
+    const ModelFacts& facts() const noexcept { return facts_; }
+    bool has(std::size_t level) const { return folder_.find(keyOf(level)).has_value(); }
+    Result<FoundModel> take(std::size_t level, const Progress& progress) const;
+
+private:
+    bool isWhole(std::size_t level) const { return level + 1 == facts_.levels.size(); }
+    std::string keyOf(std::size_t level) const
+    {
+        return "model " + std::to_string(source_.checksum()) +
+               (isWhole(level) ? "" : " up to site " + std::to_string(facts_.levels[level].sites));
+    }
+
+    const ModelSource& source_;
+    const ModelFacts facts_;
+    const CacheFolder folder_;
+    const std::filesystem::path place_;
+};
+
+Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress) const
+{
+    struct Held {
+        CachedFile file;
+        std::shared_ptr<const Model> model;
+    };
+    const auto make = [&](const std::filesystem::path& path, const Progress& making) -> Status {
+        const auto made = source_.make(level, path, making);
+        return made ? Status() : made.error();
+    };
+    for (bool isAgain = false;; isAgain = true) {
+        auto file = folder_.take(keyOf(level), source_.expectedBytes(level), make, progress);
+        if (!file)
+            return file.error();
+        auto model = Model::open(file->path(), place_);
+        if (!model && !isAgain) { // somebody damaged it
+            std::error_code ignored;
+            std::filesystem::remove(file->path(), ignored);
+            continue;
+        }
+        if (!model)
+            return model.error();
+        const auto held = std::make_shared<const Held>(*std::move(file), *std::move(model));
+        return FoundModel{.model = {held, held->model.get()},
+                          .isWhole = isWhole(level),
+                          .sitesOfWhole = facts_.sites,
+                          .readBytes = facts_.levels[level].bytes,
+                          .fileBytes = facts_.fileBytes};
+    }
+}
+
+/// The levels that are shown before one.
+std::vector<std::size_t> levelsShown(const std::vector<LevelInFile>& levels, std::size_t target)
+{
+    std::vector<std::size_t> shown;
+    for (std::size_t level = 0; level < target && levels[level].sites <= sitesShownLast; ++level) {
+        const bool isNextTooLarge = level + 1 >= target || levels[level + 1].sites > sitesShownFirst;
+        if (shown.empty() ? isNextTooLarge : levels[level].sites / growthShown >= levels[shown.back()].sites)
+            shown.push_back(level);
+    }
+    return shown;
+}
+
+Result<FoundModel> openFrom(const std::string& place, const OpenOptions& options, const Progress& progress)
+{
+    constexpr double frontEnd = 0.02, shownEnd = 0.3;
+    const auto source = sourceAt(place, options, progress.part(0, frontEnd));
+    if (!source)
+        return source.error();
+    auto folder = cacheOf(options);
+    if (!folder)
+        return folder.error();
+    const LevelCache levels(**source, *std::move(folder), place);
+    const std::size_t target = levelFor(levels.facts().levels, options.accuracy, options.mostBytes);
+    double done = frontEnd;
+    if (options.grown && !levels.has(target)) {
+        const std::vector<std::size_t> shown = levelsShown(levels.facts().levels, target);
+        for (const std::size_t level : shown) {
+            const double end = done + (shownEnd - frontEnd) / static_cast<double>(shown.size());
+            const auto found = levels.take(level, progress.part(std::exchange(done, end), end));
+            if (!found)
+                return found.error();
+            options.grown(*found);
+        }
+    }
+    return levels.take(target, progress.part(done, 1));
+}
+
+/// Of a file on this disk the beginning to a batch.
+Status cutOnDisk(const std::string& place, const Accuracy& accuracy, const std::filesystem::path& output,
+                 const Progress& progress)
+{
+    const auto model = Model::open(place);
+    if (!model)
+        return model.error();
+    const PrefixEnd end = prefixFor(**model, accuracy);
+    if (const Status intact = (*model)->checkIntact(); !intact)
+        return intact;
+    const auto file = fileSource(place);
+    if (!file)
+        return file.error();
+    const auto front = readFront(*file, place, progress);
+    return front ? copyPrefix(*file, place, *front, end, output, progress) : front.error();
+}
+
+Result<UnpackReport> copyFrom(const std::string& place, const std::optional<Accuracy>& accuracy,
+                              const std::filesystem::path& output, std::uint32_t& sitesOfWhole,
+                              const Progress& progress)
+{
+    constexpr double frontEnd = 0.02;
+    const auto source = sourceAt(place, {}, progress.part(0, frontEnd));
+    if (!source)
+        return source.error();
+    const ModelFacts facts = (*source)->facts();
+    sitesOfWhole = facts.sites;
+    const Progress copying = progress.part(frontEnd, 1);
+    if (accuracy && facts.form == ModelForm::Explicit && !isAddress(place)) {
+        const Status cut = cutOnDisk(place, *accuracy, output, copying);
+        return cut ? Result<UnpackReport>(UnpackReport()) : cut.error();
+    }
+    return (*source)->make(levelFor(facts.levels, accuracy, ~std::uint64_t(0)), output, copying);
+}
+
+} // namespace
+
+bool isAddress(std::string_view place) noexcept
+{
+    return isRemoteAddress(place);
+}
+
+Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress)
+{
+    const auto read = [&]() -> Result<ModelFacts> {
+        const auto source = sourceAt(place, {}, progress);
+        return source ? Result<ModelFacts>((*source)->facts()) : source.error();
+    };
+    return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), read, place);
+}
+
+Result<FoundModel> openModel(const std::string& place, const OpenOptions& options, const Progress& progress)
+{
+    if (!isAddress(place) && !isPacked(place)) {
+        const auto model = Model::open(place);
+        if (!model)
+            return model.error();
+        return FoundModel{*model, true, (*model)->siteCount(), (*model)->fileSize(), (*model)->fileSize()};
+    }
+    return guarded(
+        Message::marked("Not enough memory to open '%1'. Close other programs."),
+        [&] { return openFrom(place, options, progress); }, place);
+}
+
+Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,
+                             const std::filesystem::path& output, const Progress& progress)
+{
+    CopyReport report;
+    const auto copied = guarded(
+        Message::marked("Not enough memory to read '%1'. Close other programs."),
+        [&] { return copyFrom(place, accuracy, output, report.sitesOfWhole, progress); }, place);
+    if (!copied)
+        return copied.error();
+    const auto model = Model::open(output);
+    if (!model)
+        return model.error();
+    report.sites = (*model)->siteCount();
+    report.tetrahedra = (*model)->tetrahedronCount();
+    report.fileBytes = (*model)->fileSize();
+    report.derived = copied->derived;
+    return report;
+}
+
+} // namespace tetra
