@@ -10,6 +10,7 @@ namespace tetra {
 namespace {
 
 constexpr std::size_t longestText = 1024;
+constexpr std::uint64_t mostBytes = std::uint64_t(1) << 60;
 
 char smallLetter(char c)
 {
@@ -106,6 +107,9 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
         answer.status = statusOf(line);
         return;
     }
+    if (answer.isWhole) // what comes behind the content says nothing of it
+        return;
+    answer.isWhole = line.empty();
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos || colon > longestText)
         return;
@@ -125,6 +129,45 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
     } else if (name == "content-encoding") {
         answer.contentEncoding = smallLetters(keptText(value));
     }
+}
+
+AnswerUse useOfAnswer(const HttpAnswer& answer, const Asked& asked, std::span<const std::byte> start)
+{
+    const bool isFirst = asked.original == nullptr;
+    const std::optional<ContentRange>& range = answer.contentRange;
+    if (answer.status == 0)
+        return AnswerUse::NoAnswer;
+    if (!answer.isWhole)
+        return AnswerUse::CutShort;
+    if (answer.status == 416 && !isFirst)
+        return AnswerUse::Changed;
+    if (answer.status == 416 && range && range->total == 0)
+        return AnswerUse::EmptyFile;
+    if (answer.status != 200 && answer.status != 206)
+        return AnswerUse::OtherStatus;
+    if (isWebPage(answer, asked.first == 0 ? start : std::span<const std::byte>()))
+        return AnswerUse::WebPage;
+    const bool isChanged = !isFirst && !answer.sameState(*asked.original);
+    if (answer.status == 200) {
+        if (isFirst)
+            return answer.contentLength == 0 ? AnswerUse::EmptyFile : AnswerUse::WholeFile;
+        const bool isOtherLength = answer.contentLength && *answer.contentLength != asked.size;
+        return isChanged || isOtherLength ? AnswerUse::Changed : AnswerUse::WholeFile;
+    }
+    if (!answer.contentEncoding.empty() && answer.contentEncoding != "identity")
+        return AnswerUse::Packed;
+    if (isChanged)
+        return AnswerUse::Changed;
+    if (!range || range->first != asked.first || *range->last >= asked.end)
+        return AnswerUse::OtherPart;
+    if (isFirst && !range->total)
+        return AnswerUse::NoLength;
+    if (isFirst && *range->total > mostBytes)
+        return AnswerUse::OtherPart;
+    if (!isFirst && range->total && *range->total != asked.size)
+        return AnswerUse::Changed;
+    const bool isSound = !answer.contentLength || *answer.contentLength == *range->last - asked.first + 1;
+    return isSound ? AnswerUse::Part : AnswerUse::OtherPart;
 }
 
 bool isWebPage(const HttpAnswer& answer, std::span<const std::byte> start)

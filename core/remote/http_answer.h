@@ -26,6 +26,7 @@ std::optional<ContentRange> parseContentRange(std::string_view value);
 /// One answer's status and those of its headers that matter; texts no longer than a kilobyte, others are left out.
 struct HttpAnswer {
     int status = 0;
+    bool isWhole = false;         ///< the empty line that ends it has come
     bool hasContentRange = false; ///< one that can be read or not, or several
     std::optional<ContentRange> contentRange;
     std::optional<std::uint64_t> contentLength;
@@ -43,11 +44,37 @@ struct HttpAnswer {
 };
 
 /// Takes a line of the answer's head, with or without its line end. A status line begins a new answer: after a
-/// redirection, or one that says to go on.
+/// redirection, or one that says to go on; what comes after an empty line and is none is left out.
 void takeHeaderLine(HttpAnswer& answer, std::string_view line);
 
 /// Whether an answer is a page for people, such as one to log in at, in place of data; `start` is where its content
 /// begins.
 bool isWebPage(const HttpAnswer& answer, std::span<const std::byte> start);
+
+/// What an answer is good for.
+enum class AnswerUse {
+    Part, ///< a part of the file from the first byte on that was asked for
+    EmptyFile,
+    Changed,    ///< it is of another state of the file than the first answer
+    WebPage,    ///< isWebPage()
+    WholeFile,  ///< in place of a part: the server knows no ranges
+    Packed,     ///< of bytes that are coded, so that nobody knows which they are
+    OtherPart,  ///< none that was asked for, or one that contradicts itself
+    NoLength,   ///< the first answer does not say how long the file is
+    CutShort,   ///< within its head
+    NoAnswer,   ///< no HTTP
+    OtherStatus ///< no data, as its status says
+};
+
+/// What was asked for, and what the first answer was to be held against.
+struct Asked {
+    std::uint64_t first = 0, end = 0;     ///< not empty
+    const HttpAnswer* original = nullptr; ///< none: this is the first one
+    std::uint64_t size = 0;               ///< of the file, by the first one
+};
+
+/// `start` is what has come of the content. A Part has contentRange with both ends; it begins at `asked.first` and ends
+/// no later than `asked.end`, but perhaps before. The first one also has the length of the file, at most 2^60.
+AnswerUse useOfAnswer(const HttpAnswer& answer, const Asked& asked, std::span<const std::byte> start);
 
 } // namespace tetra

@@ -31,7 +31,6 @@ constexpr std::uint64_t pieceBytes = PieceStore::pieceBytes;
 constexpr std::uint64_t mergedGap = 64 << 10;
 constexpr std::size_t mostInFlight = 4;
 constexpr milliseconds longestPause{5'000}, mostForConnecting{15'000}, betweenLooks{50};
-constexpr std::uint64_t mostBytes = std::uint64_t(1) << 60;
 constexpr std::size_t longestAddress = 16 << 10;
 constexpr std::size_t longestHead = 256 << 10; ///< of an answer with all redirections
 constexpr long mostRedirections = 5;
@@ -91,9 +90,17 @@ Refusal changedFile()
     return final(Message::say("the file on the server was changed while it was read. Open it again."));
 }
 
-Refusal emptyFile()
+Refusal packed(const std::string& coding)
 {
-    return final(Message::say("the file is empty. Check the address."));
+    return final(
+        Message::say("the server or a proxy packs what it sends (%1), so that parts of the file cannot be told. "
+                     "Download the file and open the copy.",
+                     printable(coding)));
+}
+
+Refusal noLength()
+{
+    return final(Message::say("the server does not say how long the file is. Download the file and open the copy."));
 }
 
 Refusal webPage()
@@ -203,6 +210,26 @@ Refusal refusedTransfer(CURLcode code, const char* detail, const HttpAnswer& ans
     }
 }
 
+/// Spreads what comes over time; libcurl's own limit lets bursts of a megabyte through.
+class RateLimit {
+public:
+    explicit RateLimit(std::uint64_t bytesPerSecond) : bytesPerSecond_(bytesPerSecond) {}
+
+    /// When the next bytes may be taken.
+    Clock::time_point next() const { return next_; }
+    void take(std::size_t bytes)
+    {
+        if (bytesPerSecond_ == 0)
+            return;
+        const std::chrono::duration<double> time(double(bytes) / double(bytesPerSecond_));
+        next_ = std::max(next_, Clock::now()) + std::chrono::duration_cast<Clock::duration>(time);
+    }
+
+private:
+    std::uint64_t bytesPerSecond_;
+    Clock::time_point next_{};
+};
+
 /// One range, on its way or waiting for it.
 struct Request {
     std::uint64_t offset = 0; ///< all before it has come; the start of a piece
@@ -219,6 +246,7 @@ struct Request {
     int fruitless = 0;            ///< attempts in a row
     std::uint64_t depth = 1;      ///< answers that were waited for up to its own
     Clock::time_point notBefore{};
+    bool isPaused = false; ///< for the limit of the rate
     CURL* handle = nullptr;
     curl_slist* headers = nullptr;
     std::array<char, CURL_ERROR_SIZE> detail{};
@@ -228,6 +256,7 @@ struct Request {
     std::uint64_t size = 0;            ///< of the file, if there was one
     const std::function<Status(std::uint64_t offset, std::span<const std::byte> piece)>* take = nullptr;
     std::uint64_t* bytes = nullptr;
+    RateLimit* rate = nullptr;
     Clock::time_point* lastPiece = nullptr;
 };
 
@@ -235,45 +264,22 @@ struct Request {
 std::optional<Refusal> checkAnswer(Request& request, std::span<const std::byte> start)
 {
     const HttpAnswer& answer = request.answer;
-    const bool isFirst = request.first == nullptr;
-    if (answer.status == 416) {
-        if (!isFirst)
-            return changedFile();
-        return answer.contentRange && answer.contentRange->total == 0 ? emptyFile() : refusedStatus(416);
+    switch (useOfAnswer(answer, {request.offset, request.end, request.first, request.size}, start)) {
+    case AnswerUse::Part: break;
+    case AnswerUse::EmptyFile: return final(Message::say("the file is empty. Check the address."));
+    case AnswerUse::Changed: return changedFile();
+    case AnswerUse::WebPage: return webPage();
+    case AnswerUse::WholeFile: return noRanges();
+    case AnswerUse::Packed: return packed(answer.contentEncoding);
+    case AnswerUse::OtherPart: return wrongPart();
+    case AnswerUse::NoLength: return noLength();
+    case AnswerUse::CutShort: return brokenOff();
+    case AnswerUse::NoAnswer: return noHttp();
+    case AnswerUse::OtherStatus: return refusedStatus(answer.status);
     }
-    if (answer.status == 0)
-        return noHttp();
-    if (answer.status != 200 && answer.status != 206)
-        return refusedStatus(answer.status);
-    if (isWebPage(answer, request.offset == 0 ? start : std::span<const std::byte>()))
-        return webPage();
-    const bool isChanged = !isFirst && !answer.sameState(*request.first);
-    if (answer.status == 200 && isFirst && answer.contentLength == 0)
-        return emptyFile();
-    if (answer.status == 200)
-        return isChanged || (!isFirst && answer.contentLength && *answer.contentLength != request.size) ? changedFile()
-                                                                                                        : noRanges();
-    if (!answer.contentEncoding.empty() && answer.contentEncoding != "identity")
-        return final(Message::say("the server or a proxy packs what it sends (%1), so that parts of the file cannot be "
-                                  "told. Download the file and open the copy.",
-                                  printable(answer.contentEncoding)));
-    if (isChanged)
-        return changedFile();
-    const std::optional<ContentRange>& range = answer.contentRange;
-    if (!range || !range->first || *range->first != request.offset || *range->last >= request.end)
-        return wrongPart();
-    if (isFirst && !range->total)
-        return final(
-            Message::say("the server does not say how long the file is. Download the file and open the copy."));
-    if (isFirst && *range->total > mostBytes)
-        return wrongPart();
-    if (!isFirst && range->total && *range->total != request.size)
-        return changedFile();
-    request.answerEnd = *range->last + 1;
-    if (answer.contentLength && *answer.contentLength != request.answerEnd - request.offset)
-        return wrongPart();
-    if (isFirst) {
-        request.size = *range->total;
+    request.answerEnd = *answer.contentRange->last + 1;
+    if (request.first == nullptr) {
+        request.size = *answer.contentRange->total;
         request.end = std::min(request.end, request.size);
     }
     return {};
@@ -297,7 +303,12 @@ try {
 std::size_t takeContent(char* data, std::size_t, std::size_t size, void* user)
 try {
     Request& request = *static_cast<Request*>(user);
+    if (Clock::now() < request.rate->next()) {
+        request.isPaused = true;
+        return CURL_WRITEFUNC_PAUSE;
+    }
     std::span<const std::byte> bytes = std::as_bytes(std::span(data, size));
+    request.rate->take(size);
     *request.bytes += size;
     if (!request.checked) {
         request.checked = true;
@@ -362,7 +373,7 @@ private:
 class RemoteFile::Shared {
 public:
     Shared(std::string_view givenAddress, const RemoteOptions& givenOptions)
-        : address(givenAddress), options(givenOptions), current_(givenAddress)
+        : address(givenAddress), options(givenOptions), rate_(givenOptions.bytesPerSecond), current_(givenAddress)
     {
     }
 
@@ -543,9 +554,9 @@ private:
             request.size = size;
             request.take = &work.take;
             request.bytes = &work.counts.bytes;
+            request.rate = &rate_;
             request.lastPiece = &work.lastPiece;
         }
-        const std::size_t atOnce = std::min(mostInFlight, ranges.size());
         while (!work.waiting.empty() || !work.running.empty()) {
             if (work.progress.cancelled())
                 return cancelledError(activity());
@@ -560,7 +571,7 @@ private:
                 if (request->notBefore > now)
                     continue;
                 work.running.splice(work.running.end(), work.waiting, request);
-                if (!start(*request, atOnce))
+                if (!start(*request))
                     throw std::bad_alloc();
                 ++work.counts.requests;
             }
@@ -578,9 +589,24 @@ private:
                     return finished;
             }
             if (!any)
-                ::curl_multi_poll(connections_->multi(), nullptr, 0, static_cast<int>(betweenLooks.count()), nullptr);
+                wait(work);
         }
         return {};
+    }
+
+    /// Until something may have happened.
+    void wait(Work& work)
+    {
+        const auto left = std::chrono::ceil<milliseconds>(rate_.next() - Clock::now());
+        const auto most = std::clamp(left, milliseconds(1), betweenLooks);
+        const bool isLimited = std::ranges::any_of(work.running, &Request::isPaused);
+        ::curl_multi_poll(connections_->multi(), nullptr, 0,
+                          static_cast<int>((isLimited ? most : betweenLooks).count()), nullptr);
+        for (Request& request : work.running)
+            if (request.isPaused && Clock::now() >= rate_.next()) {
+                request.isPaused = false;
+                ::curl_easy_pause(request.handle, CURLPAUSE_CONT); // what fails is told by the transfer
+            }
     }
 
     /// A limit of the rate may not be what ends a wait.
@@ -591,10 +617,11 @@ private:
         return std::max(options.silence, milliseconds(8000 * pieceBytes / options.bytesPerSecond));
     }
 
-    bool start(Request& request, std::size_t atOnce)
+    bool start(Request& request)
     {
         request.answer = {};
         request.checked = false;
+        request.isPaused = false;
         request.headBytes = 0;
         request.answerEnd = 0;
         request.piece.clear();
@@ -625,8 +652,7 @@ private:
             set(CURLOPT_CONNECTTIMEOUT_MS, connecting) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
             set(CURLOPT_HEADERFUNCTION, &takeHead) && set(CURLOPT_HEADERDATA, &request) &&
             set(CURLOPT_WRITEFUNCTION, &takeContent) && set(CURLOPT_WRITEDATA, &request) &&
-            set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L) &&
-            set(CURLOPT_MAX_RECV_SPEED_LARGE, curl_off_t(options.bytesPerSecond / atOnce));
+            set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
         return isSet && ::curl_multi_add_handle(connections_->multi(), handle) == CURLM_OK;
     }
 
@@ -694,6 +720,7 @@ private:
 
     std::timed_mutex network_; ///< guards all of these but the last two
     std::optional<Connections> connections_;
+    RateLimit rate_;
     std::optional<HttpAnswer> first_;
     std::string current_; ///< where redirections led
     std::shared_ptr<PieceStore> store_;

@@ -57,6 +57,18 @@ QList<QByteArray> volumes()
                 testSamples(SampleType::UInt8)};
 }
 
+void addAnswers(const QString& folder)
+{
+    Seeds seeds(folder, "http");
+    const std::string head = "HTTP/1.1 206 Partial Content\r\nContent-Type: application/octet-stream\r\n"
+                             "ETag: \"5f\"\r\nLast-Modified: Wed, 01 Oct 2025 10:00:00 GMT\r\n";
+    seeds.add(head + "Content-Length: 16384\r\nContent-Range: bytes 0-16383/70000\r\n\r\n" + head +
+              "Content-Length: 49152\r\nContent-Range: bytes 16384-65535/70000\r\n\r\n");
+    seeds.add("HTTP/2 302 \r\nlocation: /log-in\r\n\r\nHTTP/2 200 \r\ncontent-type: text/html\r\n\r\n<!DOCTYPE html>");
+    seeds.add("HTTP/1.1 416 x\nContent-Range: bytes */0\nContent-Encoding: gzip\n\n");
+    seeds.add("https://me:secret@example.org/a.tan?key=secret#x");
+}
+
 void addVolumes(const QString& folder)
 {
     Seeds nrrd(folder, "nrrd");
@@ -159,6 +171,7 @@ int main(int count, char** words)
         return 2;
     }
     const QString folder = QString::fromLocal8Bit(words[1]);
+    addAnswers(folder);
     addVolumes(folder);
     addGrids(folder);
     addPoints(folder);
