@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/remote/http_answer.h"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -91,6 +89,7 @@ public:
     HttpServer& operator=(const HttpServer&) = delete;
 
     bool isUp() const { return isUp_; }
+    std::uint16_t port() const { return port_; }
     std::string address(const std::string& path = "/model.tan", const std::string& scheme = "http://") const
     {
         return scheme + "127.0.0.1:" + std::to_string(port_) + path;
