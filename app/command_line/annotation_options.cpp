@@ -49,7 +49,8 @@ bool askForAnnotations(std::span<const std::string> words)
             return true;
     return std::ranges::any_of(words, [](const std::string& word) {
         const std::string given = word.substr(0, word.find('='));
-        return std::ranges::any_of(kindOptions(),
+        return given == "--lens" ||
+               std::ranges::any_of(kindOptions(),
                                    [&](const KindOption& entry) { return given == "--" + entry.option.name; });
     });
 }

@@ -68,6 +68,7 @@ struct ModelView {
     Provided<Renderer> renderer{};
     SceneRequest scene{};
     ViewPicture picture{}; ///< all but the scene
+    LensState lens{};
     bool isOfSession = false;
 };
 
@@ -79,6 +80,7 @@ struct PreparedScene {
     std::size_t tetrahedra = 0;
     SceneRequest request;
     BuiltScene built; ///< of the request
+    LensState lens;
 };
 
 double aspectRatioOf(const PictureOptions& picture)
@@ -187,6 +189,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return query.error();
     view.scene = {
         view.model, renderer.plugin, *query, std::move(shown), *camera, request.picture.width, request.picture.height};
+    view.lens = request.lens;
     view.picture.annotations = annotationsOf(invocation.arguments);
     view.picture.annotations.camera = *camera;
     view.picture.annotations.background = request.picture.background;
@@ -237,6 +240,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
         return camera.error();
     seen.camera = *camera;
     view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen);
+    view.lens = seen.lens;
     view.scene.width = request.picture.width;
     view.scene.height = request.picture.height;
     AnnotationContent& content = view.picture.annotations;
@@ -275,7 +279,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
         content.title = asked.title;
     asked = content;
     view.picture.scene = built->scene;
-    return PreparedScene{view.found, view.picture, figures, built->mesh.tetrahedra, view.scene, *built};
+    return PreparedScene{view.found, view.picture, figures, built->mesh.tetrahedra, view.scene, *built, view.lens};
 }
 
 void addStatistics(QJsonObject& figures, const RenderStatistics& statistics)
@@ -300,7 +304,8 @@ std::string contentText(const Scene& scene, std::size_t tetrahedra)
     return (shapesOf<Surface>(scene).empty() ? "" : triangles + " and ") + std::string("a volume of ") + cells;
 }
 
-Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture, QJsonObject& figures)
+Status writeFiles(const RenderRequest& request, const PictureOrder& order, const Picture& picture,
+                  const std::optional<DrawnLens>& lens, QJsonObject& figures)
 {
     if (request.depth) {
         const auto scale = writeDepth(*request.depth, picture);
@@ -310,7 +315,7 @@ Status writeFiles(const RenderRequest& request, const PictureOrder& order, const
         figures["nearest"] = scale->nearest;
         figures["farthest"] = scale->farthest;
     }
-    return writePicture(finishedPicture(order, picture), request.output);
+    return writePicture(finishedPicture(order, picture, lens), request.output);
 }
 
 /// Before the picture is drawn, which may take long.
@@ -346,6 +351,8 @@ PictureOrder orderOf(const RenderRequest& request, const PreparedScene& prepared
     picture.transparent = request.picture.transparentBackground;
     PictureOrder order = pictureOrder(picture);
     order.threads = request.picture.threads;
+    if (prepared.lens.isOn())
+        order.lens = std::make_shared<const LensOrder>(LensOrder{prepared.lens, prepared.request});
     if (!isOfSession || arguments.has("samples"))
         order.samplesPerAxis = request.picture.samplesPerAxis;
     return order;
@@ -382,6 +389,8 @@ Syntax renderSyntax(PluginHost& host)
              "A volume that is fine inside a ball and coarse outside, blended over a length of 10."},
             {"tan render engine.tan --mode volume --colour-bar --axes --title Engine -o engine.png",
              "With what the colours mean, the directions of the axes and a title."},
+            {"tan render engine.tan --error 2 --isovalue 180:gold --lens 0.6,0.4,0.2,4,0.2 -o engine.png",
+             "A part of it four times as large, of a mesh that is ten times as accurate."},
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."},
             {"tan render engine.tan --isovalue 180:gold --surfaces engine.glb -o engine.png",
              "A picture, and its surface as a file."},
@@ -435,15 +444,24 @@ Result<Outcome> runRender(const Invocation& invocation)
         return some.error();
     const PictureOrder order = orderOf(*request, *prepared, isOfSession, arguments);
     const auto pictureStart = Clock::now();
-    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, 1));
+    const double pictureEnd = order.lens ? (sceneEnd + 1) / 2 : 1;
+    const auto picture = pipeline.draw(order, request->picture.depth, invocation.progress.part(sceneEnd, pictureEnd));
     if (!picture)
         return picture.error();
     QJsonObject figures = prepared->figures;
     figures["picture_seconds"] = secondsSince(pictureStart);
     addStatistics(figures, pipeline.statistics());
+    std::optional<DrawnLens> lens;
+    if (order.lens) {
+        auto drawn = pipeline.drawLens(order, invocation.progress.part(pictureEnd, 1));
+        if (!drawn)
+            return drawn.error();
+        lens = *std::move(drawn);
+        figures["lens_tetrahedra"] = static_cast<qint64>(lens->tetrahedra);
+    }
     if (const Status written = writeSurfaceFile(invocation, *request, *prepared, figures); !written)
         return written.error();
-    if (const Status written = writeFiles(*request, order, *picture, figures); !written)
+    if (const Status written = writeFiles(*request, order, *picture, lens, figures); !written)
         return written.error();
 
     const double seconds = secondsSince(start);

@@ -12,7 +12,9 @@
 
 #include <tan/render.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -89,6 +91,41 @@ Status checkPng(const std::filesystem::path& output, std::span<const std::filesy
     return checkOutput(output, inputs);
 }
 
+/// "x,y,radius,magnification[,error]", after "circle:" or "square:" if there is a word.
+Result<LensState> lensOf(const std::string& text)
+{
+    const Error doesNotFit{
+        ErrorKind::WrongUsage,
+        "'" + text +
+            "' does not fit '--lens': it takes X,Y,RADIUS,MAGNIFICATION or X,Y,RADIUS,MAGNIFICATION,ERROR. X and Y are "
+            "shares of the picture's width and height from its upper left corner, 0 to 1; RADIUS is one of its shorter "
+            "side, 0.05 to 0.5; MAGNIFICATION is 1 to 16; ERROR is in percent of the value range, 0 to 100. With "
+            "'square:' before them the lens is a square."};
+    LensState lens{.shape = LensState::Shape::Circle};
+    std::string_view list = text;
+    for (const auto& [word, shape] : {std::pair(std::string_view("circle:"), LensState::Shape::Circle),
+                                      std::pair(std::string_view("square:"), LensState::Shape::Square)})
+        if (list.starts_with(word)) {
+            lens.shape = shape;
+            list.remove_prefix(word.size());
+        }
+    std::vector<double LensState::*> members{&LensState::x, &LensState::y, &LensState::radius,
+                                             &LensState::magnification};
+    if (std::ranges::count(list, ',') == std::ssize(members))
+        members.push_back(&LensState::error);
+    for (const auto member : members) {
+        const auto end = list.find(',');
+        if ((end == std::string_view::npos) != (member == members.back()))
+            return doesNotFit;
+        const auto number = parseNumber<double>(list.substr(0, end));
+        if (!number)
+            return doesNotFit;
+        lens.*member = *number;
+        list.remove_prefix(std::min(list.size(), end == std::string_view::npos ? end : end + 1));
+    }
+    return corrected(lens, LensState{}) == lens ? Result<LensState>(lens) : Result<LensState>(doesNotFit);
+}
+
 bool isSamePlace(const std::filesystem::path& one, const std::filesystem::path& other)
 {
     return std::filesystem::absolute(one).lexically_normal() == std::filesystem::absolute(other).lexically_normal();
@@ -145,6 +182,12 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .placeholder = "FILE.png",
          .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "
                         "and white (65535) where nothing is. --json tells which depths the greys are."},
+        {.name = "lens",
+         .placeholder = "X,Y,R,M[,E]",
+         .explanation = "Enlarges a part of the picture M times, as under a magnifying glass: around the place X,Y "
+                        "(shares of width and height from the upper left corner), out to R (a share of the shorter "
+                        "side), with a mesh whose error there is E percent of the value range, or 0.25, if that is "
+                        "smaller than the picture's. 'square:' before the numbers makes it a square."},
         {.name = "surfaces",
          .placeholder = fileChoices(host, WrittenContent::Surface),
          .explanation = "Writes the surfaces that are drawn, too, as the window's Save Surfaces does: those of "
@@ -166,6 +209,12 @@ Result<RenderRequest> renderRequestOf(const Arguments& arguments)
     if (!query)
         return query.error();
     request.query = *std::move(query);
+    if (const auto text = arguments.value("lens")) {
+        const auto lens = lensOf(*text);
+        if (!lens)
+            return lens.error();
+        request.lens = *lens;
+    }
     const auto picture = pictureOf(arguments);
     if (!picture)
         return picture.error();

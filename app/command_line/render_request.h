@@ -3,6 +3,7 @@
 
 #include "app/command_line/arguments.h"
 #include "plugins/host/plugin_host.h"
+#include "ui/session/lens.h"
 
 #include <tan/query.h>
 #include <tan/render.h>
@@ -21,12 +22,13 @@ struct RenderRequest {
     std::optional<std::filesystem::path> depth;    ///< the file for the depths
     std::optional<std::filesystem::path> surfaces; ///< the file for the surfaces of the scene
     MeshQuery query;
+    LensState lens;
     PictureOptions picture;
     std::string backend; ///< "cpu" or "gl"
 };
 
-/// --camera, --size, --samples, --background, --backend, --threads, --depth, --output; --surfaces has the endings of
-/// the writers.
+/// --camera, --size, --samples, --background, --backend, --threads, --depth, --lens, --output; --surfaces has the
+/// endings of the writers.
 std::vector<Option> pictureOptions(PluginHost& host);
 
 /// What these and the options of query_options.h ask for. Errors (WrongUsage): values that do not fit, options that do

@@ -96,6 +96,10 @@ QPainterPath outline(Glyph glyph)
         addPolyline(path, {{7, 2}, {7, 17}, {22, 17}});
         addPolyline(path, {{2, 7}, {17, 7}, {17, 22}});
         break;
+    case Glyph::Lens:
+        path.addEllipse(QPointF(10, 10), 7, 7);
+        addPolyline(path, {{15, 15}, {21, 21}});
+        break;
     }
     return path;
 }

@@ -21,7 +21,8 @@ enum class Glyph {
     Mesh,
     Sphere,
     Box,
-    Window
+    Window,
+    Lens
 };
 
 /// Drawn when it is painted, so that it is sharp at any size and scale and has the text colour of a light or a dark

@@ -251,6 +251,35 @@ private slots:
         QCOMPARE(useless.exitCode, 2);
     }
 
+    /// C5: in the lens the picture is that which is so many times as large, of a finer mesh if that is asked for.
+    void theLensEnlarges()
+    {
+        const QStringList usual{"--error", "8", "--no-outline", "--samples", "1"};
+        const auto [plain, ofPlain] = drawn(usual);
+        const auto [large, ofLarge] = drawn(usual + QStringList{"--size", "180x180"});
+        QCOMPARE(large.width(), 180);
+        const auto [magnified, ofMagnified] = drawn(usual + QStringList{"--lens", "square:0.5,0.45,0.25,3,100"});
+        const auto [fine, ofFine] = drawn(usual + QStringList{"--lens", "square:0.5,0.45,0.25,3,0.5"});
+        QCOMPARE(ofMagnified["lens_tetrahedra"].toInteger(), ofMagnified["tetrahedra"].toInteger());
+        QVERIFY(ofFine["lens_tetrahedra"].toInteger() > 2 * ofFine["tetrahedra"].toInteger());
+        int finer = 0, larger = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 60; ++x) {
+                const int right = x - 30, down = y - 27; // from the middle
+                if (std::max(std::abs(right), std::abs(down)) > 18) {
+                    QCOMPARE(magnified.pixelColor(x, y), plain.pixelColor(x, y));
+                    QCOMPARE(fine.pixelColor(x, y), plain.pixelColor(x, y));
+                }
+                if (std::abs(right) > 11 || down < -11 || down >= -5)
+                    continue; // but for the rim and the number
+                QCOMPARE(magnified.pixelColor(x, y), large.pixelColor(90 + right, 81 + down));
+                larger += magnified.pixelColor(x, y) != plain.pixelColor(x, y) ? 1 : 0;
+                finer += fine.pixelColor(x, y) != magnified.pixelColor(x, y) ? 1 : 0;
+            }
+        QVERIFY2(larger > 10 && finer > 10, qPrintable(QString("%1 %2").arg(larger).arg(finer)));
+        QVERIFY(pixelsThatDiffer(drawn(usual + QStringList{"--lens", "0.5,0.45,0.25,3,0.5"}).first, fine) > 4);
+    }
+
     void depthsAreAGreyPicture()
     {
         const auto [image, figures] = drawn({"--transfer", "opaque.json", "--no-outline", "--depth", "depth.png"});
@@ -438,6 +467,11 @@ private slots:
         row("surfaces in another format", {"--surfaces", "x.png2"}, 2, "'--surfaces'");
         row("surfaces over the depth", {"--surfaces", "./d.png", "--depth", "d.png"}, 2, "same file");
         row("surfaces over the model", {"--surfaces", "c60.tan"}, 2, "c60.tan");
+        row("a lens of three numbers", {"--lens", "0.5,0.5,0.2"}, 2, "does not fit '--lens'");
+        row("a lens of six", {"--lens", "0.5,0.5,0.2,3,1,1"}, 2, "does not fit '--lens'");
+        row("a lens beside the picture", {"--lens", "1.5,0.5,0.2,3"}, 2, "does not fit '--lens'");
+        row("a lens that is no number", {"--lens", "0.5,0.5,0.2,big"}, 2, "does not fit '--lens'");
+        row("a lens that makes smaller", {"--lens", "0.5,0.5,0.2,0.5"}, 2, "does not fit '--lens'");
         row("focus without error", {"--focus", "sphere:1,2,3,4"}, 2, "--focus-error");
         row("window beside the data", {"--window", "90,90,90,91,91,91"}, 2, "No tetrahedron");
     }

@@ -270,7 +270,7 @@ void BaselinesTest::icons()
     QImage image(columns * side, 2 * side, QImage::Format_ARGB32_Premultiplied);
     image.fill(paletteOf(dark).color(QPalette::Window));
     QPainter painter(&image);
-    for (int glyph = 0; glyph <= static_cast<int>(Glyph::Window); ++glyph)
+    for (int glyph = 0; glyph <= static_cast<int>(Glyph::Lens); ++glyph)
         glyphIcon(static_cast<Glyph>(glyph))
             .paint(&painter, QRect(glyph % columns * side, glyph / columns * side, side, side));
     painter.end();

@@ -53,7 +53,10 @@ double RandomEdits::value()
 
 void RandomEdits::editOnce()
 {
-    switch (below(12)) {
+    switch (below(13)) {
+    case 12:
+        return session_.setLens({static_cast<LensState::Shape>(below(3)), number(-0.1, 1.1), number(-0.1, 1.1),
+                                 number(0, 0.6), number(0, 20), number(-1, 110)});
     case 0: return editQuery();
     case 1: return editLook();
     case 2: return editIsovalues();

@@ -102,6 +102,8 @@ void RenderedSessionTest::asTheWindowDrawsIt_data()
     }
     for (const char* region : {"foci", "view", "isovalues", "opacity"}) // C3
         QTest::addRow("volume, %s", region) << QString("volume") << true << QString(region);
+    for (const char* mode : {"isosurface", "volume", "focus"}) // C5
+        QTest::addRow("%s, lens", mode) << QString(mode) << true << QString("lens");
     QTest::addRow("isosurface, range") << QString("isosurface") << true << QString("range"); // C2
 }
 
@@ -140,6 +142,8 @@ void RenderedSessionTest::asTheWindowDrawsIt()
                       : region == "isovalues" ? FocusState::Shape::Isovalues
                                               : FocusState::Shape::Opacity;
         session().setFocus(focus);
+    } else if (region == "lens") {
+        session().setLens({.shape = LensState::Shape::Circle, .x = 0.45, .y = 0.6, .magnification = 2.5});
     } else if (region == "range") {
         session().setRange({.enabled = true, .fine = 2, .coarse = 10, .bornAbove = 3});
     } else if (region == "window") {

@@ -72,6 +72,12 @@ SessionDocument randomDocument(std::mt19937& random)
                                       random() % 2 == 0,    random() % 3 == 0};
     if (random() % 2 == 0)
         document.view.background = Colour{channel(random), channel(random), channel(random)};
+    document.view.lens = {static_cast<LensState::Shape>(random() % 3),
+                          unit(random),
+                          unit(random),
+                          unit(random),
+                          1 + unit(random),
+                          unit(random)};
     for (AnnotationPlace& place : document.view.annotations.places)
         place = {random() % 2 == 0, static_cast<Corner>(random() % 4)};
     document.view.animation.kind = static_cast<Animation::Kind>(random() % 2);

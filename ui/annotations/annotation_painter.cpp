@@ -5,6 +5,7 @@
 
 #include <QFontMetricsF>
 #include <QImage>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -19,6 +20,7 @@ constexpr double rimWidth = 3;
 constexpr double rimOpacity = 0.8;
 constexpr double least = 0.75; ///< of annotationScale()
 constexpr double chequer = 5;
+constexpr double lensRim = 2;
 constexpr int solidPart = 12; ///< of the bar's width: what is left shows the opacity
 
 struct Ink {
@@ -230,6 +232,54 @@ void paintAnnotations(QImage& image, const AnnotationContent& content, double sc
         paintAnnotations(painter, content, QSizeF(image.size()) / scale);
     }
     image = image.convertToFormat(format);
+}
+
+namespace {
+
+QPainterPath outlineOf(const DrawnLens& lens, double within)
+{
+    const PixelRectangle& square = lens.place.square;
+    const QRectF all =
+        QRectF(square.left, square.top, square.width, square.height).adjusted(within, within, -within, -within);
+    QPainterPath path;
+    if (lens.shape == LensState::Shape::Circle)
+        path.addEllipse(all);
+    else
+        path.addRect(all);
+    return path;
+}
+
+} // namespace
+
+void paintLens(QPainter& painter, const DrawnLens& lens, const Colour& background, double scale)
+{
+    const LensPicture& place = lens.place;
+    const Ink ink = inkFor(background);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPainterPath path = outlineOf(lens, lensRim * scale / 2);
+    if (!lens.content.isNull()) {
+        painter.setClipPath(path, Qt::IntersectClip);
+        painter.setCompositionMode(QPainter::CompositionMode_Source);
+        painter.drawImage(
+            QRectF(place.square.left + place.left, place.square.top + place.top, place.part.width, place.part.height),
+            lens.content);
+        painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+        painter.setClipping(false);
+    }
+    painter.setPen(QPen(ink.rim, (lensRim + 2) * scale));
+    painter.drawPath(path);
+    painter.setPen(QPen(ink.line, lensRim * scale));
+    painter.drawPath(path);
+    QFont font;
+    font.setPixelSize(pixelTextSize);
+    painter.setFont(font);
+    const QString text = QLocale().toString(place.magnification, 'g', 3) + QChar(0xd7);
+    const double height = QFontMetricsF(font).height();
+    painter.translate(place.square.left + place.square.width / 2.0, place.square.top + place.square.height);
+    painter.scale(scale, scale);
+    paintText(painter, {text, QRectF(-height, -1.25 * height, 2 * height, height)}, ink, Qt::AlignHCenter);
+    painter.restore();
 }
 
 double annotationScale(QSize picture, QSize view)

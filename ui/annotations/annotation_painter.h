@@ -2,10 +2,11 @@
 #pragma once
 
 #include "ui/annotations/annotation_content.h"
+#include "ui/session/lens.h"
 
+#include <QImage>
 #include <QSizeF>
 
-class QImage;
 class QPainter;
 
 namespace tetra {
@@ -16,6 +17,18 @@ void paintAnnotations(QPainter& painter, const AnnotationContent& content, QSize
 
 /// The same over an image, `scale` times as large as in a view of one pixel a unit.
 void paintAnnotations(QImage& image, const AnnotationContent& content, double scale);
+
+/// What is seen in a lens.
+struct DrawnLens {
+    LensState::Shape shape = LensState::Shape::Circle;
+    LensPicture place{};
+    QImage content{};           ///< of place.part; null: the rim alone
+    std::size_t tetrahedra = 0; ///< of its mesh
+};
+
+/// Paints a lens over a picture, with a rim and its magnification, in place of what was there. The painter's units are
+/// the picture's pixels; lines and text are `scale` times as large as in a view of one pixel a unit. Any thread.
+void paintLens(QPainter& painter, const DrawnLens& lens, const Colour& background, double scale);
 
 /// How many pixels of a picture a unit of the view is, so that its annotations take as much of it as they do of the
 /// view; not so few that texts could not be read.

@@ -7,6 +7,7 @@
 #include "plugins/widgets/scrolled_column.h"
 #include "plugins/widgets/value_box.h"
 #include "ui/panels/accuracy_inputs.h"
+#include "ui/panels/lens_inputs.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/widgets/checked_button.h"
 #include "ui/widgets/value_slider.h"
@@ -79,6 +80,8 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     layout->addLayout(makeShapes());
     layout->addWidget(hint_);
     layout->addWidget(settings_);
+    layout->addSpacing(6);
+    layout->addWidget(new LensInputs(session_));
     layout->addStretch();
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});

@@ -76,6 +76,8 @@ ViewValue corrected(ViewValue view, const ViewValue& before, const Model& model)
     if (edited & ViewPart::Camera)
         view.camera = corrected(view.camera, before.camera);
     view.background = corrected(view.background);
+    if (edited & ViewPart::Lens)
+        view.lens = corrected(view.lens, before.lens);
     return view;
 }
 
@@ -147,7 +149,9 @@ QString Session::ChangeView::nameOf(const ViewValue& before, const ViewValue& af
         return tr("Change Annotations");
     if (parts & ViewPart::Animation)
         return tr("Change Animation");
-    return parts & ViewPart::Camera ? tr("Move Camera") : tr("Change Background");
+    if (parts & ViewPart::Camera)
+        return tr("Move Camera");
+    return parts & ViewPart::Lens ? tr("Change Lens") : tr("Change Background");
 }
 
 Session::Session(QObject* parent) : QObject(parent) {}
@@ -379,6 +383,13 @@ void Session::fitCamera()
 void Session::setBackground(const std::optional<Colour>& background)
 {
     edit([&](ViewValue& view) { view.background = background; });
+}
+
+void Session::setLens(const LensState& lens, Gesture gesture)
+{
+    ViewValue view = view_;
+    view.lens = lens;
+    setView(std::move(view), {}, gesture);
 }
 
 void Session::addIsovalue(std::optional<double> value)

@@ -87,6 +87,7 @@ public:
     /// All of the model, from the present direction.
     void fitCamera();
     void setBackground(const std::optional<Colour>& background);
+    void setLens(const LensState& lens, Gesture gesture = 0);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
     void addIsovalue(std::optional<double> value = std::nullopt);
     /// Out of range indices are ignored.

@@ -322,6 +322,22 @@ void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
     }
 }
 
+QJsonObject toJson(const LensState& lens)
+{
+    return {{"shape", nameOf(lensShapeNames, lens.shape)}, {"x", lens.x},        {"y", lens.y}, {"radius", lens.radius},
+            {"magnification", lens.magnification},         {"error", lens.error}};
+}
+
+void readLens(const JsonFields& fields, LensState& lens)
+{
+    readName(fields, "shape", lensShapeNames, lens.shape);
+    fields.read("x", lens.x);
+    fields.read("y", lens.y);
+    fields.read("radius", lens.radius);
+    fields.read("magnification", lens.magnification);
+    fields.read("error", lens.error);
+}
+
 QJsonObject toJson(const KeyFrame& key)
 {
     return {{"time", key.time},
@@ -385,6 +401,7 @@ QJsonObject toJson(const ViewValue& view)
                        {"animation", toJson(view.animation)}, {"camera", parsed(cameraToText(view.camera))}};
     if (view.background)
         object["background"] = three(*view.background);
+    object["lens"] = toJson(view.lens);
     return object;
 }
 
@@ -398,6 +415,7 @@ void readView(const JsonFields& fields, ViewValue& view)
     readAnimation(fields.fields("animation"), view.animation);
     if (fields.has("background"))
         view.background = readColour(fields, "background", {});
+    readLens(fields.fields("lens"), view.lens);
 }
 
 } // namespace tetra

@@ -119,7 +119,8 @@ readName(const JsonFields& fields, const QString& key, const std::array<const ch
 ///
 ///     {"mesh": {"error": 1, "focus": {...}, ...}, "look": {"mode": "volume", "transfer": {...}, "settings": {...}},
 ///      "isovalues": [...], "annotations": {"axes": {"shown": true, "corner": "bottomLeft"}, ...},
-///      "animation": {...}, "camera": {...}, "background": [0, 0, 0.5]}
+///      "animation": {...}, "camera": {...}, "background": [0, 0, 0.5],
+///      "lens": {"shape": "circle", "x": 0.5, "y": 0.5, "radius": 0.25, "magnification": 3, "error": 0.25}}
 ///
 /// Cameras and transfer functions are in the forms that their own files have. Settings keep their type:
 /// {"integer": 3}, {"number": 0.5}, true, "text". A background that nobody chose is left out.

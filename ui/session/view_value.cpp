@@ -12,7 +12,7 @@ namespace {
 template <class View> auto partsOf(View& view)
 {
     return std::tie(view.query, view.appearance.mode, view.appearance.transfer, view.appearance.settings,
-                    view.isovalues, view.annotations, view.animation, view.camera, view.background);
+                    view.isovalues, view.annotations, view.animation, view.camera, view.background, view.lens);
 }
 
 constexpr auto partCount = std::tuple_size_v<decltype(partsOf(std::declval<const ViewValue&>()))>;

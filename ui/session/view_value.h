@@ -3,6 +3,7 @@
 
 #include "ui/animation/animation.h"
 #include "ui/session/appearance.h"
+#include "ui/session/lens.h"
 #include "ui/session/query_state.h"
 
 #include <QFlags>
@@ -52,6 +53,7 @@ struct ViewValue {
     Animation animation{};         ///< the film
     Camera camera{};
     std::optional<Colour> background{}; ///< none: the one that fits the desktop's colours
+    LensState lens{};                   ///< over the picture
     bool operator==(const ViewValue&) const = default;
 };
 
@@ -66,6 +68,7 @@ enum class ViewPart {
     Animation = 64,
     Camera = 128,
     Background = 256,
+    Lens = 512,
     Appearance = Mode | Transfer | Settings,
     Scene = Query | Appearance | Isovalues, ///< what the scene is made of
 };
@@ -87,7 +90,7 @@ public:
 private:
     /// Each part is of a type of its own, in the order of ViewPart.
     using Part = std::variant<QueryState, std::string, TransferFunction, ParameterValues, std::vector<Isovalue>,
-                              AnnotationState, Animation, Camera, std::optional<Colour>>;
+                              AnnotationState, Animation, Camera, std::optional<Colour>, LensState>;
     std::vector<Part> parts_; ///< in that order
 };
 

@@ -58,6 +58,7 @@ public:
     ~Canvas() override;
 
     QString backendName() const;
+    bool usesGl() const noexcept { return usesGl_; }
     void setView(const View& view);
     /// Pictures a second to hold while something moves.
     void setFrameRate(double perSecond) { pacer_.setFrameRate(perSecond); }

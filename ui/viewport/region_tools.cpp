@@ -139,7 +139,7 @@ bool RegionTools::doubleClick(const QMouseEvent& event)
     if (!query().has(RegionKind::Focus) || !viewport_.scene() || event.button() != Qt::LeftButton)
         return false;
     const auto scene = viewport_.scene();
-    place_.find(surfacesOf(*scene), viewport_.projection().pickingRay(event.position()),
+    place_.find(surfacesOf(*scene), viewport_.projection().pickingRay(viewport_.beneathLens(event.position())),
                 [this, scene](const std::optional<SeenPlace>& seen) {
                     if (seen && scene == viewport_.scene() && !drag_)
                         bringFocusTo(seen->place);

@@ -59,7 +59,7 @@ QString ValuePick::text() const
 
 void ValuePick::pickAt(QPointF pixel)
 {
-    wanted_ = pixel;
+    wanted_ = viewport_.beneathLens(pixel);
     look();
 }
 

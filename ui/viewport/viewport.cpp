@@ -235,6 +235,21 @@ void Viewport::endPreview()
     emit previewChanged(false);
 }
 
+QPointF Viewport::beneathLens(QPointF pixel) const
+{
+    const LensState& lens = session_.view().lens;
+    const double pixelsPerUnit = devicePixelRatioF();
+    const QSize pixels = size() * pixelsPerUnit;
+    const Eigen::Vector2d place(pixel.x() * pixelsPerUnit, pixel.y() * pixelsPerUnit);
+    if (!lens.isOn() || pixels.isEmpty())
+        return pixel;
+    const LensPicture picture = lensPicture(lens, pixels.width(), pixels.height());
+    if (!holds(lens, picture, place))
+        return pixel;
+    const Eigen::Vector2d beneath = placeUnder(picture, place) / pixelsPerUnit;
+    return {beneath.x(), beneath.y()};
+}
+
 void Viewport::setFollowing(bool following)
 {
     if (following == following_)

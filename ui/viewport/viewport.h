@@ -36,6 +36,8 @@ public:
     const Camera& camera() const noexcept { return session_.view().camera; }
     /// The session's, or the one that fits the palette.
     const Colour& background() const noexcept { return view_.background; }
+    /// Where in the picture that lies which is seen at a pixel: elsewhere if the lens is there.
+    QPointF beneathLens(QPointF pixel) const;
     /// From places to this widget's coordinates.
     PictureProjection projection() const { return {view_.camera, size()}; }
 
@@ -66,6 +68,7 @@ public:
     static constexpr auto usualIdleTime = std::chrono::milliseconds(150);
 
     QString backendName() const;
+    bool usesGl() const { return canvas_->usesGl(); }
     /// True once the fine picture of the present scene and camera is on the screen.
     bool settled() const;
     QImage picture() const;

@@ -9,6 +9,7 @@
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 #include "ui/viewport/annotation_overlay.h"
+#include "ui/viewport/lens_tool.h"
 #include "ui/viewport/picture_notice.h"
 #include "ui/viewport/region_tools.h"
 #include "ui/viewport/transfer_drag.h"
@@ -140,6 +141,7 @@ QWidget* MainWindow::makeCentre()
 {
     viewport_->setObjectName("viewport");
     viewport_->setAccessibleName(tr("Picture"));
+    lens_ = new LensTool(workbench_, *viewport_);  // gets the events after all others
     new AnnotationOverlay(workbench_, *viewport_); // below the tools
     pick_ = new ValuePick(workbench_, *viewport_);
     new TransferDrag(workbench_, *viewport_);
@@ -297,7 +299,10 @@ void MainWindow::connectRegions()
     connect(docks_.focusPanel, &FocusPanel::centreWanted, regions_, &RegionActions::focusToView);
     connect(regions_, &RegionActions::focusSwitchedOn, docks_.focus, raise(docks_.focus));
     connect(regions_, &RegionActions::windowSwitchedOn, docks_.region, raise(docks_.region));
+    connect(regions_, &RegionActions::lensSwitchedOn, docks_.focus, raise(docks_.focus));
+    connect(lens_, &LensTool::failed, messages_, [this](const QString& text) { messages_->add(text); });
     const auto takeKeys = [this] { viewport_->setFocus(); };
+    connect(regions_, &RegionActions::lensSwitchedOn, viewport_, takeKeys);
     connect(regions_, &RegionActions::focusSwitchedOn, viewport_, takeKeys);
     connect(regions_, &RegionActions::windowSwitchedOn, viewport_, takeKeys);
 }

@@ -19,6 +19,7 @@ class ImportDialog;
 class Leaving;
 class MessageBar;
 class PictureDialog;
+class LensTool;
 class RegionActions;
 class StatusLine;
 class ValuePick;
@@ -86,6 +87,7 @@ private:
     FilmDialog* film_ = nullptr;       ///< likewise
     StatusLine* status_;
     RegionActions* regions_;
+    LensTool* lens_ = nullptr;
     KeepSession* keptSession_ = nullptr;
     Leaving* leaving_ = nullptr;
     bool mayClose_ = false; ///< all questions are answered

@@ -32,7 +32,10 @@ PictureOrder pictureOrder(const Workbench& workbench, const Viewport& viewport, 
 {
     ViewPicture picture = pictureOf(workbench, viewport, settings);
     picture.scene = viewport.scene();
-    return pictureOrder(picture);
+    PictureOrder order = pictureOrder(picture);
+    if (const LensState& lens = workbench.session().view().lens; lens.isOn() && workbench.session().model())
+        order.lens = std::make_shared<const LensOrder>(LensOrder{lens, workbench.scenes().sceneRequest()});
+    return order;
 }
 
 FilmOrder filmOrder(const Workbench& workbench, const Viewport& viewport, const PictureSettings& settings)

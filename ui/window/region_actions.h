@@ -12,8 +12,8 @@ namespace tetra {
 
 class Viewport;
 
-/// The menu of focus and window, and what is of use at hand in the tool bar. Object names are action.focusSphere,
-/// .focusBox, .window and .focusToView.
+/// The menu of focus, window and lens, and what is of use at hand in the tool bar. Object names are action.focusSphere,
+/// .focusBox, .window, .lens and .focusToView.
 class RegionActions : public QObject {
     Q_OBJECT
 public:
@@ -27,10 +27,12 @@ signals:
     /// By the user, so that their settings should be seen.
     void focusSwitchedOn();
     void windowSwitchedOn();
+    void lensSwitchedOn();
 
 private:
     void chooseShape(FocusState::Shape shape, bool on);
     void chooseWindow(bool on);
+    void chooseLens(bool on);
     void follow();
 
     Session& session_;
@@ -39,6 +41,7 @@ private:
     QAction* box_;
     QAction* toView_;
     QAction* window_;
+    QAction* lens_;
 };
 
 } // namespace tetra

@@ -22,13 +22,19 @@ constexpr int leastDigits = 4;
 constexpr double drawingPart = 0.93; ///< of the time of a video
 constexpr const char* framePattern = "%06d.png";
 
-Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& pipeline, const Progress& progress)
+/// What one frame leaves to the next: the scene as far as it fits, the order of its cells; of a lens by itself.
+struct FramePipelines {
+    ScenePipeline picture;
+    ScenePipeline lens;
+};
+
+Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, FramePipelines& pipelines, const Progress& progress)
 {
     view.query = corrected(view.query, order.view.query, *order.model); // key frames may be of another model
     SceneRequest request = sceneOf(order.model, order.renderer, order.parameters, view);
     request.width = order.picture.width;
     request.height = order.picture.height;
-    const auto built = pipeline.make(request, progress);
+    const auto built = pipelines.picture.make(request, progress);
     if (!built)
         return built.error();
     PictureOrder picture = order.picture;
@@ -36,10 +42,12 @@ Result<QImage> drawFrame(const FilmOrder& order, ViewValue view, ScenePipeline& 
     picture.camera = view.camera;
     if (order.finish)
         picture.finish = [&](QImage& image) { order.finish(image, view, built->mesh); };
-    const auto drawn = pipeline.draw(picture, false, progress);
+    if (view.lens.isOn())
+        picture.lens = std::make_shared<const LensOrder>(LensOrder{view.lens, request});
+    const auto drawn = pipelines.picture.draw(picture, false, progress);
     if (!drawn)
         return drawn.error();
-    return finishedPicture(picture, *drawn);
+    return pipelines.lens.finish(picture, *drawn, progress);
 }
 
 std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
@@ -49,11 +57,11 @@ std::filesystem::path numbered(const std::filesystem::path& folder, int frame)
 
 Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, const Progress& progress)
 {
-    ScenePipeline pipeline; // what one frame leaves to the next: the scene as far as it fits, the order of its cells
+    FramePipelines pipelines;
     const int count = frameCount(order.view.animation);
     for (int i = 0; i < count; ++i) {
         progress.report(static_cast<double>(i) / count, {});
-        const auto image = drawFrame(order, viewAtFrame(order.view, i), pipeline, progress.withCallback({}));
+        const auto image = drawFrame(order, viewAtFrame(order.view, i), pipelines, progress.withCallback({}));
         if (!image)
             return image.error();
         if (progress.cancelled())

@@ -4,6 +4,7 @@
 #include "core/base/file_writer.h"
 
 #include <QBuffer>
+#include <QPainter>
 
 #include <cmath>
 #include <cstring>
@@ -25,9 +26,18 @@ QImage imageOf(const Picture& picture)
     return image;
 }
 
-QImage finishedPicture(const PictureOrder& order, const Picture& picture)
+QImage finishedPicture(const PictureOrder& order, const Picture& picture, const std::optional<DrawnLens>& lens)
 {
     QImage image = imageOf(picture);
+    if (lens) {
+        const QImage::Format format = image.format();
+        image = image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+        {
+            QPainter painter(&image);
+            paintLens(painter, *lens, order.background, order.lineScale);
+        }
+        image = image.convertToFormat(format);
+    }
     if (order.finish)
         order.finish(image);
     if (!order.transparent)

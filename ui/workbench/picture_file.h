@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/annotations/annotation_painter.h"
+
 #include <tan/base.h>
 #include <tan/render.h>
 
@@ -10,11 +12,15 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 
 namespace tetra {
 
 /// The same pixels as Qt's image. O(pixels).
 QImage imageOf(const Picture& picture);
+
+struct LensOrder;
 
 /// A picture to save, in the still resolution.
 struct PictureOrder {
@@ -23,6 +29,8 @@ struct PictureOrder {
     Colour background;
     int width = 0;
     int height = 0;
+    std::optional<PixelRectangle> part{};          ///< only this part of it is drawn
+    std::shared_ptr<const LensOrder> lens{};       ///< drawn over it (scene_pipeline.h)
     std::filesystem::path target{};                ///< empty: the picture goes to the clipboard
     bool transparent = false;                      ///< without the background
     int samplesPerAxis = 4;                        ///< of a pixel: as many as the viewport takes at rest
@@ -33,8 +41,9 @@ struct PictureOrder {
     std::function<void(QImage& picture)> finish{}; ///< paints over it; called in the worker
 };
 
-/// A drawn picture with all else that was ordered.
-QImage finishedPicture(const PictureOrder& order, const Picture& picture);
+/// A drawn picture with all else that was ordered; the lens, if there is one, is drawn already.
+QImage finishedPicture(const PictureOrder& order, const Picture& picture,
+                       const std::optional<DrawnLens>& lens = std::nullopt);
 
 /// Writes a PNG file, whole or not at all.
 Status writePicture(const QImage& picture, const std::filesystem::path& target);

@@ -55,6 +55,16 @@ bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
            (one.camera == other.camera && one.width == other.width && one.height == other.height);
 }
 
+SceneRequest lensScene(const LensOrder& order, const LensPicture& place, const Camera& camera)
+{
+    SceneRequest request = order.scene;
+    request.camera = camera;
+    request.width = place.width;
+    request.height = place.height;
+    request.query = lensQuery(request.query, order.lens.error, seenInLens(place, camera), *request.model);
+    return request;
+}
+
 /// The meshes that a request needs: one, or with a renderer that blends a focus two.
 struct ScenePipeline::NeededMeshes {
     MeshQuery query;
@@ -214,6 +224,7 @@ Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, c
     PictureOptions options;
     options.width = order.width;
     options.height = order.height;
+    options.part = order.part;
     options.background = order.background;
     options.transparentBackground = order.transparent;
     options.samplesPerAxis = order.samplesPerAxis;
@@ -222,6 +233,36 @@ Result<Picture> ScenePipeline::draw(const PictureOrder& order, bool withDepth, c
     Scene scene = order.scene ? *order.scene : Scene();
     scaleLines(scene, order.lineScale);
     return backend_->render(scene, order.camera, options, progress);
+}
+
+Result<DrawnLens> ScenePipeline::drawLens(const PictureOrder& order, const Progress& progress)
+{
+    const LensState& lens = order.lens->lens;
+    DrawnLens drawn{.shape = lens.shape, .place = lensPicture(lens, order.width, order.height)};
+    const auto built = make(lensScene(*order.lens, drawn.place, order.camera), progress.part(0, 0.5));
+    if (!built)
+        return built.error();
+    PictureOrder enlarged = order;
+    enlarged.scene = built->scene;
+    enlarged.width = drawn.place.width;
+    enlarged.height = drawn.place.height;
+    enlarged.part = drawn.place.part;
+    const auto picture = draw(enlarged, false, progress.part(0.5, 1));
+    if (!picture)
+        return picture.error();
+    drawn.content = imageOf(*picture);
+    drawn.tetrahedra = built->mesh.tetrahedra;
+    return drawn;
+}
+
+Result<QImage> ScenePipeline::finish(const PictureOrder& order, const Picture& picture, const Progress& progress)
+{
+    if (!order.lens || !order.lens->lens.isOn() || !order.lens->scene.model || order.lens->scene.renderer == nullptr)
+        return finishedPicture(order, picture);
+    const auto lens = drawLens(order, progress);
+    if (!lens)
+        return lens.error();
+    return finishedPicture(order, picture, *lens);
 }
 
 std::shared_ptr<const ExtractedMesh> ScenePipeline::mesh() const
@@ -244,10 +285,11 @@ void ScenePipeline::clear()
 
 Result<QImage> drawPicture(const PictureOrder& order, const Progress& progress)
 {
-    const auto picture = ScenePipeline().draw(order, false, progress);
+    ScenePipeline pipeline;
+    const auto picture = pipeline.draw(order, false, progress.part(0, order.lens ? 0.5 : 1));
     if (!picture)
         return picture.error();
-    return finishedPicture(order, *picture);
+    return pipeline.finish(order, *picture, progress.part(0.5, 1));
 }
 
 Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const Progress& progress)
@@ -257,10 +299,10 @@ Result<QImage> drawPicture(PictureOrder order, const SceneRequest& scene, const 
     if (!built)
         return built.error();
     order.scene = built->scene;
-    const auto picture = pipeline.draw(order, false, progress.part(0.5, 1));
+    const auto picture = pipeline.draw(order, false, progress.part(0.5, order.lens ? 0.7 : 1));
     if (!picture)
         return picture.error();
-    return finishedPicture(order, *picture);
+    return pipeline.finish(order, *picture, progress.part(0.7, 1));
 }
 
 } // namespace tetra

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/renderer.h"
+#include "ui/session/lens.h"
 #include "ui/session/shown_mesh.h"
 #include "ui/workbench/picture_file.h"
 
@@ -38,6 +39,15 @@ void scaleLines(Scene& scene, double factor);
 /// Whether the scene of one is also that of the other.
 bool haveSameScene(const SceneRequest& one, const SceneRequest& other);
 
+/// A lens over a picture.
+struct LensOrder {
+    LensState lens;
+    SceneRequest scene; ///< of the picture
+};
+
+/// The scene in a lens that lies there in a picture that this camera takes: of its own mesh.
+SceneRequest lensScene(const LensOrder& order, const LensPicture& place, const Camera& camera);
+
 /// What was made of a request.
 struct BuiltScene {
     std::shared_ptr<const Model> model;
@@ -67,6 +77,10 @@ public:
     /// The picture as the back end draws it, with its depths if they are wanted, but nothing painted over it. The order
     /// of cells of one picture helps with the next.
     Result<Picture> draw(const PictureOrder& order, bool withDepth, const Progress& progress);
+    /// A picture that was drawn with all else that was ordered, the lens included.
+    Result<QImage> finish(const PictureOrder& order, const Picture& picture, const Progress& progress);
+    /// What is seen in the lens of an order.
+    Result<DrawnLens> drawLens(const PictureOrder& order, const Progress& progress);
     /// Of the last picture.
     RenderStatistics statistics() const { return backend_->statistics(); }
     /// The mesh of the last scene, that outside of a focus if two are blended; none while the next one is made.

@@ -31,6 +31,7 @@ Drivers regionCommands()
         edit(
             "action.focusToView",
             [](ViewValue& view, const DrivenWindow&) { view.query.focus.centre = view.camera.target; }, &switchFocusOn),
+        edit("action.lens", [](ViewValue& view, const DrivenWindow&) { view.lens.shape = LensState::Shape::Circle; }),
         edit("action.window", [](ViewValue& view, const DrivenWindow&) { view.query.window.enabled = true; }),
     };
 }

@@ -113,6 +113,53 @@ Drivers otherFocusControls()
     };
 }
 
+/// The lens (C5).
+Drivers lensControls()
+{
+    const auto withLens = [](LensState::Shape shape) {
+        return [shape](DrivenWindow& window) {
+            LensState lens = window.session().view().lens;
+            lens.shape = shape;
+            window.session().setLens(lens);
+            window.raise("dock.focus");
+        };
+    };
+    const auto ofLens = [](const QString& name, const Driver::Step& prepare, const auto& change) {
+        return edit(
+            "lens." + name, [change](ViewValue& view, const DrivenWindow&) { change(view.lens); }, prepare);
+    };
+    const auto toLens = [&](const QString& name, LensState::Shape before, LensState::Shape after) {
+        return ofLens(name, withLens(before), [after](LensState& lens) { lens.shape = after; });
+    };
+    const Driver::Step circle = withLens(LensState::Shape::Circle);
+    const auto magnification = [](ViewValue& view) -> double& { return view.lens.magnification; };
+    const auto radius = [](ViewValue& view) -> double& { return view.lens.radius; };
+    const Ends magnifications = [](const DrivenWindow&) -> TransferLimits {
+        return {leastMagnification, largestMagnification};
+    };
+    // The box shows percent.
+    const Distance radiusStep = [](const DrivenWindow&) { return (largestLensRadius - leastLensRadius) / 100; };
+    const auto stepsRadius = [&](const QString& name) {
+        return edit(name,
+                    moves(radius,
+                          [radiusStep](const DrivenWindow& window, double before) {
+                              return Aim{before + radiusStep(window), 0.002};
+                          }),
+                    circle);
+    };
+    return {
+        toLens("none", LensState::Shape::Square, LensState::Shape::None),
+        toLens("circle", LensState::Shape::None, LensState::Shape::Circle),
+        toLens("square", LensState::Shape::Circle, LensState::Shape::Square),
+        slides("lens.magnification.slider", circle, magnification, magnifications),
+        steps("lens.magnification.box", circle, magnification, magnifications),
+        stepsRadius("lens.radius.slider"),
+        stepsRadius("lens.radius.box"),
+        ofLens("error.slider", circle, [](LensState& lens) { lens.error = 0.2; }), // the next finer one
+        ofLens("error.box", circle, [](LensState& lens) { lens.error = 0.3; }),
+    };
+}
+
 Drivers focusControls()
 {
     const Driver::Step box = withFocus(Shape::Box);
@@ -134,7 +181,7 @@ Drivers focusControls()
         edit("focus.toView", &moveFocusToView, box),
         edit("focus.reset", &resetFocus, box),
     };
-    return allOf({others, otherFocusControls(), vectorControls("focus.centre", box, centre),
+    return allOf({others, otherFocusControls(), lensControls(), vectorControls("focus.centre", box, centre),
                   vectorControls("focus.size", box, size, 2)});
 }
 
