@@ -155,11 +155,25 @@ Status checkAppearance(const Arguments& arguments, const Model& model, const Pro
     return {};
 }
 
+/// What the model is read for: the lens may ask for more than the picture.
+MeshQuery finestQuery(const RenderRequest& request)
+{
+    MeshQuery query = request.query;
+    if (!request.lens.isOn() || query.range)
+        return query;
+    const bool warpsAlike = query.warping == query.error;
+    query.error = smallerOf(query.error, request.lens.error);
+    if (warpsAlike)
+        query.warping = query.error;
+    return query;
+}
+
 Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
                                 const Provided<Renderer>& renderer)
 {
     ModelView view{.opened = isAtHand(request.input) ? 0 : openingEnd, .renderer = renderer};
-    const auto found = openInput(invocation, request.input, request.query, invocation.progress.part(0, view.opened));
+    const auto found =
+        openInput(invocation, request.input, finestQuery(request), invocation.progress.part(0, view.opened));
     if (!found)
         return found.error();
     view.found = *found;
