@@ -26,7 +26,7 @@ set(core_of_same_version "tan-core (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_CORE_PACKAGE_NAME tan-core)
 set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libs)
 # Loaded at run time, so that no link says so; the library does without, but for pictures by OpenGL.
-set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri, libopengl0")
+set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "ca-certificates, libegl1, libgl1-mesa-dri, libopengl0")
 set(CPACK_COMPONENT_CORE_DESCRIPTION "the library of TAn, without its programs
 Builds multiresolution models of volume data, takes meshes of a known error
 from them, and draws these. Needs no Qt.")

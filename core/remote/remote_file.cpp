@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <functional>
@@ -349,6 +350,23 @@ bool isCurlReady()
     return ready;
 }
 
+/// The file of the certificates that are trusted: what SSL_CERT_FILE names; nothing where libcurl knows one that is
+/// there; otherwise where other systems than that of its build keep theirs.
+std::string certificates()
+{
+    if (const char* const given = std::getenv("SSL_CERT_FILE"); given != nullptr && *given != '\0')
+        return given;
+    std::error_code problem;
+    const curl_version_info_data* const library = ::curl_version_info(CURLVERSION_NOW);
+    if (library->cainfo == nullptr || std::filesystem::exists(library->cainfo, problem))
+        return {};
+    for (const char* path : {"/etc/ssl/certs/ca-certificates.crt", "/etc/pki/tls/certs/ca-bundle.crt",
+                             "/etc/ssl/ca-bundle.pem", "/etc/ssl/cert.pem"})
+        if (std::filesystem::exists(path, problem))
+            return path;
+    return {};
+}
+
 /// Opens connections and keeps them for the next requests. One thread at a time.
 class Connections {
 public:
@@ -642,6 +660,8 @@ private:
                 return false;
         }
         const long connecting = static_cast<long>(std::min(mostForConnecting, options.silence).count());
+        if (!certificates_.empty() && !set(CURLOPT_CAINFO, certificates_.c_str()))
+            return false;
         // Copies are made of all texts but the buffer for errors.
         const bool isSet =
             set(CURLOPT_URL, request.address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
@@ -718,6 +738,7 @@ private:
         return {};
     }
 
+    const std::string certificates_ = certificates();
     std::timed_mutex network_; ///< guards all of these but the last two
     std::optional<Connections> connections_;
     RateLimit rate_;
