@@ -7,6 +7,8 @@
 #include "app/command_line/subcommand.h"
 #include "core/base/system_error.h"
 
+#include <tan/open.h>
+
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -127,7 +129,7 @@ bool isForWindow(std::span<const std::string> words)
         return true;
     std::error_code problem;
     return words.size() == 1 && !words[0].starts_with('-') && findSubcommand(words[0]) == nullptr &&
-           std::filesystem::exists(words[0], problem);
+           (isAddress(words[0]) || std::filesystem::exists(words[0], problem));
 }
 
 bool needsFonts(std::span<const std::string> words)

@@ -32,6 +32,6 @@ struct ByteSource {
 
 /// A file on a disk, which stays mapped as long as a copy lives. From any number of threads. Errors: MappedFile's; of
 /// reading: bytes beyond the end, a file that was cut short meanwhile.
-TAN_INTERNAL Result<ByteSource> fileSource(const std::filesystem::path& path);
+Result<ByteSource> fileSource(const std::filesystem::path& path);
 
 } // namespace tetra

@@ -27,8 +27,7 @@ struct ModelFront {
 /// `name`: the file, or its address, for messages. Nothing of the file is trusted: sizes are bounded by the source's,
 /// and index and text are checked against their checksums. Errors: the source's, no model, damaged, made by a later
 /// version. May throw std::bad_alloc, as do all of these.
-TAN_INTERNAL Result<ModelFront> readFront(const ByteSource& source, const std::string& name,
-                                          const Progress& progress = {});
+Result<ModelFront> readFront(const ByteSource& source, const std::string& name, const Progress& progress = {});
 
 /// The first sites of a model, which end a batch.
 struct PrefixEnd {
@@ -38,15 +37,15 @@ struct PrefixEnd {
 };
 
 /// The prefix of the first level that is at least as accurate as asked; the whole if none is, or if there is no index.
-TAN_INTERNAL PrefixEnd prefixFor(const ModelFront& front, const Accuracy& accuracy);
+PrefixEnd prefixFor(const ModelFront& front, const Accuracy& accuracy);
 /// That of the finest level whose prefix takes at most so many bytes of the source; the coarsest if none does.
-TAN_INTERNAL PrefixEnd prefixWithin(const ModelFront& front, std::uint64_t bytes);
+PrefixEnd prefixWithin(const ModelFront& front, std::uint64_t bytes);
 /// Likewise of a model on this disk, to a batch.
-TAN_INTERNAL PrefixEnd prefixFor(const Model& model, const Accuracy& accuracy);
+PrefixEnd prefixFor(const Model& model, const Accuracy& accuracy);
 
 /// What is read of the file for a prefix, in the order of the places: the beginning of each array, up to the end of a
 /// chunk, with the chunks' checksums; whole arrays if the file has none of these; all of it if all sites are wanted.
-TAN_INTERNAL std::vector<ByteRange> prefixRanges(const ModelFront& front, const PrefixEnd& end);
+std::vector<ByteRange> prefixRanges(const ModelFront& front, const PrefixEnd& end);
 
 /// Writes the first sites, their tetrahedra and what follows from them as a `.tan` file of its own: its meshes are
 /// those of the original up to there. Tetrahedra that later sites destroy live for ever; all samples (23) are left out
@@ -54,8 +53,7 @@ TAN_INTERNAL std::vector<ByteRange> prefixRanges(const ModelFront& front, const 
 /// once. What is read is checked: by its checksums, and that every number lies where it can. Memory: 8 bytes a site,
 /// those of writeDerivedSections(), and for grids 24 a site besides. Errors: the source's, damage, those of writing,
 /// cancelled; then there is no file.
-TAN_INTERNAL Status copyPrefix(const ByteSource& source, const std::string& name, const ModelFront& front,
-                               const PrefixEnd& end, const std::filesystem::path& output,
-                               const Progress& progress = {});
+Status copyPrefix(const ByteSource& source, const std::string& name, const ModelFront& front, const PrefixEnd& end,
+                  const std::filesystem::path& output, const Progress& progress = {});
 
 } // namespace tetra

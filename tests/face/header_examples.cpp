@@ -9,6 +9,7 @@
 #include <data_example.h>
 #include <mesh_example.h>
 #include <model_example.h>
+#include <open_example.h>
 #include <packed_example.h>
 #include <query_example.h>
 #include <render_example.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tan/build.h>
+#include <tan/open.h>
 #include <tan/packed.h>
 #include <tan/query.h>
 #include <tan/render.h>
@@ -17,6 +18,7 @@ tetra::Result<tetra::Dataset> ball();
 tetra::Result<std::string> built(const tetra::Dataset& dataset, const std::filesystem::path& output);
 tetra::Result<tetra::BuildReport> builtSmall(const tetra::Dataset& dataset, const std::filesystem::path& output);
 tetra::Result<std::string> describe(const std::filesystem::path& path);
+tetra::Result<tetra::TetrahedralMesh> meshFrom(const std::string& place, double error);
 tetra::Result<std::string> packed(const std::filesystem::path& model, const std::filesystem::path& output);
 tetra::Status preview(const std::filesystem::path& packed, double error, const std::filesystem::path& output);
 tetra::Result<std::shared_ptr<const tetra::ExtractedMesh>> meshOfOnePercent(std::shared_ptr<const tetra::Model> model);

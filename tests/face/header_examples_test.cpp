@@ -62,6 +62,14 @@ private slots:
         QVERIFY((*mesh)->mesh.tetrahedra.size() < model_->tetrahedronCount());
     }
 
+    void aModelIsFoundByItsPath()
+    {
+        const auto coarse = meshFrom(path("ball.tan").string(), 50), fine = meshFrom(path("ball.tan").string(), 1);
+        QVERIFY(coarse.ok() && fine.ok());
+        QVERIFY(coarse->tetrahedra.size() < fine->tetrahedra.size());
+        QVERIFY(!meshFrom(path("none.tan").string(), 1).ok());
+    }
+
     void aFocusIsFinerWithinItsBudget()
     {
         const auto mesh = MeshExtractor(model_).extract(ballInFocus({1.6, 1.6, 1.6}, 0.4));

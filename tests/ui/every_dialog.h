@@ -46,6 +46,8 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
     return {
         {"pluginWindow", byAction("plugins")},
         {"aboutBox", byAction("about")},
+        {"addressDialog", byAction("openAddress")},
+        {"cacheDialog", byAction("modelCache")},
         {"palette", byAction("palette")},
         {"pictureOptions", byAction("savePicture")},
         {"filmOptions", byAction("saveFilm")},

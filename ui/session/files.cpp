@@ -2,6 +2,9 @@
 #include "ui/session/files.h"
 
 #include "core/base/file_writer.h"
+#include "core/remote/remote_file.h"
+
+#include <tan/open.h>
 
 #include <QDir>
 #include <QFile>
@@ -25,6 +28,12 @@ std::filesystem::path filePath(const QString& path)
 QString pathText(const std::filesystem::path& path)
 {
     return QFile::decodeName(QByteArray::fromStdString(path.native()));
+}
+
+QString shownPlace(const std::filesystem::path& place)
+{
+    const std::string text = place.string();
+    return isAddress(text) ? QString::fromStdString(shownAddress(text)) : pathText(place);
 }
 
 QString documentFolder()

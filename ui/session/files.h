@@ -20,6 +20,8 @@ QString proposedModelPath(const std::filesystem::path& dataset);
 
 std::filesystem::path filePath(const QString& path);
 QString pathText(const std::filesystem::path& path);
+/// For people: of an address without what may be a password or a key.
+QString shownPlace(const std::filesystem::path& place);
 
 /// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);

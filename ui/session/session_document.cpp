@@ -4,6 +4,8 @@
 #include "ui/session/files.h"
 #include "ui/session/view_json.h"
 
+#include <tan/open.h>
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -38,6 +40,8 @@ QJsonObject over(QJsonObject found, const QJsonObject& ours)
 /// As it is written: with slashes, and relative if the model lies in the folder or below it.
 QString writtenPath(const std::filesystem::path& model, const std::filesystem::path& folder)
 {
+    if (isAddress(model.string()))
+        return pathText(model);
     const QString relative = QDir(pathText(folder)).relativeFilePath(pathText(model));
     return relative.startsWith("..") ? pathText(model) : relative;
 }
@@ -137,7 +141,8 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     model.read("path", path);
     model.read("identity", identity);
     document.identity = QString::fromStdString(identity).toULongLong(nullptr, 16);
-    document.model = (folder / filePath(QString::fromStdString(path))).lexically_normal();
+    document.model = isAddress(path) ? std::filesystem::path(path)
+                                     : (folder / filePath(QString::fromStdString(path))).lexically_normal();
     const QJsonArray corners = model.object().value("bounds").toArray();
     const QJsonArray range = model.object().value("range").toArray();
     for (const QJsonValue& corner : corners)

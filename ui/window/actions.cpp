@@ -51,6 +51,8 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.openWithOptions =
         addAction(*menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
                   ActionTexts::tr("Open a part of a dataset, or choose how its file is read"));
+    actions.openAddress = addAction(*menu, "openAddress", ActionTexts::tr("Ope&n URL…"), QKeySequence("Ctrl+U"),
+                                    ActionTexts::tr("Open a model that lies on a server"));
     actions.recent = menu->addMenu(ActionTexts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
     actions.samples = menu->addMenu(ActionTexts::tr("Open Samp&le"));
@@ -74,6 +76,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
                   ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
     actions.saveStatistics = addAction(*menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
                                        ActionTexts::tr("Save the mesh size at each accuracy as a table"));
+    menu->addSeparator();
+    actions.modelCache = addAction(*menu, "modelCache", ActionTexts::tr("Model Cac&he…"), {},
+                                   ActionTexts::tr("Where models go that are unpacked or fetched"));
     menu->addSeparator();
     actions.close = addAction(*menu, "close", ActionTexts::tr("&Close"), QKeySequence::Close,
                               ActionTexts::tr("Close the model and its dataset"));

@@ -14,6 +14,8 @@ namespace tetra {
 struct Actions {
     QAction* open = nullptr;
     QAction* openWithOptions = nullptr;
+    QAction* openAddress = nullptr;
+    QAction* modelCache = nullptr;
     QAction* close = nullptr;
     QAction* saveSession = nullptr;
     QAction* saveSessionAs = nullptr;

@@ -2,9 +2,12 @@
 #include "ui/window/empty_page.h"
 
 #include "plugins/widgets/icons.h"
+#include "ui/session/files.h"
 #include "ui/window/lost_offers.h"
 #include "ui/work/long_task.h"
 #include "ui/workbench/sample_models.h"
+
+#include <tan/open.h>
 
 #include <QCommandLinkButton>
 #include <QDir>
@@ -46,7 +49,8 @@ QIcon blankIcon()
 /// "~/data" for what lies in the user's folder.
 QString folderText(const QString& path)
 {
-    const QString folder = QFileInfo(path).absolutePath();
+    const bool isRemote = isAddress(path.toStdString());
+    const QString folder = isRemote ? QFileInfo(path).path() : QFileInfo(path).absolutePath();
     const QString home = QDir::homePath();
     return QDir::toNativeSeparators(folder.startsWith(home + '/') ? "~" + folder.mid(home.size()) : folder);
 }
@@ -263,10 +267,11 @@ void EmptyPage::showRecent(const QStringList& files)
         return fontMetrics().elidedText(text, Qt::ElideMiddle, room).replace('&', "&&");
     };
     for (const QString& path : files) {
-        auto* button = new QCommandLinkButton(shortened(QFileInfo(path).fileName()), shortened(folderText(path)));
+        const QString shown = shownPlace(filePath(path));
+        auto* button = new QCommandLinkButton(shortened(QFileInfo(shown).fileName()), shortened(folderText(shown)));
         button->setObjectName("empty.recent");
         button->setIcon({});
-        button->setToolTip(path);
+        button->setToolTip(shown);
         button->setFixedWidth(width);
         button->setFont(font()); // the style makes the name bold, and only that
         connect(button, &QPushButton::clicked, this, [this, path] { emit recentClicked(path); });

@@ -18,7 +18,9 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/window/address_dialog.h"
 #include "ui/window/annotation_actions.h"
+#include "ui/window/cache_dialog.h"
 #include "ui/window/empty_page.h"
 #include "ui/window/film_dialog.h"
 #include "ui/window/help_actions.h"
@@ -37,6 +39,8 @@
 #include "ui/workbench/plugin_choice.h"
 #include "ui/workbench/recent_files.h"
 
+#include <tan/open.h>
+
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QCoreApplication>
@@ -44,6 +48,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -66,14 +71,24 @@ constexpr const char* layoutKey = "window/layout";
 constexpr int layoutVersion = 4;
 constexpr int statusMessageTime = 5000; // milliseconds
 
-/// The local files of a drag.
+/// The local files of a drag, and addresses on servers: a browser gives these as URLs or as text.
 QStringList filesOf(const QMimeData* data)
 {
     QStringList files;
     for (const QUrl& url : data->urls())
         if (url.isLocalFile())
             files.append(url.toLocalFile());
+        else if (const QString address = url.toString(QUrl::FullyEncoded); isAddress(address.toStdString()))
+            files.append(address);
+    if (const QString text = data->text().trimmed(); files.isEmpty() && isAddress(text.toStdString()))
+        files.append(text);
     return files;
+}
+
+/// What a model's file is called, and where it lies, for people.
+QString shownName(const std::filesystem::path& place)
+{
+    return QFileInfo(shownPlace(place)).fileName();
 }
 
 /// A right click in the picture picks the value there and opens menu.picture: what can be made of the value, where to
@@ -219,6 +234,13 @@ void MainWindow::connectActions()
         askForFile(this, "importFileDialog", workbench_.opening().nameFilters(),
                    [this](const QString& path) { workbench_.opening().openWithOptions(path); });
     });
+    connect(actions_.openAddress, &QAction::triggered, this,
+            [this] { askForAddress(this, "addressDialog", [this](const QString& address) { open(address); }); });
+    connect(actions_.modelCache, &QAction::triggered, this, [this] {
+        auto* dialog = new CacheDialog(this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, empty_->lost(), this);
     leaving_ = new Leaving(workbench_, *keptSession_, this);
@@ -325,6 +347,11 @@ void MainWindow::connectWorkbench()
     connect(&workbench_.exporting(), &Exporting::meshSaved, this, tellSaved);
     connect(&workbench_.exporting(), &Exporting::textSaved, this, tellSaved);
     connect(&workbench_.opening(), &Opening::sessionSaved, this, tellSaved);
+    readingLine_ = new TaskLine("status.reading", tr("Reading"), workbench_.opening().reading());
+    statusBar()->addPermanentWidget(readingLine_);
+    connect(&workbench_.opening(), &Opening::aboutToRead, this, [this] { readingLine_->setActivity(tr("Reading")); });
+    connect(&workbench_.opening(), &Opening::shownPartChanged, this, &MainWindow::showPart);
+    connect(&workbench_.opening(), &Opening::partRead, this, &MainWindow::offerRest);
     statusBar()->addPermanentWidget(
         new TaskLine("status.sampling", tr("Making the sample"), workbench_.opening().sampling()));
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.exporting().savingMesh()));
@@ -454,9 +481,10 @@ void MainWindow::fillRecent()
 {
     actions_.recent->clear();
     for (const QString& path : recentFiles()) {
-        QAction* action = actions_.recent->addAction(QFileInfo(path).fileName().replace('&', "&&"));
+        const QString shown = shownPlace(filePath(path));
+        QAction* action = actions_.recent->addAction(QFileInfo(shown).fileName().replace('&', "&&"));
         action->setObjectName(QString("action.recent.%1").arg(actions_.recent->actions().size() - 1));
-        action->setToolTip(path);
+        action->setToolTip(shown);
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
     }
     actions_.recent->addSeparator();
@@ -488,12 +516,41 @@ void MainWindow::offerBuilt(const QString& path, bool isShown)
 void MainWindow::showFile()
 {
     const auto& model = workbench_.session().model();
-    const QFileInfo file(model ? pathText(model->path()) : QString());
+    const QString place = model ? shownPlace(model->path()) : QString();
+    const QFileInfo file(place);
     const std::filesystem::path& session = workbench_.opening().sessionFile();
     const QString name = session.empty() ? file.fileName() : pathText(session.filename());
-    status_->setFile(file.fileName(), file.absoluteFilePath());
+    const bool isRemote = model && isAddress(model->path().string());
+    status_->setFile(file.fileName(), isRemote ? place : file.absoluteFilePath());
     setWindowTitle(model ? tr("%1[*] – TAn").arg(name) : tr("TAn"));
     setWindowModified(workbench_.opening().sessionModified());
+}
+
+/// How much there is of what is shown, and that more is coming.
+void MainWindow::showPart()
+{
+    const auto& model = workbench_.session().model();
+    if (!model || !workbench_.opening().modelComes())
+        return readingLine_->setActivity(tr("Reading"));
+    readingLine_->setActivity(tr("Showing %L1 of %L2 vertices, more is coming")
+                                  .arg(model->siteCount())
+                                  .arg(workbench_.opening().sitesOfWhole()));
+}
+
+/// Of a model on a server, of which so much was fetched that it takes no more than a moment.
+void MainWindow::offerRest(const OpenedModel& part)
+{
+    const QLocale locale;
+    const auto size = [&locale](std::uint64_t bytes) {
+        return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+    };
+    messages_->ask(
+        tr("%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.")
+            .arg(shownName(part.model->path()))
+            .arg(part.model->siteCount())
+            .arg(part.sitesOfWhole)
+            .arg(size(part.bytesRead), size(part.bytesOfWhole)),
+        tr("&Fetch All"), [this] { workbench_.opening().readWhole(); }, [] {});
 }
 
 void MainWindow::showWhatCanBeClosed()
@@ -539,9 +596,8 @@ void MainWindow::showNotice()
     const auto& model = workbench_.session().model();
     const auto& dataset = workbench_.opening().dataset();
     if (model && dataset && isBesideDataset_)
-        notice_->tell(
-            tr("%1 is not built yet. The picture still shows %2.")
-                .arg(QString::fromStdString(dataset->source.name), QFileInfo(pathText(model->path())).fileName()));
+        notice_->tell(tr("%1 is not built yet. The picture still shows %2.")
+                          .arg(QString::fromStdString(dataset->source.name), shownName(model->path())));
     else
         notice_->tell(isOutdated_ ? tr("The picture does not show the current settings, which could not be drawn.")
                                   : QString());

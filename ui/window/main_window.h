@@ -22,6 +22,7 @@ class PictureDialog;
 class LensTool;
 class RegionActions;
 class StatusLine;
+class TaskLine;
 class ValuePick;
 class PictureNotice;
 class Viewport;
@@ -62,6 +63,8 @@ private:
     void resetView();
     void offerBuilt(const QString& path, bool isShown);
     void showFile();
+    void showPart();
+    void offerRest(const OpenedModel& part);
     void showWhatCanBeClosed();
     void showModel();
     void showScene(const BuiltScene& scene);
@@ -86,6 +89,7 @@ private:
     PictureDialog* picture_ = nullptr; ///< once it was asked for
     FilmDialog* film_ = nullptr;       ///< likewise
     StatusLine* status_;
+    TaskLine* readingLine_ = nullptr;
     RegionActions* regions_;
     LensTool* lens_ = nullptr;
     KeepSession* keptSession_ = nullptr;

@@ -4,6 +4,8 @@
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 
+#include <tan/open.h>
+
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
@@ -25,6 +27,8 @@ constexpr const char* firstFolder = "recovery";
 /// One for all the ways to name the same file.
 std::filesystem::path realPath(const std::filesystem::path& path)
 {
+    if (isAddress(path.string()))
+        return path;
     std::error_code unknown;
     auto real = std::filesystem::weakly_canonical(path, unknown);
     return unknown ? path : real;

@@ -6,9 +6,12 @@
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 #include "ui/workbench/import_question.h"
+#include "ui/workbench/model_cache.h"
 #include "ui/workbench/recent_files.h"
 #include "ui/workbench/sample_models.h"
 #include "ui/workbench/view_picture.h"
+
+#include <tan/open.h>
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -19,6 +22,7 @@ namespace tetra {
 namespace {
 
 constexpr int timeBetweenChecks = 700; // milliseconds
+constexpr std::uint64_t fetchedUnasked = 32 << 20;
 
 /// Those that make a difference.
 ImportOptions withoutDefaults(ImportOptions options, const std::vector<Parameter>& parameters)
@@ -100,21 +104,136 @@ void Opening::readDifferently()
 void Opening::read(LongTask::Work work)
 {
     emit aboutToRead();
+    coming_.reset();
     reading_.start(std::move(work));
+}
+
+void Opening::readModel(const std::filesystem::path& place, const std::shared_ptr<Coming>& coming, bool whole)
+{
+    read([this, place, coming, whole](const Progress& progress) {
+        return whenModelCame(place, {.view = views_.find(place)}, coming, whole, progress);
+    });
+    coming_ = coming;
+}
+
+void Opening::readWhole()
+{
+    if (!session_.model())
+        return;
+    const auto coming = std::make_shared<Coming>();
+    coming->isAsked = coming->isAccepted = true;
+    coming->shown = session_.model();
+    readModel(session_.model()->path(), coming, true);
+}
+
+/// In a worker: what is to be done with a model when all of it has come. Parts are shown before. `as`: what else is
+/// known of it.
+std::function<void()> Opening::whenModelCame(const std::filesystem::path& place, const OpenedModel& as,
+                                             const std::shared_ptr<Coming>& coming, bool whole,
+                                             const Progress& progress)
+{
+    const auto openedOf = [as](const FoundModel& found) {
+        OpenedModel opened = as;
+        opened.model = found.model;
+        opened.field = extentOf(*found.model);
+        opened.sitesOfWhole = found.isWhole ? 0 : found.sitesOfWhole;
+        opened.bytesOfWhole = found.fileBytes;
+        opened.bytesRead = found.readBytes;
+        return opened;
+    };
+    OpenOptions options = cacheOptions();
+    if (isAddress(place.string()) && !whole)
+        options.mostBytes = fetchedUnasked;
+    options.grown = [&](const FoundModel& found) {
+        OpenedModel part = openedOf(found);
+        part.becomes = place;
+        QMetaObject::invokeMethod(
+            this,
+            [this, coming, part] {
+                if (coming_ == coming)
+                    showComing(coming, part);
+            },
+            Qt::QueuedConnection);
+    };
+    const auto found = tetra::openModel(place.string(), options, progress);
+    if (!found)
+        return [this, coming, as, error = found.error()] {
+            coming->newest.becomes.clear(); // it stays what it is
+            endComing(*coming, false);
+            tell(as.from.empty()
+                     ? error
+                     : Error{error.kind, Message::say("The model of the session cannot be opened. %1", error.message)});
+        };
+    return [this, coming, last = openedOf(*found)] { showComing(coming, last); };
+}
+
+/// Lets the first part pass the gate; what comes meanwhile waits with it.
+void Opening::showComing(const std::shared_ptr<Coming>& coming, const OpenedModel& part)
+{
+    coming->newest = part;
+    if (coming->isAccepted)
+        return showNewest(*coming);
+    if (std::exchange(coming->isAsked, true))
+        return;
+    passGate(
+        true,
+        [this, coming] {
+            coming->isAccepted = true;
+            showNewest(*coming);
+        },
+        [this, coming] {
+            if (coming_ == coming)
+                reading_.cancel();
+        });
+}
+
+void Opening::showNewest(Coming& coming)
+{
+    const OpenedModel part = coming.newest;
+    if (!coming.shown) {
+        showModel(part);
+        coming.shown = session_.model() == part.model ? part.model : nullptr;
+    } else if (session_.model() != coming.shown) { // the user has turned to something else
+        if (coming_.get() == &coming)
+            reading_.cancel();
+        return;
+    } else if (part.model->siteCount() > coming.shown->siteCount()) {
+        growTo(part);
+        coming.shown = part.model;
+    }
+    sitesOfWhole_ = part.sitesOfWhole;
+    emit shownPartChanged();
+    if (part.becomes.empty())
+        endComing(coming, true);
+}
+
+/// Nothing more of it comes; what is shown of it stays.
+void Opening::endComing(Coming& coming, bool hasCome)
+{
+    if (coming_.get() == &coming)
+        coming_.reset();
+    if (!coming.shown || session_.model() != coming.shown)
+        return;
+    becomes_.clear();
+    addRecentFile(pathText(coming.shown->path()));
+    emit shownPartChanged();
+    if (hasCome && sitesOfWhole_ > 0)
+        emit partRead(coming.newest);
 }
 
 void Opening::look(const std::filesystem::path& path, bool ask)
 {
-    read([this, path, ask](const Progress& progress) -> std::function<void()> {
+    const auto coming = std::make_shared<Coming>();
+    if (isAddress(path.string()))
+        return readModel(path, coming, false);
+    read([this, path, ask, coming](const Progress& progress) -> std::function<void()> {
         if (isPictureFile(path) && !ask && !sessionInPicture(path).empty())
             return [this, path] { emit pictureOpened(pathText(path)); };
         if (!isModelFile(path) || ask)
             return whenLookedAt(path, ask, progress);
-        const auto opened = openModel(path);
-        if (!opened)
-            return tellLater(opened.error());
-        return [this, opened = *opened] { passGate(true, [this, opened] { showModel(opened); }); };
+        return whenModelCame(path, {.view = views_.find(path)}, coming, false, progress);
     });
+    coming_ = coming;
 }
 
 /// Lets what was read take the place of what is open, if that may be.
@@ -216,25 +335,15 @@ Result<OpenedModel> Opening::openModel(const std::filesystem::path& path) const
 
 void Opening::openSession(const std::filesystem::path& path, SessionSource source)
 {
-    read([this, path, source](const Progress&) -> std::function<void()> {
-        const Result<OpenedModel> opened = openedBySession(path, source);
-        if (!opened)
-            return tellLater(opened.error());
-        return [this, opened = *opened] { passGate(true, [this, opened] { showModel(opened); }); };
+    const auto coming = std::make_shared<Coming>();
+    read([this, path, source, coming](const Progress& progress) -> std::function<void()> {
+        const auto document = readSession(path);
+        if (!document)
+            return tellLater(document.error());
+        const OpenedModel as{.view = *document, .from = path, .source = source};
+        return whenModelCame(document->model, as, coming, false, progress);
     });
-}
-
-/// For a worker.
-Result<OpenedModel> Opening::openedBySession(const std::filesystem::path& path, SessionSource source) const
-{
-    const auto document = readSession(path);
-    if (!document)
-        return document.error();
-    const auto model = Model::open(document->model);
-    if (!model)
-        return Error{model.error().kind,
-                     Message::say("The model of the session cannot be opened. %1", model.error().message)};
-    return OpenedModel{.model = *model, .field = extentOf(**model), .view = *document, .from = path, .source = source};
+    coming_ = coming;
 }
 
 void Opening::showModel(const OpenedModel& opened)
@@ -244,6 +353,7 @@ void Opening::showModel(const OpenedModel& opened)
     emit leaving();
     setSessionFile({});
     becomes_ = opened.becomes;
+    sitesOfWhole_ = opened.sitesOfWhole;
     if (becomes_.empty())
         addRecentFile(pathText(opened.model->path()));
     if (!opened.view) {
@@ -268,7 +378,8 @@ void Opening::showSession(const SessionDocument& document, const OpenedModel& op
     }
     if (isLost)
         session_.undoStack().resetClean(); // the file does not have what was lost
-    if (document.identity != 0 && document.identity != modelIdentity(*opened.model))
+    const bool isWhole = opened.sitesOfWhole == 0;
+    if (isWhole && document.identity != 0 && document.identity != modelIdentity(*opened.model))
         emit failed(tr("The model %1 is another one than when the session was saved: it was built anew, or replaced. "
                        "It is shown as the session says, as far as that fits.")
                         .arg(pathText(opened.model->path())));
@@ -288,8 +399,8 @@ std::optional<SessionDocument> Opening::sessionDocument() const
         return std::nullopt;
     const Model& model = *session_.model();
     SessionDocument document;
-    document.model = std::filesystem::absolute(model.path());
-    document.identity = modelIdentity(model);
+    document.model = isAddress(model.path().string()) ? model.path() : std::filesystem::absolute(model.path());
+    document.identity = sitesOfWhole_ == 0 ? modelIdentity(model) : 0;
     document.bounds = model.description().bounds;
     document.range = model.description().range;
     document.view = session_.view();
@@ -329,7 +440,8 @@ QString Opening::proposedPath(const QString& ending) const
     const std::filesystem::path& path = session_.model()->path();
     const QFileInfo model(pathText(becomes_.empty() ? path : becomes_)); // looks at a build go with the program
     // What lies beside a sample may be gone tomorrow.
-    const QString folder = isOfSample(path) ? documentFolder() : model.absolutePath();
+    const bool hasFolder = !isOfSample(path) && !isAddress(path.string());
+    const QString folder = hasFolder ? model.absolutePath() : documentFolder();
     return folder + "/" + model.completeBaseName() + ending;
 }
 
@@ -386,6 +498,7 @@ void Opening::closeModel()
     emit leaving();
     setSessionFile({});
     becomes_.clear();
+    sitesOfWhole_ = 0;
     scenes_.clear();
     session_.close();
 }

@@ -33,13 +33,17 @@ struct OpenedModel {
     std::optional<SessionDocument> view{}; ///< none: as at first
     std::filesystem::path from{};          ///< of the view, if that is not how the model was seen last
     SessionSource source = SessionSource::File;
-    /// It is a model under way, as far as it is built; where it will be when it is done.
+    /// It is a model under way, as far as it is built or has come; where it will be when it is done.
     std::filesystem::path becomes{};
+    /// Of a model of which only the beginning was read: how much there is.
+    std::uint32_t sitesOfWhole = 0;
+    std::uint64_t bytesOfWhole = 0;
+    std::uint64_t bytesRead = 0;
 };
 
-/// Opens models, sessions, datasets and samples, and closes them; sessions are saved, too, and how models are seen is
-/// kept. What is read is read in a worker, the newest only; what was read passes a gate before it takes the place of
-/// what is open.
+/// Opens models, sessions, datasets and samples, and closes them. A model that is packed or on a server is shown while
+/// it comes; sessions are saved, too, and how models are seen is kept. What is read is read in a worker, the newest
+/// only; what was read passes a gate before it takes the place of what is open.
 class Opening : public QObject {
     Q_OBJECT
 public:
@@ -55,8 +59,10 @@ public:
     /// Filters for a file dialog: all that can be opened first.
     QStringList nameFilters();
     /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a
-    /// choice.
+    /// choice. Of an address not more is fetched than takes a moment, which partRead() tells.
     void open(const QString& path);
+    /// Fetches the rest of the model of which a part is shown.
+    void readWhole();
     /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
     void openWithOptions(const QString& path);
     /// The same for the file of the dataset that is open.
@@ -72,6 +78,11 @@ public:
     /// or `stay`. Without one nothing is asked.
     using Gate = std::function<void(bool isModel, const std::function<void()>& go, const std::function<void()>& stay)>;
     void setGate(Gate gate) { gate_ = std::move(gate); }
+
+    /// How much of the model that is shown there is: 0 if it is whole, or if that is not known yet.
+    std::uint32_t sitesOfWhole() const noexcept { return sitesOfWhole_; }
+    /// Whether more of that model is being read.
+    bool modelComes() const { return coming_ && coming_->shown && coming_->shown == session_.model(); }
 
     /// Opens what a session says that the file holds.
     void openSession(const std::filesystem::path& path, SessionSource source);
@@ -125,6 +136,10 @@ signals:
     /// A session was not saved.
     void saveFailed(const QString& text);
     void sessionSaved(const QString& path);
+    /// Another part of the model is shown than before, or nothing more of it comes.
+    void shownPartChanged();
+    /// All of the model that was to be read is shown, and there is more.
+    void partRead(const tetra::OpenedModel& part);
     /// Something is about to be read.
     void aboutToRead();
     /// What is open is about to give way, the last moment to look at it.
@@ -149,7 +164,21 @@ private:
         ImportOptions options;
     };
 
+    /// A model that is read, bit by bit if it is packed or on a server. In the GUI thread.
+    struct Coming {
+        bool isAsked = false;    ///< whether it may take the place of what is open
+        bool isAccepted = false; ///< and it may
+        std::shared_ptr<const Model> shown{};
+        OpenedModel newest{};
+    };
+
     void read(LongTask::Work work);
+    void readModel(const std::filesystem::path& place, const std::shared_ptr<Coming>& coming, bool whole);
+    std::function<void()> whenModelCame(const std::filesystem::path& place, const OpenedModel& as,
+                                        const std::shared_ptr<Coming>& coming, bool whole, const Progress& progress);
+    void showComing(const std::shared_ptr<Coming>& coming, const OpenedModel& part);
+    void showNewest(Coming& coming);
+    void endComing(Coming& coming, bool hasCome);
     void look(const std::filesystem::path& path, bool ask);
     std::function<void()> whenLookedAt(const std::filesystem::path& path, bool ask, const Progress& progress);
     std::function<void()> tellLater(const Error& error);
@@ -160,7 +189,6 @@ private:
     void takeDataset(const std::filesystem::path& path, const ReadDataset& read);
     void closeDataset();
     void startThumbnails();
-    Result<OpenedModel> openedBySession(const std::filesystem::path& path, SessionSource source) const;
     void showSession(const SessionDocument& document, const OpenedModel& opened);
     void setSessionFile(const std::filesystem::path& file);
     void watchForDamage();
@@ -176,6 +204,8 @@ private:
     std::shared_ptr<const Dataset> built_; ///< that a model was built of last
     bool datasetInUse_ = false;
     std::filesystem::path becomes_; ///< the model that is open
+    std::uint32_t sitesOfWhole_ = 0;
+    std::shared_ptr<Coming> coming_; ///< by the reading that runs
     std::filesystem::path sessionFile_;
     QJsonObject sessionFound_; ///< the text of that file: what is not known here stays in it
     Gate gate_;

@@ -4,6 +4,8 @@
 #include "ui/session/files.h"
 #include "ui/workbench/sample_models.h"
 
+#include <tan/open.h>
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -18,14 +20,17 @@ constexpr const char* recentFilesKey = "recentFiles";
 QStringList recentFiles()
 {
     QStringList files = QSettings().value(recentFilesKey).toStringList();
-    files.removeIf([](const QString& path) { return isOfSample(filePath(path)) || !QFileInfo::exists(path); });
+    files.removeIf([](const QString& path) {
+        return !isAddress(path.toStdString()) && (isOfSample(filePath(path)) || !QFileInfo::exists(path));
+    });
     return files;
 }
 
 void addRecentFile(const QString& path)
 {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    if (isOfSample(filePath(absolute)))
+    const bool isRemote = isAddress(path.toStdString());
+    const QString absolute = isRemote ? path : QFileInfo(path).absoluteFilePath();
+    if (!isRemote && isOfSample(filePath(absolute)))
         return;
     QStringList files = recentFiles();
     files.removeAll(absolute);

@@ -5,8 +5,8 @@
 
 namespace tetra {
 
-/// The files opened last, newest first, at most ten, kept in the user's settings; files that are gone are left
-/// out, and those of samples, which lie where no user looks.
+/// The files opened last, and the addresses, newest first, at most ten, kept in the user's settings; files that are
+/// gone are left out, and those of samples, which lie where no user looks.
 QStringList recentFiles();
 void addRecentFile(const QString& path);
 void forgetRecentFiles();

@@ -9,7 +9,7 @@
 ///
 /// ~~~{.cpp}
 /// /// The mesh of an error, % of the value range, of a model that lies anywhere.
-/// tetra::Result<tetra::TetrahedralMesh> meshOf(const std::string& place, double error)
+/// tetra::Result<tetra::TetrahedralMesh> meshFrom(const std::string& place, double error)
 /// {
 ///     const tetra::Accuracy accuracy{.error = error, .warping = tetra::anyWarping};
 ///     const auto found = tetra::openModel(place, {.accuracy = accuracy});

@@ -75,6 +75,11 @@ Drivers sampleCommands()
     return drivers;
 }
 
+Drivers addressCommands()
+{
+    return {opening("action.openAddress", "addressDialog"), opening("action.modelCache", "cacheDialog")};
+}
+
 Drivers savingCommands()
 {
     return {
@@ -136,7 +141,7 @@ Drivers fileCommands()
         leaving("action.close", [](const DrivenWindow& window) { return window.isOpen("empty"); }),
         leaving("action.quit", [](const DrivenWindow& window) { return !window.window.isVisible(); }),
     };
-    return allOf({files, sampleCommands(), savingCommands(), editCommands()});
+    return allOf({files, addressCommands(), sampleCommands(), savingCommands(), editCommands()});
 }
 
 } // namespace tetra

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Every command takes a model in either form, from this disk or a server (R16, R28, B5): the same meshes, and no more
+/// read than they need. What cuts, packs and unpacks keeps to the rules of all commands.
+#include "tests/app/program.h"
+#include "tests/app/sample_files.h"
+#include "tests/core/remote/http_server.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace tetra {
+
+class ModelFormsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        make({"sample", "c60", "--size", "24", "-o", "c60.nrrd"});
+        make({"build", "c60.nrrd", "-o", "c60.tan"});
+        make({"build", "c60.nrrd", "--builder", "decimation", "-o", "decimated.tan"});
+        make({"sample", "o-grid", "--size", "14", "-o", "grid.xyz"});
+        make({"build", "grid.xyz", "-o", "grid.tan"});
+        make({"sample", "noise", "--size", "40", "-o", "noise.nrrd"});
+        make({"build", "noise.nrrd", "-o", "noise.tan"});
+    }
+
+    /// The coarse levels as a model of its own: the same meshes down to there, proved against the data.
+    void cut_data()
+    {
+        QTest::addColumn<QString>("model");
+        QTest::addColumn<QString>("data");
+        QTest::newRow("lattice") << "c60.tan"
+                                 << "c60.nrrd";
+        QTest::newRow("decimated") << "decimated.tan"
+                                   << "c60.nrrd";
+        QTest::newRow("grid") << "grid.tan"
+                              << "grid.xyz";
+    }
+    void cut()
+    {
+        QFETCH(QString, model);
+        QFETCH(QString, data);
+        const Run run = make({"cut", model, "--error", "5", "-o", "cut.tan", "--json"});
+        const Run whole = make({"info", model, "--lod", "20,5", "--json"});
+        const Run part = make({"info", "cut.tan", "--lod", "20,5", "--json"});
+        QCOMPARE(part.json()["levels"], whole.json()["levels"]);
+        QCOMPARE(run.json()["sites"], whole.json()["levels"][1]["sites"]); // to a batch
+        QCOMPARE(run.json()["of_sites"], whole.json()["sites"]);
+        QCOMPARE(part.json()["sites"], run.json()["sites"]);
+        QCOMPARE(run.json()["bytes"].toInteger(), QFile(path("cut.tan")).size());
+        const Run verdict = runIn({"verify", "cut.tan", "--against", data, "--lod", "20,5,0"});
+        QVERIFY2(verdict.exitCode == 0, verdict.output);
+        make({"extract", model, "--error", "5", "-o", "whole.ply"});
+        make({"extract", "cut.tan", "--error", "5", "-o", "part.ply"});
+        QVERIFY(readFile(path("part.ply")) == readFile(path("whole.ply")));
+        make({"cut", model, "--error", "0", "-o", "all.tan"});
+        QVERIFY(model != "c60.tan" || readFile(path("all.tan")) == readFile(path(model)));
+    }
+
+    void outputsAreSafe()
+    {
+        QVERIFY(writeFile(path("notes.txt"), "important"));
+        for (const QStringList& words :
+             {QStringList{"cut", "c60.tan", "--error", "5"}, QStringList{"pack", "c60.tan"}}) {
+            const Run over = runIn(words + QStringList{"-o", "notes.txt"});
+            QCOMPARE(over.exitCode, 2);
+            QCOMPARE(readFile(path("notes.txt")), QByteArray("important"));
+            QCOMPARE(runIn(words + QStringList{"-o", "c60.tan"}).exitCode, 2);
+        }
+        QCOMPARE(runIn({"cut", "c60.tan", "-o", "x.tan"}).exitCode, 2);
+        QCOMPARE(runIn({"cut", "c60.tan", "--error", "5", "--warping", "1", "-o", "x.tan"}).exitCode, 2);
+        QCOMPARE(runIn({"cut", "c60.nrrd", "--error", "5", "-o", "x.tan"}).exitCode, 3);
+        QCOMPARE(runIn({"unpack", "c60.tan", "-o", "x.tan"}).exitCode, 2);
+        QCOMPARE(runIn({"build", "c60.nrrd", "--packed", "--keep", "-o", "x.tan"}).exitCode, 2);
+        QVERIFY(!QFile::exists(path("x.tan")));
+    }
+
+    /// R28, B5: of a model on a server no more is fetched than a mesh needs.
+    void addresses()
+    {
+        HttpServer server(readFile(path("noise.tan")).toStdString());
+        const QString address = QString::fromStdString(server.address("/noise.tan"));
+        const qint64 size = QFile(path("noise.tan")).size();
+        const Run info = make({"info", address, "--lod", "30,0", "--json"});
+        QCOMPARE(info.json()["form"].toString(), QString("explicit"));
+        QCOMPARE(info.json()["bytes"].toInteger(), size);
+        QCOMPARE(info.json()["levels"][1]["bytes"].toInteger(), size);
+        QVERIFY(server.requests().size() <= 2);
+        QVERIFY(info.json()["levels"][0]["reached"].toDouble() <= 30);
+
+        const Run part = make({"extract", address, "--error", "30", "-o", "part.ply", "--json"});
+        QVERIFY(part.json()["read_part"]["bytes"].toInteger() < size / 2);
+        QCOMPARE(part.json()["read_part"]["of_bytes"].toInteger(), size);
+        make({"extract", "noise.tan", "--error", "30", "-o", "whole.ply"});
+        QVERIFY(readFile(path("part.ply")) == readFile(path("whole.ply")));
+        // It is there the next time.
+        server.forget();
+        make({"extract", address, "--error", "30", "-o", "part.ply"});
+        QVERIFY(server.requests().size() <= 1);
+
+        make({"isosurface", address, "--error", "30", "--value", "128", "-o", "part.stl"});
+        make({"render", address, "--error", "30", "--isovalue", "128:gold", "-o", "part.png"});
+        make({"cut", address, "--error", "30", "-o", "part.tan"});
+        make({"verify", address, "--against", "noise.nrrd", "--lod", "30"});
+        const Run all = make({"extract", address, "--error", "0", "-o", "all.ply", "--json"});
+        QVERIFY(!all.json().contains("read_part"));
+    }
+
+    void whatIsNoModelIsTold()
+    {
+        HttpServer server("<html>Please log in</html>", [](const auto& request, std::size_t, HttpServer::Reply& reply) {
+            if (request.path == "/gone.tan")
+                reply.become(404, "nothing here", "text/plain");
+        });
+        for (const char* file : {"/login.tan", "/gone.tan"}) {
+            const Run run = runIn({"info", QString::fromStdString(server.address(file))});
+            QCOMPARE(run.exitCode, 3);
+            QVERIFY2(run.messages.count('.') >= 2, run.messages);
+        }
+        const Run nowhere = runIn({"extract", "http://127.0.0.1:9/x.tan", "-o", "x.ply"});
+        QCOMPARE(nowhere.exitCode, 3);
+        QVERIFY(!QFile::exists(path("x.ply")));
+    }
+
+private:
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    Run runIn(const QStringList& words) const
+    {
+        return runTan(words, folder_.path(), {{"XDG_CACHE_HOME", folder_.filePath("cache")}});
+    }
+    /// The test ends at once if it does not work.
+    Run make(const QStringList& words) const
+    {
+        const Run run = runIn(words);
+        if (run.exitCode != 0)
+            qFatal("tan %s: %s", qPrintable(words.join(' ')), run.messages.constData());
+        return run;
+    }
+
+    QTemporaryDir folder_;
+};
+
+} // namespace tetra
+
+QTEST_GUILESS_MAIN(tetra::ModelFormsTest)
+#include "model_forms_test.moc"
