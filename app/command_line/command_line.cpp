@@ -111,7 +111,7 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
 
     ProgressLine line(streams.messages, streams.messagesAreTerminal);
     const Progress progress = line.progress(stop);
-    const auto outcome = runGuarded(subcommand, {*arguments, host, progress});
+    const auto outcome = runGuarded(subcommand, {*arguments, host, progress, streams.messages});
     line.clear();
     if (!outcome)
         return fail(streams, trueReason(outcome.error(), host));

@@ -9,6 +9,7 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "app/server/server_mesh.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
@@ -40,27 +41,34 @@ struct Task {
     const Progress& progress;
 };
 
-Outcome outcomeOf(const Task& task, const TetrahedralMesh& mesh)
+Outcome outcomeOf(const std::filesystem::path& output, const TetrahedralMesh& mesh)
 {
-    return {.figures = {{"file", QFile::decodeName(task.output.c_str())},
+    return {.figures = {{"file", QFile::decodeName(output.c_str())},
                         {"sites", static_cast<qint64>(mesh.positions.size())},
                         {"tetrahedra", static_cast<qint64>(mesh.tetrahedra.size())}},
-            .text = task.output.string() + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
+            .text = output.string() + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
                     std::to_string(mesh.tetrahedra.size()) + " tetrahedra"};
 }
 
-/// What there is to tell of one mesh.
-void describeMesh(const Task& task, const MeshQuery& query, const ExtractedMesh& found, Outcome& outcome)
+/// What there is to tell of one mesh, by its figures.
+void describeMesh(PluginHost& host, const std::filesystem::path& output, Outcome& outcome)
 {
-    if (found.mesh.tetrahedra.size() != found.keptTetrahedra)
-        outcome.text += ", pieces of " + std::to_string(found.keptTetrahedra) + " of the " +
-                        std::to_string(found.wholeTetrahedra) + " of the whole mesh";
-    else if (found.keptTetrahedra != found.wholeTetrahedra)
-        outcome.text += " of " + std::to_string(found.wholeTetrahedra);
-    if (isSurfaceFileOnly(task.host, task.output))
+    const auto figure = [&](const char* name) { return outcome.figures[name].toInteger(); };
+    if (figure("tetrahedra") != figure("kept_tetrahedra"))
+        outcome.text += ", pieces of " + std::to_string(figure("kept_tetrahedra")) + " of the " +
+                        std::to_string(figure("whole_tetrahedra")) + " of the whole mesh";
+    else if (figure("kept_tetrahedra") != figure("whole_tetrahedra"))
+        outcome.text += " of " + std::to_string(figure("whole_tetrahedra"));
+    if (isSurfaceFileOnly(host, output))
         outcome.text += ", of which the file has the boundary";
-    if (found.scale > 1)
-        outcome.text += ", with errors of up to " + rounded(keptEverywhere(query, found.scale).error) + " %";
+    if (outcome.figures["scale"].toDouble() > 1)
+        outcome.text += ", with errors of up to " + rounded(outcome.figures["error"].toDouble()) + " %";
+}
+
+void addFigures(Outcome& outcome, const QJsonObject& figures)
+{
+    for (auto figure = figures.begin(); figure != figures.end(); ++figure)
+        outcome.figures[figure.key()] = figure.value();
 }
 
 Option againstOption()
@@ -93,6 +101,12 @@ Result<ErrorStatistics> measured(const Task& task, const std::string& against, c
     return verdict->measured;
 }
 
+Error noBoundary()
+{
+    return {ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
+                                   "Write a .vtu, .vtk or .ply file."};
+}
+
 Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
 {
     MeshExtractor extractor(std::move(model));
@@ -104,9 +118,7 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     if (const Status some = checkNotEmpty(task.arguments, task.model, found.mesh); !some)
         return some.error();
     if (found.overlaps && isSurfaceFileOnly(task.host, task.output))
-        return Error{ErrorKind::WrongUsage,
-                     "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
-                     "Write a .vtu, .vtk or .ply file."};
+        return noBoundary();
     std::optional<ErrorStatistics> statistics;
     if (const auto against = task.arguments.value("against")) {
         const auto measurement = measured(task, *against, query, found);
@@ -118,17 +130,68 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
                                         task.progress.part(statistics ? measuringEnd : extractionEnd, 1));
         !written)
         return written.error();
-    Outcome outcome = outcomeOf(task, found.mesh);
-    const QJsonObject figures = figuresOf(task.model, query, found);
-    for (auto figure = figures.begin(); figure != figures.end(); ++figure)
-        outcome.figures[figure.key()] = figure.value();
+    Outcome outcome = outcomeOf(task.output, found.mesh);
+    addFigures(outcome, figuresOf(task.model, query, found));
     if (!query.range)
-        describeMesh(task, query, found, outcome);
+        describeMesh(task.host, task.output, outcome);
     if (statistics) {
         const DomainClass domain = task.model.description().domain;
         addStatistics(outcome.figures, *statistics, domain);
         outcome.text += "\n" + statisticsText({{"extracted", *statistics}}, domain);
     }
+    return outcome;
+}
+
+/// --at-server: the mesh that a server finds.
+Result<Outcome> extractAtServer(const Invocation& invocation, const MeshQuery& query, const ParameterValues& values)
+{
+    const Arguments& arguments = invocation.arguments;
+    const std::filesystem::path output = *arguments.value("output");
+    if (arguments.has("against"))
+        return Error{ErrorKind::WrongUsage,
+                     "'--against' needs the model at hand, so '--at-server' does not go with it."};
+    std::string token;
+    if (const auto file = arguments.value("token-file")) {
+        const auto read = tokenIn(*file);
+        if (!read)
+            return read.error();
+        token = *read;
+    }
+    const auto mesh = meshAtServer(meshAddress(arguments.positionals[0], arguments), token,
+                                   invocation.progress.part(0, extractionEnd));
+    if (!mesh)
+        return mesh.error();
+    const UnpackedMesh& found = mesh->content;
+    if (mesh->overlaps && isSurfaceFileOnly(invocation.host, output))
+        return noBoundary();
+    if (const Status safe = checkMeshOutput(output, mesh->source()); !safe)
+        return safe.error();
+    MeshContent content;
+    content.positions = found.mesh.positions;
+    content.tetrahedra = found.mesh.tetrahedra;
+    content.pointArrays = {{"value", std::span<const float>(found.mesh.values)}};
+    if (query.range)
+        content.cellArrays = {{"birth_error", std::span<const float>(found.birthErrors)},
+                              {"death_error", std::span<const float>(found.deathErrors)}};
+    content.facts = mesh->facts;
+    if (const Status written =
+            saveMesh(invocation.host, content, output, values, invocation.progress.part(extractionEnd, 1));
+        !written)
+        return written.error();
+    Outcome outcome = outcomeOf(output, found.mesh);
+    addFigures(outcome, mesh->figures);
+    if (!query.range)
+        describeMesh(invocation.host, output, outcome);
+    return outcome;
+}
+
+/// How long it took, in figures and text.
+Outcome withTime(Outcome outcome, std::chrono::steady_clock::time_point start)
+{
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    outcome.figures["seconds"] = elapsed.count();
+    outcome.text.insert(std::min(outcome.text.find('\n'), outcome.text.size()),
+                        ", in " + rounded(elapsed.count(), 3) + " s\n");
     return outcome;
 }
 
@@ -153,6 +216,14 @@ Syntax extractSyntax(PluginHost& host)
                      {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.ply",
                       "And how good that is on the whole."}}};
     syntax.options.push_back(againstOption());
+    syntax.options.push_back({.name = "at-server",
+                              .placeholder = "",
+                              .explanation =
+                                  "MODEL is http://HOST:PORT/NAME.tan, and 'tan serve' there finds the mesh: "
+                                  "only that is sent."});
+    syntax.options.push_back({.name = "token-file",
+                              .placeholder = "FILE",
+                              .explanation = "With --at-server, a file whose first line is the token that it wants."});
     syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Mesh), "The file to write."));
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Mesh));
     return syntax;
@@ -178,6 +249,12 @@ Result<Outcome> runExtract(const Invocation& invocation)
         return safe.error();
 
     const auto start = std::chrono::steady_clock::now();
+    if (arguments.has("at-server")) {
+        auto outcome = extractAtServer(invocation, *query, *values);
+        return outcome ? Result<Outcome>(withTime(std::move(*outcome), start)) : outcome;
+    }
+    if (arguments.has("token-file"))
+        return Error{ErrorKind::WrongUsage, "'--token-file' is for '--at-server'."};
     const double opened = isAtHand(input) ? 0 : 0.5;
     const auto found = openInput(invocation, input, *query, invocation.progress.part(0, opened));
     if (!found)
@@ -192,12 +269,9 @@ Result<Outcome> runExtract(const Invocation& invocation)
     auto outcome = extractMesh(task, *query, model);
     if (!outcome)
         return outcome.error();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    outcome->figures["seconds"] = elapsed.count();
-    outcome->text.insert(std::min(outcome->text.find('\n'), outcome->text.size()),
-                         ", in " + rounded(elapsed.count(), 3) + " s\n");
-    tellPart(*found, *outcome);
-    return outcome;
+    Outcome timed = withTime(std::move(*outcome), start);
+    tellPart(*found, timed);
+    return timed;
 }
 
 } // namespace tetra

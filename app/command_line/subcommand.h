@@ -8,6 +8,7 @@
 
 #include <QJsonObject>
 
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ struct Invocation {
     const Arguments& arguments;
     PluginHost& host;
     const Progress& progress;
+    std::ostream& messages; ///< for what is told while it runs, a line at a time
 };
 
 /// What a subcommand gives: the same figures twice, for programs (--json) and for people.

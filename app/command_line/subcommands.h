@@ -27,6 +27,9 @@ Result<Outcome> runIsosurface(const Invocation& invocation);
 Syntax renderSyntax(PluginHost& host);
 Result<Outcome> runRender(const Invocation& invocation);
 
+Syntax serveSyntax(PluginHost& host);
+Result<Outcome> runServe(const Invocation& invocation);
+
 Syntax reproduceSyntax(PluginHost& host);
 Result<Outcome> runReproduce(const Invocation& invocation);
 

@@ -17,8 +17,12 @@ Status checkOutput(const std::filesystem::path& output, std::span<const std::fil
 
 Status checkMeshOutput(const std::filesystem::path& output, const Model& model)
 {
-    std::error_code problem;
-    const std::string& source = model.description().sourceName; // "part.vtu", or "part.vtu, temperature"
+    return checkMeshOutput(output, model.description().sourceName);
+}
+
+Status checkMeshOutput(const std::filesystem::path& output, const std::string& source)
+{
+    std::error_code problem; // a source is "part.vtu", or "part.vtu, temperature"
     const std::string name = output.filename().string();
     const bool isCalledLikeIt =
         source.starts_with(name) && (source.size() == name.size() || source[name.size()] == ',');

@@ -16,5 +16,7 @@ Status checkOutput(const std::filesystem::path& output, std::span<const std::fil
 /// An error (WrongUsage) if a mesh made of `model` would replace a file that is called like the model's dataset: after
 /// "part.vtu" became "part.tan", "part.vtu" is the first name for a mesh of it that comes to mind.
 Status checkMeshOutput(const std::filesystem::path& output, const Model& model);
+/// The same by ModelDescription::sourceName alone.
+Status checkMeshOutput(const std::filesystem::path& output, const std::string& source);
 
 } // namespace tetra

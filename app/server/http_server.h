@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/base.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+
+/// What a client may take of the server.
+struct HttpLimits {
+    std::size_t headBytes = 16384; ///< of a request: its line and headers
+    std::size_t headers = 64;
+    std::chrono::milliseconds headTime{5000};  ///< for a request to come, from its first byte on
+    std::chrono::milliseconds idleTime{5000};  ///< for a connection to bring its next request
+    std::chrono::milliseconds sendTime{10000}; ///< for a piece of an answer (64 KiB) to be taken
+    int connections = 32;                      ///< at once; more are told to come again
+    int requestsOfConnection = 1000;
+};
+
+/// A request whose head was found to be well-formed. GET or HEAD; it has no body.
+struct ServedRequest {
+    bool isHead = false;
+    std::string target; ///< as it came: a path that begins with '/', perhaps '?' and a query; printable ASCII
+    std::function<std::optional<std::string>(std::string_view name)> header; ///< Range, If-Range and the like
+    std::stop_token gone; ///< the client has gone or the server stops: nobody waits for the answer
+};
+
+struct ServedAnswer {
+    int status = 200;
+    std::vector<std::pair<std::string, std::string>> headers;
+    std::string type;
+    std::uint64_t size = 0;
+    /// Fills a piece of the body; false ends the connection before its end. Called from one thread.
+    std::function<bool(std::uint64_t offset, std::span<char> to)> read;
+    std::string note; ///< for the log
+};
+
+/// An answer with this text for its body.
+ServedAnswer textAnswer(int status, std::string type, std::string text);
+/// {"error": text}, as JSON.
+ServedAnswer errorAnswer(int status, std::string_view text);
+
+/// What there is to log of a request.
+struct HttpRecord {
+    std::string peer;
+    std::string request; ///< method and target; of one that was refused unread, what is printable of it
+    int status = 0;
+    std::uint64_t bytes = 0; ///< that were sent, with the head
+    std::chrono::duration<double> time{};
+    std::string note;
+};
+
+/// A server of HTTP/1.1 for GET and HEAD. cpp-httplib accepts, keeps the threads and writes answers; what comes from
+/// the network it sees only after its size, its time and its form have been checked here, and in the way it
+/// understands: its own reading of heads has no bounds, and its ranges no checks.
+class HttpServer {
+public:
+    using Handle = std::function<ServedAnswer(const ServedRequest& request)>; ///< from several threads; does not throw
+    using Log = std::function<void(const HttpRecord& record)>;                ///< likewise
+
+    HttpServer(HttpLimits limits, Handle handle, Log log);
+    ~HttpServer();
+    HttpServer(const HttpServer&) = delete;
+    HttpServer& operator=(const HttpServer&) = delete;
+
+    /// Takes a port of this machine's address, 0 for any that is free, and says which. Errors: WrongUsage for an
+    /// address that is none of this machine's, a port that is taken or not allowed.
+    Result<int> bind(const std::string& address, int port);
+    /// Answers requests until `progress` is cancelled, then ends all connections, within about a second. Errors: the
+    /// system takes no more connections.
+    Status run(const Progress& progress);
+
+private:
+    class Server;
+    std::unique_ptr<Server> server_;
+};
+
+} // namespace tetra

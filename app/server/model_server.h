@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/server/http_server.h"
+#include "app/server/served_folder.h"
+
+#include <tan/model.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace tetra {
+
+struct ModelServerLimits {
+    std::uint64_t tetrahedra = 5'000'000;      ///< of a mesh, before window and values choose from it
+    std::chrono::milliseconds time{60'000};    ///< for a mesh to be found and packed
+    std::chrono::milliseconds waiting{30'000}; ///< for the meshes before it
+    int meshes = 2;                            ///< that are worked on at once
+    std::size_t models = 8;                    ///< that are kept open
+    std::size_t listed = 10'000;
+};
+
+/// Whether an address or a name is that of this machine for itself.
+bool isLoopback(std::string_view address);
+
+/// What `tan serve` answers (R28; docs/command-line.md): `/` is a list of the folder's models, `/NAME.tan` a file or a
+/// range of it, `/NAME.tan?error=1&...` a mesh of it, packed (core/packed/PACKED_MESH.md). From any number of threads.
+class ModelServer {
+public:
+    /// With a token every request must bring it (Authorization: Bearer ...); without one, the host that it asks for
+    /// must be this machine: a page of the web that a browser shows could ask for the others under a name of its own.
+    ModelServer(ServedFolder folder, std::string token, ModelServerLimits limits);
+
+    ServedAnswer answer(const ServedRequest& request);
+
+private:
+    struct OpenModel {
+        std::string name;
+        std::string tag;
+        std::shared_ptr<const Model> model;
+    };
+    class Turn;
+
+    bool isAllowed(const ServedRequest& request) const;
+    ServedAnswer list() const;
+    ServedAnswer fileAnswer(const ServedRequest& request, const ServedFile& file) const;
+    ServedAnswer meshAnswer(const ServedRequest& request, const ServedFile& file, std::string_view query);
+    Result<std::shared_ptr<const Model>> modelOf(const ServedFile& file, const Progress& progress);
+
+    const ServedFolder folder_;
+    const std::string token_;
+    const ModelServerLimits limits_;
+    std::mutex mutex_; ///< of what follows
+    std::condition_variable turnOver_;
+    int working_ = 0;
+    std::list<OpenModel> models_; ///< the last used one first
+};
+
+} // namespace tetra
