@@ -1,0 +1,1449 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/packed/parts_history.h"
+
+#include "core/base/flat_index.h"
+#include "core/base/rounding.h"
+#include "core/mesh/topology.h"
+#include "core/packed/range_coder.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <queue>
+#include <type_traits>
+
+namespace tetra {
+
+namespace {
+
+constexpr std::uint32_t nowhere = 0xffffffff; ///< no tetrahedron, no site
+
+/// The corners of a triangle, ascending.
+struct SortedTriangle {
+    std::uint32_t a = 0, b = 0, c = 0;
+    bool operator==(const SortedTriangle&) const = default;
+};
+
+struct TriangleHash {
+    std::uint64_t operator()(const SortedTriangle& t) const noexcept
+    {
+        const std::uint64_t one = (std::uint64_t(t.a) << 32 | t.b) * 0x9e3779b97f4a7c15u;
+        return (one ^ one >> 29 ^ t.c) * 0xbf58476d1ce4e5b9u;
+    }
+};
+
+/// `odd`: whether sorting the corners takes an odd permutation.
+SortedTriangle sortedTriangle(Triangle corners, bool& odd)
+{
+    auto& [a, b, c] = corners;
+    odd = false;
+    const auto order = [&odd](std::uint32_t& x, std::uint32_t& y) {
+        if (x > y) {
+            std::swap(x, y);
+            odd = !odd;
+        }
+    };
+    order(a, b);
+    order(b, c);
+    order(a, b);
+    return {a, b, c};
+}
+
+Triangle faceOf(const Tetrahedron& sites, std::size_t face)
+{
+    const auto& [a, b, c] = cornersOfFace[face];
+    return {sites[a], sites[b], sites[c]};
+}
+
+/// A sample as an integer that rises with it: so are close ones, and no bit is lost.
+template <class T> std::uint64_t orderedBits(T sample)
+{
+    if constexpr (std::is_integral_v<T>) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(sample) -
+                                          static_cast<std::int64_t>(std::numeric_limits<T>::min()));
+    } else {
+        using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+        const Bits bits = std::bit_cast<Bits>(sample), sign = Bits(1) << (8 * sizeof(T) - 1);
+        return (bits & sign) != 0 ? static_cast<Bits>(~bits) : static_cast<Bits>(bits | sign);
+    }
+}
+
+template <class T> T fromOrderedBits(std::uint64_t ordered)
+{
+    if constexpr (std::is_integral_v<T>) {
+        return static_cast<T>(static_cast<std::int64_t>(ordered) +
+                              static_cast<std::int64_t>(std::numeric_limits<T>::min()));
+    } else {
+        using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+        const Bits bits = static_cast<Bits>(ordered), sign = Bits(1) << (8 * sizeof(T) - 1);
+        return std::bit_cast<T>((bits & sign) != 0 ? static_cast<Bits>(bits ^ sign) : static_cast<Bits>(~bits));
+    }
+}
+
+/// The sample next to a number.
+template <class T> T nearestSample(double number)
+{
+    if constexpr (std::is_integral_v<T>) {
+        constexpr auto least = static_cast<double>(std::numeric_limits<T>::min());
+        constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
+        return number >= least ? static_cast<T>(std::floor(std::min(number, most - 0.5) + 0.5))
+                               : std::numeric_limits<T>::min();
+    } else if constexpr (sizeof(T) == 4) {
+        return std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max()) ? static_cast<float>(number)
+                                                                                          : 0;
+    } else {
+        return std::isnan(number) ? 0 : number; // one of many NaNs, which machines choose differently
+    }
+}
+
+/// The difference of two numbers of `bits` bits, small ones of either sign as small numbers.
+std::uint64_t zigzag(std::uint64_t number, std::uint64_t from, unsigned bits)
+{
+    const unsigned above = 64 - bits;
+    const auto difference = static_cast<std::int64_t>((number - from) << above) >> above;
+    return static_cast<std::uint64_t>(difference) << 1 ^ static_cast<std::uint64_t>(difference >> 63);
+}
+
+std::uint64_t unzigzag(std::uint64_t code, std::uint64_t from, unsigned bits)
+{
+    const std::uint64_t difference = code >> 1 ^ (~(code & 1) + 1);
+    const std::uint64_t sum = from + difference;
+    return bits == 64 ? sum : sum & ((std::uint64_t(1) << bits) - 1);
+}
+
+using Place = std::array<double, 3>;
+
+/// Six times the volume of (o, a, b, c).
+double volumeOf(const Place& o, const Place& a, const Place& b, const Place& c)
+{
+    Place u{}, v{}, w{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        u[i] = a[i] - o[i];
+        v[i] = b[i] - o[i];
+        w[i] = c[i] - o[i];
+    }
+    return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+} // namespace
+
+/// The mesh of the sites so far, and what the next ones are predicted from.
+struct HistoryState {
+    HistoryFacts facts;
+    HistoryArrays arrays;
+    std::vector<Tetrahedron> corners;               ///< of each tetrahedron, as they are stored: the creator first
+    std::vector<std::array<std::uint32_t, 4>> next; ///< its neighbours, opposite to its corners; of the living
+    std::vector<std::uint32_t> marks;
+    std::uint32_t mark = 0;
+    std::vector<Place> places; ///< of the sites, in the space that the mesh was made in
+    std::vector<bool> used;    ///< points of a lattice that are sites
+    /// The living by their own keys, some of the dead among them; and those of at least the running key, ascending.
+    std::priority_queue<std::pair<double, std::uint32_t>> queue;
+    std::vector<std::uint32_t> hot;
+    std::uint64_t living = 0;
+
+    explicit HistoryState(const HistoryFacts& known) : facts(known)
+    {
+        if (isOnLattice(facts.domain))
+            used.resize(facts.lattice.pointCount());
+    }
+
+    std::uint32_t siteCount() const { return static_cast<std::uint32_t>(arrays.points.size()); }
+    std::uint32_t tetrahedronCount() const { return static_cast<std::uint32_t>(corners.size()); }
+    bool alive(std::uint32_t t) const { return arrays.destroyers[t] == Model::never; }
+    std::size_t sampleBytes() const { return sampleSize(facts.sampleType); }
+    template <class T> T valueOf(std::uint32_t site) const
+    {
+        T value;
+        std::memcpy(&value, arrays.values.data() + site * sizeof(T), sizeof(T));
+        return value;
+    }
+    double value(std::uint32_t site) const
+    {
+        return visitSampleType(facts.sampleType,
+                               [&]<class T>() -> double { return static_cast<double>(valueOf<T>(site)); });
+    }
+    template <class T> T coordinate(std::uint32_t site, std::size_t axis) const
+    {
+        T value;
+        std::memcpy(&value, arrays.positions.data() + (std::size_t(3) * site + axis) * sizeof(T), sizeof(T));
+        return value;
+    }
+    Place placeOfPoint(std::uint32_t point) const
+    {
+        const auto& size = facts.lattice.size;
+        const std::uint32_t x = point % size[0], y = point / size[0] % size[1], z = point / size[0] / size[1];
+        return {x * facts.lattice.spacing[0], y * facts.lattice.spacing[1], z * facts.lattice.spacing[2]};
+    }
+    double ownKey(std::uint32_t t) const
+    {
+        const double error = static_cast<double>(halfToFloat(arrays.ownErrors[t])) * facts.extent;
+        if (arrays.ownWarpings.empty())
+            return error;
+        return std::max(error,
+                        static_cast<double>(halfToFloat(arrays.ownWarpings[t])) * facts.diagonal * facts.warpingWeight);
+    }
+
+    double volume(std::uint32_t t) const
+    {
+        const auto& [a, b, c, d] = corners[t];
+        return volumeOf(places[a], places[b], places[c], places[d]);
+    }
+    /// The weights of a tetrahedron's corners at a place; false if it has no volume.
+    bool weightsAt(std::uint32_t t, const Place& place, std::array<double, 4>& weights) const
+    {
+        const double whole = volume(t);
+        if (whole == 0)
+            return false;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& [a, b, c] = faceOf(corners[t], i);
+            weights[i] = volumeOf(place, places[a], places[b], places[c]) / whole;
+        }
+        return true;
+    }
+    bool contains(std::uint32_t t, const Place& place) const
+    {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& [a, b, c] = faceOf(corners[t], i);
+            if (volumeOf(place, places[a], places[b], places[c]) < 0)
+                return false;
+        }
+        return true;
+    }
+    /// Whether a place lies strictly inside the circumsphere, as well as doubles tell.
+    bool inSphere(std::uint32_t t, const Place& place) const
+    {
+        std::array<std::array<double, 4>, 4> row{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            double square = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                row[i][axis] = places[corners[t][i]][axis] - place[axis];
+                square += row[i][axis] * row[i][axis];
+            }
+            row[i][3] = square;
+        }
+        const auto minor = [&row](std::size_t i, std::size_t j, std::size_t k) {
+            return row[i][0] * (row[j][1] * row[k][2] - row[j][2] * row[k][1]) -
+                   row[i][1] * (row[j][0] * row[k][2] - row[j][2] * row[k][0]) +
+                   row[i][2] * (row[j][0] * row[k][1] - row[j][1] * row[k][0]);
+        };
+        const double determinant = row[0][3] * minor(1, 2, 3) - row[1][3] * minor(0, 2, 3) +
+                                   row[2][3] * minor(0, 1, 3) - row[3][3] * minor(0, 1, 2);
+        return determinant > 0;
+    }
+};
+
+namespace {
+
+/// What is learnt within a piece.
+struct PartModels {
+    template <std::size_t... counts> struct Bits;
+    template <std::size_t count> struct Bits<count> : std::array<BitModel, count> {
+    };
+    template <std::size_t count, std::size_t... counts> struct Bits<count, counts...>
+        : std::array<Bits<counts...>, count> {
+    };
+
+    NumberModel groupSize, key, point, pointDelta;
+    Bits<2> freshKey, seedIsHot, hostIsSeed, hostIsFirst, hostOwned, otherIsInCavity, otherIsInGroup;
+    Bits<4> moreSeeds;
+    Bits<2, 3, 4, 4> dies;
+    Bits<8> owner;
+    Bits<2, 3, 2> isFilled;
+    Bits<2, 3, 8> apex;
+    Bits<2> moreTetrahedra;
+    Bits<2, 4> orderIsNext;
+    Bits<2, 3> turn;
+    std::array<NumberModel, 3> coordinate;
+    Bits<3> valueByKey;
+    std::array<NumberModel, 2> value;
+    Bits<2, 16, 3> ownIsZero;
+    std::array<std::array<NumberModel, 2>, 2> own;
+};
+
+/// What a group's coding works with, kept for the next one's sake.
+struct GroupScratch {
+    struct Face {
+        Triangle corners{};           ///< (apex, corners) is positive
+        std::uint32_t back = nowhere; ///< the tetrahedron on the other side: a new one by its place if isNew
+        std::uint32_t backFace = 0;
+        std::uint32_t hint = nowhere; ///< a site that may be the apex
+        bool isNew = false, closed = false, odd = false;
+    };
+    struct New {
+        Tetrahedron sites{};
+        std::array<std::uint32_t, 4> next{nowhere, nowhere, nowhere, nowhere};
+        std::array<bool, 4> nextIsNew{};
+        std::uint32_t truth = 0; ///< in the encoder: its number
+    };
+    struct Outer {
+        std::uint32_t inside, face; ///< of a tetrahedron that dies
+    };
+    struct EdgeLink {
+        std::uint32_t face, before;
+    };
+
+    std::vector<std::uint32_t> dying;
+    std::vector<std::uint32_t> owners; ///< of each: which of the group's sites is its destroyer
+    std::vector<Outer> outers;
+    std::vector<Face> faces;
+    FlatIndex<SortedTriangle, TriangleHash> faceNumbers;
+    FlatIndex<EdgeKey> edgeNumbers;
+    std::vector<std::uint32_t> edgeHeads;
+    std::vector<EdgeLink> edgeLinks;
+    FlatIndex<std::uint32_t> cavity; ///< the corners of what dies
+    std::vector<New> made;
+    std::vector<std::vector<std::uint32_t>> stars;
+    std::vector<std::uint32_t> numbers; ///< of what was made
+    std::vector<std::uint32_t> candidates;
+    std::vector<std::uint32_t> ownedBegins; ///< for each site of the group: in ...
+    std::vector<std::uint32_t> owned;       ///< ... the dying by their owners
+    std::vector<std::uint32_t> inside;      ///< points in a tetrahedron
+    // In the encoder:
+    FlatIndex<SortedTriangle, TriangleHash> truthNumbers;
+    std::vector<std::array<std::uint32_t, 2>> truthFaces; ///< 4 tetrahedra + face, by whether odd
+    std::vector<std::uint8_t> truthUsed;
+};
+
+/// The truth that the encoder has and the decoder has not.
+struct HistoryTruth {
+    const Model* model = nullptr;
+    std::span<const std::uint64_t> deathOffsets;
+    std::span<const std::uint32_t> deaths;
+};
+
+/// Codes groups with either coder: with the encoder what it is told, with the decoder what comes. False where that is
+/// no history.
+template <class Coder> class GroupCoder {
+    static constexpr bool encodes = std::is_same_v<Coder, RangeEncoder>;
+
+public:
+    GroupCoder(HistoryState& state, Coder& coder, const HistoryTruth& truth, HistoryCost& cost)
+        : state_(state), arrays_(state.arrays), coder_(coder), truth_(truth), cost_(cost)
+    {
+    }
+
+    bool run(std::uint32_t end)
+    {
+        while (state_.siteCount() < end)
+            if (!group(end))
+                return false;
+        return true;
+    }
+
+private:
+    bool bit(BitModel& model, bool truth)
+    {
+        if constexpr (encodes) {
+            coder_.bit(model, truth);
+            return truth;
+        } else {
+            return coder_.bit(model);
+        }
+    }
+    std::uint64_t number(NumberModel& model, std::uint64_t truth) { return model.code(coder_, truth); }
+    /// Below 2^64, small ones shorter.
+    std::uint64_t wideNumber(NumberModel& model, std::uint64_t truth)
+    {
+        constexpr std::uint64_t huge = std::uint64_t(1) << 62;
+        const std::uint64_t coded = number(model, std::min(truth, huge));
+        return coded < huge ? coded : rawBits(truth, 64);
+    }
+    std::uint64_t rawBits(std::uint64_t truth, unsigned count)
+    {
+        if constexpr (encodes) {
+            coder_.raw(truth, count);
+            return truth;
+        } else {
+            return coder_.raw(count);
+        }
+    }
+    /// One of `count` equally likely numbers, `count` not 0.
+    std::uint64_t oneOf(std::uint64_t truth, std::uint64_t count)
+    {
+        const unsigned bits = static_cast<unsigned>(std::bit_width(count)) - 1;
+        const std::uint64_t shorter = (std::uint64_t(2) << bits) - count; // so many are a bit shorter
+        if constexpr (encodes) {
+            if (truth < shorter)
+                coder_.raw(truth, bits);
+            else { // in two parts, as they are read
+                coder_.raw((truth + shorter) >> 1, bits);
+                coder_.raw((truth + shorter) & 1, 1);
+            }
+            return truth;
+        } else {
+            const std::uint64_t high = coder_.raw(bits);
+            return high < shorter ? high : (high << 1 | coder_.raw(1)) - shorter;
+        }
+    }
+    void charge(std::uint64_t HistoryCost::*part)
+    {
+        if constexpr (encodes) {
+            cost_.*part += coder_.size() - charged_;
+            charged_ = coder_.size();
+        }
+    }
+
+    bool group(std::uint32_t end);
+    bool codeSize(std::uint32_t end);
+    bool codeKey();
+    void refillHot(double key);
+    bool codeDying();
+    bool codeSeed(bool isFirst, std::uint32_t& seed);
+    bool walkFrom(std::uint32_t seed);
+    bool addDying(std::uint32_t t, std::uint32_t parent);
+    std::uint32_t codeOwner(std::uint32_t t, std::uint32_t parent);
+    bool fillCavity();
+    bool readTruth();
+    bool codeFace(std::uint32_t face);
+    bool codeApex(const GroupScratch::Face& face, std::size_t type, std::uint32_t truth, std::uint32_t& apex);
+    bool addNew(const Tetrahedron& sites, std::uint32_t truth, std::uint32_t from);
+    std::uint32_t pushFace(const GroupScratch::Face& face, const SortedTriangle& sorted);
+    bool orderStars();
+    bool turnCreatorFirst(GroupScratch::New& tetrahedron, std::uint32_t creator);
+    void link();
+    bool codeSites();
+    bool codePoint(std::uint32_t local);
+    bool codePointIn(std::uint32_t host, std::uint32_t& point);
+    bool codeFreePoint(std::uint32_t local);
+    void codePosition(std::uint32_t site, const Place& predicted);
+    std::uint32_t hostOfFreeSite(std::uint32_t local);
+    void sortByOwner();
+    std::span<const std::uint32_t> hostsOf(std::uint32_t local, bool owned) const;
+    void codeValue(std::uint32_t local);
+    void codeOwn();
+    void finish();
+
+    std::uint32_t truePoint(std::uint32_t local) const { return encodes ? truth_.model->points()[first_ + local] : 0; }
+    bool onLattice() const { return isOnLattice(state_.facts.domain); }
+    bool placed(std::uint32_t site) const { return site < state_.places.size(); }
+
+    HistoryState& state_;
+    HistoryArrays& arrays_;
+    Coder& coder_;
+    const HistoryTruth& truth_;
+    HistoryCost& cost_;
+    std::uint64_t charged_ = 0;
+    PartModels models_;
+    GroupScratch at_;
+
+    // The group at hand:
+    std::uint32_t first_ = 0; ///< its first site
+    std::uint32_t count_ = 0;
+    std::uint32_t base_ = 0; ///< its first tetrahedron
+    float key_ = 0;
+    std::vector<std::uint32_t> common_; ///< corners that all that dies has
+    std::uint32_t host_ = nowhere;      ///< of the site that is placed: where it lies
+    std::uint32_t used_ = 0;            ///< in the encoder: of its tetrahedra
+    std::uint64_t death_ = 0;           ///< likewise: the first that has not been coded
+    std::uint32_t unused_ = 0;          ///< likewise: all before are
+    bool placedEarly_ = false;          ///< the only site was, before what it destroys was known
+};
+
+template <class Coder> bool GroupCoder<Coder>::group(std::uint32_t end)
+{
+    first_ = state_.siteCount();
+    base_ = state_.tetrahedronCount();
+    host_ = nowhere;
+    placedEarly_ = false;
+    if (!codeSize(end) || !codeKey())
+        return false;
+    charge(&HistoryCost::accuracy);
+    if (!codeDying())
+        return false;
+    charge(&HistoryCost::mesh);
+    if (!fillCavity())
+        return false;
+    charge(&HistoryCost::mesh);
+    if (!orderStars())
+        return false;
+    charge(&HistoryCost::order);
+    link();
+    sortByOwner();
+    if (!codeSites())
+        return false;
+    codeOwn();
+    charge(&HistoryCost::ownErrors);
+    finish();
+    return true;
+}
+
+template <class Coder> bool GroupCoder<Coder>::codeSize(std::uint32_t end)
+{
+    std::uint32_t truth = 0;
+    if constexpr (encodes) {
+        const auto goesOn = truth_.model->groupGoesOn();
+        while (first_ + truth + 1 < end && goesOn[first_ + truth] != 0)
+            ++truth;
+        if (goesOn[first_ + truth] != 0)
+            return false;
+    }
+    const std::uint64_t more = number(models_.groupSize, truth);
+    if (more >= end - first_)
+        return false;
+    count_ = static_cast<std::uint32_t>(more) + 1;
+    return true;
+}
+
+/// A new key is that of the worst tetrahedron's own bounds, but for their rounding.
+template <class Coder> bool GroupCoder<Coder>::codeKey()
+{
+    std::uint32_t truth = 0;
+    if constexpr (encodes) {
+        const auto keys = truth_.model->runningKeys();
+        truth = std::bit_cast<std::uint32_t>(keys[first_]);
+        for (std::uint32_t i = 1; i < count_; ++i)
+            if (std::bit_cast<std::uint32_t>(keys[first_ + i]) != truth)
+                return false;
+    }
+    const std::uint32_t before = first_ == 0 ? 0 : std::bit_cast<std::uint32_t>(arrays_.runningKeys.back());
+    if (first_ > 0 && !bit(models_.freshKey[0], truth != before)) {
+        key_ = arrays_.runningKeys.back();
+        return true;
+    }
+    float predicted = std::numeric_limits<float>::infinity();
+    if (first_ > 0) {
+        for (const std::uint32_t t : state_.hot)
+            state_.queue.emplace(state_.ownKey(t), t);
+        state_.hot.clear();
+        while (!state_.queue.empty() && !state_.alive(state_.queue.top().second))
+            state_.queue.pop();
+        const double worst = state_.queue.empty() ? 0 : state_.queue.top().first;
+        if (worst <= static_cast<double>(std::numeric_limits<float>::max()))
+            predicted = static_cast<float>(worst);
+        predicted = std::min(predicted, arrays_.runningKeys.back());
+    }
+    const auto bits = std::bit_cast<std::uint32_t>(predicted);
+    const std::uint64_t coded = number(models_.key, zigzag(bits, truth, 32));
+    // The predicted less what was coded.
+    const auto difference = static_cast<std::uint32_t>(unzigzag(coded, 0, 32));
+    key_ = std::bit_cast<float>(bits - difference);
+    refillHot(static_cast<double>(key_));
+    return true;
+}
+
+template <class Coder> void GroupCoder<Coder>::refillHot(double key)
+{
+    constexpr std::size_t most = 4096; // more of them tell nothing
+    auto& queue = state_.queue;
+    while (key > 0 && !queue.empty() && queue.top().first >= key && state_.hot.size() < most) {
+        if (state_.alive(queue.top().second))
+            state_.hot.push_back(queue.top().second);
+        queue.pop();
+    }
+    std::ranges::sort(state_.hot);
+}
+
+// What dies.
+
+template <class Coder> bool GroupCoder<Coder>::codeDying()
+{
+    at_.dying.clear();
+    at_.owners.clear();
+    at_.outers.clear();
+    common_.clear();
+    state_.mark += 2;
+    std::uint64_t truth = 0;
+    if constexpr (encodes)
+        truth = truth_.deathOffsets[first_ + count_] - truth_.deathOffsets[first_];
+    for (std::size_t component = 0;; ++component) {
+        if (!bit(models_.moreSeeds[std::min<std::size_t>(component, 3)], at_.dying.size() < truth))
+            return true;
+        std::uint32_t seed = nowhere;
+        if (!codeSeed(component == 0, seed) || !walkFrom(seed))
+            return false;
+    }
+}
+
+/// One that dies: of those whose own bound is the reason for the group, if one of these does.
+template <class Coder> bool GroupCoder<Coder>::codeSeed(bool isFirst, std::uint32_t& seed)
+{
+    const std::vector<std::uint32_t>& hot = state_.hot;
+    const bool isSingle = count_ == 1;
+    std::uint64_t place = 0;
+    bool isHot = false, holdsSite = false;
+    if constexpr (encodes) {
+        int best = -1;
+        const Place site = onLattice() ? state_.placeOfPoint(truePoint(0)) : Place{};
+        if (isFirst)
+            death_ = truth_.deathOffsets[first_];
+        while (state_.marks[truth_.deaths[death_]] == state_.mark + 1)
+            ++death_;
+        for (std::uint64_t i = death_; i < truth_.deathOffsets[first_ + count_]; ++i) {
+            const std::uint32_t t = truth_.deaths[i];
+            if (state_.marks[t] == state_.mark + 1)
+                continue;
+            const bool holds = onLattice() && isSingle && state_.contains(t, site);
+            const bool warm = std::ranges::binary_search(hot, t);
+            const int score = (warm ? 2 : 0) + (holds ? 1 : 0);
+            if (score > best) {
+                best = score;
+                seed = t;
+                isHot = warm;
+                holdsSite = holds;
+            }
+            if (best == (hot.empty() ? 0 : 2) + (onLattice() && isSingle ? 1 : 0))
+                break;
+        }
+        place = isHot ? static_cast<std::uint64_t>(std::ranges::lower_bound(hot, seed) - hot.begin()) : seed;
+    }
+    if (!hot.empty() && bit(models_.seedIsHot[isFirst ? 1 : 0], isHot)) {
+        seed = hot[oneOf(place, hot.size())];
+    } else {
+        if (base_ == 0)
+            return false;
+        seed = static_cast<std::uint32_t>(oneOf(seed, base_));
+    }
+    if (!state_.alive(seed) || state_.marks[seed] == state_.mark + 1)
+        return false;
+    if (!isFirst || !isSingle)
+        return true;
+    // Where the site is tells what it destroys.
+    if (onLattice()) {
+        if (!bit(models_.hostIsSeed[0], holdsSite))
+            return true;
+        charge(&HistoryCost::mesh);
+        std::uint32_t point = truePoint(0);
+        if (!codePointIn(seed, point))
+            return false;
+        host_ = seed;
+        arrays_.points.push_back(point);
+        state_.places.push_back(state_.placeOfPoint(point));
+        placedEarly_ = true;
+        charge(&HistoryCost::positions);
+    } else if (state_.facts.delaunay) {
+        charge(&HistoryCost::mesh);
+        Place middle{};
+        for (const std::uint32_t corner : state_.corners[seed])
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                middle[axis] += state_.places[corner][axis] / 4;
+        codePosition(first_, middle);
+        placedEarly_ = true;
+        charge(&HistoryCost::positions);
+    }
+    return true;
+}
+
+template <class Coder> bool GroupCoder<Coder>::walkFrom(std::uint32_t seed)
+{
+    const bool isSingle = count_ == 1;
+    const bool predicts = placedEarly_ && state_.facts.delaunay;
+    if (!isSingle)
+        common_.clear();
+    std::size_t at = at_.dying.size();
+    if (!addDying(seed, nowhere))
+        return false;
+    for (; at < at_.dying.size(); ++at) {
+        const std::uint32_t inside = at_.dying[at];
+        bool atHull = false;
+        for (std::uint32_t face = 0; face < 4; ++face) {
+            const std::uint32_t other = state_.next[inside][face];
+            if (other == nowhere) {
+                atHull = true;
+                continue;
+            }
+            std::uint32_t& mark = state_.marks[other];
+            if (mark == state_.mark + 1)
+                continue;
+            if (mark != state_.mark) {
+                const auto dies = [&](std::uint32_t t) { return t != nowhere && state_.marks[t] == state_.mark + 1; };
+                const auto beside = static_cast<std::size_t>(std::ranges::count_if(state_.next[other], dies)) - 1;
+                const auto& corners = state_.corners[other];
+                const auto shared = static_cast<std::size_t>(std::ranges::count_if(
+                    common_, [&](std::uint32_t site) { return std::ranges::find(corners, site) != corners.end(); }));
+                const std::size_t told = predicts ? 1 + (state_.inSphere(other, state_.places[first_]) ? 1 : 0) : 0;
+                bool truth = false;
+                if constexpr (encodes) {
+                    const std::uint32_t destroyer = truth_.model->destroyers()[other];
+                    truth = destroyer >= first_ && destroyer < first_ + count_;
+                }
+                if (bit(models_.dies[isSingle ? 0 : 1][told][std::min<std::size_t>(beside, 3)]
+                                    [std::min<std::size_t>(shared, 3)],
+                        truth)) {
+                    if (!addDying(other, static_cast<std::uint32_t>(at)))
+                        return false;
+                    continue;
+                }
+                mark = state_.mark;
+            }
+            at_.outers.push_back({inside, face});
+        }
+        for (std::uint32_t face = 0; atHull && face < 4; ++face)
+            if (state_.next[inside][face] == nowhere)
+                at_.outers.push_back({inside, face});
+    }
+    return true;
+}
+
+template <class Coder> bool GroupCoder<Coder>::addDying(std::uint32_t t, std::uint32_t parent)
+{
+    const auto& corners = state_.corners[t];
+    if (parent == nowhere && (at_.dying.empty() || count_ > 1))
+        common_.assign(corners.begin(), corners.end());
+    else
+        std::erase_if(common_, [&](std::uint32_t site) { return std::ranges::find(corners, site) == corners.end(); });
+    state_.marks[t] = state_.mark + 1;
+    const std::uint32_t owner = codeOwner(t, parent);
+    at_.dying.push_back(t);
+    at_.owners.push_back(owner);
+    return owner < count_;
+}
+
+template <class Coder> std::uint32_t GroupCoder<Coder>::codeOwner(std::uint32_t t, std::uint32_t parent)
+{
+    if (count_ == 1)
+        return 0;
+    std::uint32_t truth = 0;
+    if constexpr (encodes)
+        truth = truth_.model->destroyers()[t] - first_;
+    if (parent != nowhere && bit(models_.owner[0], at_.owners[parent] == truth))
+        return at_.owners[parent];
+    return static_cast<std::uint32_t>(oneOf(truth, count_));
+}
+
+// What fills the cavity.
+
+/// The faces of the group's tetrahedra.
+template <class Coder> bool GroupCoder<Coder>::readTruth()
+{
+    if constexpr (encodes) {
+        const Model& model = *truth_.model;
+        const std::uint64_t begin = model.starOffsets()[first_], end = model.starOffsets()[first_ + count_];
+        if (begin != base_ || end < begin || end > model.tetrahedronCount())
+            return false;
+        at_.truthNumbers.clear();
+        at_.truthFaces.clear();
+        at_.truthUsed.assign(end - begin, 0);
+        used_ = 0;
+        unused_ = 0;
+        for (std::uint32_t local = 0; local < count_; ++local)
+            for (std::uint64_t t = model.starOffsets()[first_ + local]; t < model.starOffsets()[first_ + local + 1];
+                 ++t) {
+                const auto& [a, b, c] = model.otherSites()[t];
+                const Tetrahedron sites{first_ + local, a, b, c};
+                if (t < begin || t >= end || std::max({a, b, c}) >= sites[0])
+                    return false;
+                for (std::uint32_t face = 0; face < 4; ++face) {
+                    bool odd = false;
+                    const SortedTriangle sorted = sortedTriangle(faceOf(sites, face), odd);
+                    const std::uint32_t key = at_.truthNumbers.numberOf(sorted);
+                    if (key == at_.truthFaces.size())
+                        at_.truthFaces.push_back({nowhere, nowhere});
+                    std::uint32_t& side = at_.truthFaces[key][odd ? 1 : 0];
+                    if (side != nowhere)
+                        return false;
+                    side = static_cast<std::uint32_t>(4 * (t - begin) + face);
+                }
+            }
+    }
+    return true;
+}
+
+template <class Coder> bool GroupCoder<Coder>::fillCavity()
+{
+    if (!readTruth())
+        return false;
+    at_.faces.clear();
+    at_.faceNumbers.clear(at_.outers.size());
+    at_.edgeNumbers.clear();
+    at_.edgeHeads.clear();
+    at_.edgeLinks.clear();
+    at_.cavity.clear();
+    at_.made.clear();
+    if (count_ > 1)
+        for (const std::uint32_t t : at_.dying)
+            for (const std::uint32_t corner : state_.corners[t])
+                at_.cavity.numberOf(corner);
+    std::uint32_t dyingPlace = 0;
+    for (const auto& [inside, face] : at_.outers) {
+        while (at_.dying[dyingPlace] != inside)
+            ++dyingPlace;
+        GroupScratch::Face open;
+        open.corners = faceOf(state_.corners[inside], face);
+        open.back = state_.next[inside][face];
+        if (open.back != nowhere) {
+            const auto& back = state_.next[open.back];
+            open.backFace = static_cast<std::uint32_t>(std::ranges::find(back, inside) - back.begin());
+            if (open.backFace == 4)
+                return false;
+        }
+        open.hint = first_ + at_.owners[dyingPlace];
+        const SortedTriangle sorted = sortedTriangle(open.corners, open.odd);
+        if (pushFace(open, sorted) + 1 != at_.faces.size())
+            return false;
+    }
+    std::uint32_t next = 0;
+    for (;;) {
+        for (; next < at_.faces.size(); ++next)
+            if (!at_.faces[next].closed && !codeFace(next))
+                return false;
+        if (!bit(models_.moreTetrahedra[at_.dying.empty() ? 0 : 1], used_ < at_.truthUsed.size()))
+            return true;
+        Tetrahedron sites{};
+        std::uint32_t truth = 0;
+        if constexpr (encodes) {
+            while (at_.truthUsed[unused_] != 0)
+                ++unused_;
+            truth = unused_;
+            const auto offsets = truth_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
+            const auto star = std::ranges::upper_bound(offsets, base_ + std::uint64_t(truth)) - offsets.begin() - 1;
+            const auto& [a, b, c] = truth_.model->otherSites()[base_ + std::uint64_t(truth)];
+            sites = {first_ + static_cast<std::uint32_t>(star), a, b, c};
+        }
+        sites[0] = first_ + static_cast<std::uint32_t>(oneOf(sites[0] - first_, count_));
+        for (std::size_t i = 1; i < 4; ++i)
+            sites[i] = static_cast<std::uint32_t>(oneOf(sites[i], first_ + std::uint64_t(count_)));
+        if (!addNew(sites, truth, nowhere))
+            return false;
+    }
+}
+
+template <class Coder>
+std::uint32_t GroupCoder<Coder>::pushFace(const GroupScratch::Face& face, const SortedTriangle& sorted)
+{
+    const std::uint32_t key = at_.faceNumbers.numberOf(sorted);
+    if (key < at_.faces.size())
+        return key;
+    at_.faces.push_back(face);
+    if (count_ > 1)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t edge = at_.edgeNumbers.numberOf(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
+            if (edge == at_.edgeHeads.size())
+                at_.edgeHeads.push_back(nowhere);
+            at_.edgeLinks.push_back({key, at_.edgeHeads[edge]});
+            at_.edgeHeads[edge] = static_cast<std::uint32_t>(at_.edgeLinks.size() - 1);
+        }
+    return key;
+}
+
+/// What lies on the open side of a face, if anything does.
+template <class Coder> bool GroupCoder<Coder>::codeFace(std::uint32_t number)
+{
+    const GroupScratch::Face face = at_.faces[number];
+    const std::size_t type = face.isNew ? 2 : face.back == nowhere ? 1 : 0;
+    const std::size_t single = count_ == 1 ? 0 : 1;
+    std::uint32_t truth = nowhere, apex = nowhere;
+    if constexpr (encodes) {
+        bool odd = false;
+        const std::uint32_t key = at_.truthNumbers.find(sortedTriangle(face.corners, odd));
+        truth = key == at_.truthNumbers.none ? nowhere : at_.truthFaces[key][odd ? 1 : 0];
+        if (truth != nowhere) {
+            const std::uint64_t t = base_ + std::uint64_t(truth / 4);
+            const auto offsets = truth_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
+            const auto star = std::ranges::upper_bound(offsets, t) - offsets.begin() - 1;
+            const auto& others = truth_.model->otherSites()[t];
+            apex = truth % 4 == 0 ? first_ + static_cast<std::uint32_t>(star) : others[truth % 4 - 1];
+        }
+    }
+    const bool hasHull =
+        at_.outers.empty() ? true : state_.next[at_.outers.back().inside][at_.outers.back().face] == nowhere;
+    if (!bit(models_.isFilled[single][type][hasHull ? 1 : 0], truth != nowhere))
+        return true;
+    std::uint32_t coded = apex;
+    if (!codeApex(face, type, apex, coded))
+        return false;
+    return addNew({coded, face.corners[0], face.corners[1], face.corners[2]}, truth / 4, number);
+}
+
+template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face& face, std::size_t type,
+                                                        std::uint32_t truth, std::uint32_t& apex)
+{
+    const std::size_t single = count_ == 1 ? 0 : 1;
+    std::vector<std::uint32_t>& candidates = at_.candidates;
+    candidates.clear();
+    const auto offer = [&](std::uint32_t site) {
+        if (site != nowhere && candidates.size() < 8 && std::ranges::find(face.corners, site) == face.corners.end() &&
+            std::ranges::find(candidates, site) == candidates.end())
+            candidates.push_back(site);
+    };
+    offer(single == 0 ? first_ : face.hint);
+    for (std::size_t i = 0; single == 1 && i < 3; ++i) {
+        const std::uint32_t edge = at_.edgeNumbers.find(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
+        for (std::uint32_t link = at_.edgeHeads[edge]; link != nowhere; link = at_.edgeLinks[link].before) {
+            const GroupScratch::Face& other = at_.faces[at_.edgeLinks[link].face];
+            if (!other.closed)
+                for (const std::uint32_t corner : other.corners)
+                    offer(corner);
+        }
+    }
+    for (std::size_t rank = 0; rank < candidates.size(); ++rank)
+        if (bit(models_.apex[single][type][rank], candidates[rank] == truth)) {
+            apex = candidates[rank];
+            return true;
+        }
+    const std::uint32_t place = encodes ? at_.cavity.find(truth) : 0;
+    if (at_.cavity.size() > 0 && bit(models_.otherIsInCavity[type == 2 ? 1 : 0], place != at_.cavity.none)) {
+        apex = at_.cavity.keys()[oneOf(place, at_.cavity.size())];
+        return true;
+    }
+    if (first_ == 0 || bit(models_.otherIsInGroup[type == 2 ? 1 : 0], truth >= first_))
+        apex = first_ + static_cast<std::uint32_t>(oneOf(truth - first_, count_));
+    else
+        apex = static_cast<std::uint32_t>(oneOf(truth, first_));
+    return true;
+}
+
+/// `from`: the face that it fills, or nowhere.
+template <class Coder> bool GroupCoder<Coder>::addNew(const Tetrahedron& sites, std::uint32_t truth, std::uint32_t from)
+{
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = i + 1; k < 4; ++k)
+            if (sites[i] == sites[k])
+                return false;
+    if (std::ranges::max(sites) < first_ || base_ + at_.made.size() >= state_.facts.tetrahedronCount)
+        return false;
+    if constexpr (encodes) {
+        if (std::exchange(at_.truthUsed[truth], std::uint8_t(1)) != 0)
+            return false;
+        ++used_;
+    }
+    const auto place = static_cast<std::uint32_t>(at_.made.size());
+    at_.made.emplace_back();
+    at_.made.back().sites = sites;
+    at_.made.back().truth = truth;
+    const auto meet = [&](GroupScratch::Face& face, std::uint32_t own) {
+        face.closed = true;
+        GroupScratch::New& tetrahedron = at_.made[place];
+        tetrahedron.next[own] = face.back;
+        tetrahedron.nextIsNew[own] = face.isNew;
+        if (face.isNew) {
+            at_.made[face.back].next[face.backFace] = place;
+            at_.made[face.back].nextIsNew[face.backFace] = true;
+        }
+    };
+    if (from != nowhere)
+        meet(at_.faces[from], 0);
+    for (std::uint32_t own = from != nowhere ? 1 : 0; own < 4; ++own) {
+        const auto& [a, b, c] = faceOf(sites, own);
+        GroupScratch::Face open;
+        open.corners = {a, c, b};
+        open.back = place;
+        open.backFace = own;
+        open.isNew = true;
+        const SortedTriangle sorted = sortedTriangle(open.corners, open.odd);
+        const std::size_t before = at_.faces.size();
+        const std::uint32_t number = pushFace(open, sorted);
+        if (number == before)
+            continue;
+        GroupScratch::Face& face = at_.faces[number];
+        if (face.closed || face.odd == open.odd)
+            return false;
+        meet(face, own);
+    }
+    return true;
+}
+
+// Stars in their order.
+
+template <class Coder> bool GroupCoder<Coder>::orderStars()
+{
+    if (at_.stars.size() < count_)
+        at_.stars.resize(count_);
+    for (std::uint32_t local = 0; local < count_; ++local)
+        at_.stars[local].clear();
+    for (std::uint32_t place = 0; place < at_.made.size(); ++place)
+        at_.stars[std::ranges::max(at_.made[place].sites) - first_].push_back(place);
+    at_.numbers.resize(at_.made.size());
+    std::uint32_t number = base_;
+    const std::size_t single = count_ == 1 ? 0 : 1;
+    for (std::uint32_t local = 0; local < count_; ++local) {
+        std::vector<std::uint32_t>& left = at_.stars[local];
+        if constexpr (encodes)
+            if (truth_.model->starOffsets()[first_ + local] != number)
+                return false;
+        for (std::size_t done = 0; done < left.size(); ++done, ++number) {
+            std::size_t truth = done;
+            if constexpr (encodes)
+                while (truth + 1 < left.size() && base_ + at_.made[left[truth]].truth != number)
+                    ++truth;
+            const std::size_t choices = left.size() - done;
+            std::size_t chosen = done;
+            if (choices > 1 &&
+                !bit(models_.orderIsNext[single][std::min<std::size_t>(std::bit_width(choices) - 1, 4) - 1],
+                     truth == done))
+                chosen = done + 1 + oneOf(truth - done - 1, choices - 1);
+            // The others keep their order.
+            std::rotate(left.begin() + static_cast<std::ptrdiff_t>(done),
+                        left.begin() + static_cast<std::ptrdiff_t>(chosen),
+                        left.begin() + static_cast<std::ptrdiff_t>(chosen) + 1);
+            at_.numbers[left[done]] = number;
+            if (!turnCreatorFirst(at_.made[left[done]], first_ + local))
+                return false;
+        }
+    }
+    return true;
+}
+
+/// The creator in front, the others in the order in which they are stored.
+template <class Coder> bool GroupCoder<Coder>::turnCreatorFirst(GroupScratch::New& tetrahedron, std::uint32_t creator)
+{
+    std::array<std::size_t, 4> corners{0, 1, 2, 3};
+    corners = withCornerFirst(
+        corners, static_cast<std::size_t>(std::ranges::find(tetrahedron.sites, creator) - tetrahedron.sites.begin()));
+    std::size_t turn = 0;
+    if constexpr (encodes) {
+        const auto& others = truth_.model->otherSites()[base_ + std::uint64_t(tetrahedron.truth)];
+        const auto site = [&](std::size_t i) { return tetrahedron.sites[corners[1 + i % 3]]; };
+        while (turn < 3 && others[0] != site(turn))
+            ++turn;
+        if (turn == 3 || others[1] != site(turn + 1) || others[2] != site(turn + 2))
+            return false;
+    }
+    const std::size_t single = count_ == 1 ? 0 : 1;
+    turn = bit(models_.turn[single][0], turn != 0) ? bit(models_.turn[single][1], turn == 2) ? 2 : 1 : 0;
+    const GroupScratch::New before = tetrahedron;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t from = i == 0 ? corners[0] : corners[1 + (i - 1 + turn) % 3];
+        tetrahedron.sites[i] = before.sites[from];
+        tetrahedron.next[i] = before.next[from];
+        tetrahedron.nextIsNew[i] = before.nextIsNew[from];
+    }
+    return true;
+}
+
+/// Puts the new tetrahedra in the place of those that die.
+template <class Coder> void GroupCoder<Coder>::link()
+{
+    for (std::size_t i = 0; i < at_.dying.size(); ++i)
+        arrays_.destroyers[at_.dying[i]] = first_ + at_.owners[i];
+    for (const auto& [inside, face] : at_.outers)
+        if (const std::uint32_t other = state_.next[inside][face]; other != nowhere)
+            *std::ranges::find(state_.next[other], inside) = nowhere;
+    const std::size_t count = at_.made.size();
+    state_.corners.resize(base_ + count);
+    state_.next.resize(base_ + count);
+    state_.marks.resize(base_ + count);
+    arrays_.otherSites.resize(base_ + count);
+    arrays_.destroyers.resize(base_ + count, Model::never);
+    for (std::size_t place = 0; place < count; ++place) {
+        const GroupScratch::New& tetrahedron = at_.made[place];
+        const std::uint32_t number = at_.numbers[place];
+        state_.corners[number] = tetrahedron.sites;
+        arrays_.otherSites[number] = {tetrahedron.sites[1], tetrahedron.sites[2], tetrahedron.sites[3]};
+        for (std::size_t i = 0; i < 4; ++i)
+            state_.next[number][i] = tetrahedron.nextIsNew[i] ? at_.numbers[tetrahedron.next[i]] : tetrahedron.next[i];
+    }
+    for (std::size_t place = 0; place < count; ++place)
+        for (std::size_t i = 0; i < 4; ++i) {
+            const GroupScratch::New& tetrahedron = at_.made[place];
+            if (tetrahedron.nextIsNew[i] || tetrahedron.next[i] == nowhere)
+                continue;
+            // The old one's face that has the same corners.
+            const std::uint32_t other = tetrahedron.next[i];
+            for (std::size_t k = 0; k < 4; ++k)
+                if (std::ranges::find(tetrahedron.sites, state_.corners[other][k]) == tetrahedron.sites.end())
+                    state_.next[other][k] = at_.numbers[place];
+        }
+    for (std::uint32_t local = 0; local < count_; ++local)
+        arrays_.starOffsets.push_back(arrays_.starOffsets.back() + at_.stars[local].size());
+    state_.living += count - at_.dying.size();
+    std::erase_if(state_.hot, [this](std::uint32_t t) { return !state_.alive(t); });
+}
+
+// The sites.
+
+template <class Coder> bool GroupCoder<Coder>::codeSites()
+{
+    for (std::uint32_t local = 0; local < count_; ++local) {
+        if (!(onLattice() ? codePoint(local) : codeFreePoint(local)))
+            return false;
+        if (state_.facts.domain == DomainClass::Curvilinear) {
+            Place predicted{};
+            std::array<double, 4> weights{};
+            const bool interpolates =
+                host_ != nowhere && state_.weightsAt(host_, state_.places[first_ + local], weights);
+            const std::uint32_t site = first_ + local;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto coordinate = [&](std::uint32_t s) -> double {
+                    return state_.facts.coordinateBytes == 4
+                               ? static_cast<double>(state_.template coordinate<float>(s, axis))
+                               : state_.template coordinate<double>(s, axis);
+                };
+                if (interpolates)
+                    for (std::size_t i = 0; i < 4; ++i)
+                        predicted[axis] += weights[i] * coordinate(state_.corners[host_][i]);
+                else if (site > 0)
+                    predicted[axis] = coordinate(site - 1);
+            }
+            codePosition(site, predicted);
+        }
+        charge(&HistoryCost::positions);
+        codeValue(local);
+        charge(&HistoryCost::values);
+        host_ = nowhere;
+    }
+    return true;
+}
+
+/// The dying tetrahedra of which a site is the destroyer, or all of the group's.
+template <class Coder> std::span<const std::uint32_t> GroupCoder<Coder>::hostsOf(std::uint32_t local, bool owned) const
+{
+    if (!owned)
+        return at_.dying;
+    return std::span(at_.owned).subspan(at_.ownedBegins[local], at_.ownedBegins[local + 1] - at_.ownedBegins[local]);
+}
+
+template <class Coder> void GroupCoder<Coder>::sortByOwner()
+{
+    at_.ownedBegins.assign(count_ + std::size_t(1), 0);
+    for (const std::uint32_t owner : at_.owners)
+        ++at_.ownedBegins[owner];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& begin : at_.ownedBegins)
+        begin = sum += begin;
+    at_.owned.resize(at_.dying.size());
+    for (std::size_t i = at_.dying.size(); i-- > 0;)
+        at_.owned[--at_.ownedBegins[at_.owners[i]]] = at_.dying[i];
+}
+
+template <class Coder> bool GroupCoder<Coder>::codePoint(std::uint32_t local)
+{
+    constexpr std::size_t mostHosts = 256;
+    if (placedEarly_)
+        return true;
+    std::uint32_t point = truePoint(local);
+    // Which of the tetrahedra that die it lies in, and which point in it.
+    for (const bool owned : {true, false}) {
+        if (!owned && (count_ == 1 || at_.dying.size() > mostHosts))
+            break;
+        const std::span<const std::uint32_t> hosts = hostsOf(local, owned);
+        if (hosts.empty())
+            continue;
+        std::size_t truth = hosts.size();
+        if constexpr (encodes) {
+            const Place place = state_.placeOfPoint(point);
+            truth = static_cast<std::size_t>(
+                std::ranges::find_if(hosts, [&](std::uint32_t t) { return state_.contains(t, place); }) -
+                hosts.begin());
+        }
+        if (!bit(models_.hostOwned[owned ? 1 : 0], truth < hosts.size()))
+            continue;
+        std::size_t chosen = 0;
+        if (hosts.size() > 1 && !bit(models_.hostIsFirst[owned ? 1 : 0], truth == 0))
+            chosen = 1 + oneOf(truth - 1, hosts.size() - 1);
+        host_ = hosts[chosen];
+        if (!codePointIn(host_, point))
+            return false;
+        arrays_.points.push_back(point);
+        state_.places.push_back(state_.placeOfPoint(point));
+        return true;
+    }
+    const std::uint32_t before = arrays_.points.empty() ? 0 : arrays_.points.back();
+    point = static_cast<std::uint32_t>(unzigzag(number(models_.pointDelta, zigzag(point, before, 32)), before, 32));
+    if (point >= state_.facts.lattice.pointCount())
+        return false;
+    state_.used[point] = true;
+    arrays_.points.push_back(point);
+    state_.places.push_back(state_.placeOfPoint(point));
+    return true;
+}
+
+/// One of the points in a tetrahedron that are no sites yet; of a large one, a point of its box.
+template <class Coder> bool GroupCoder<Coder>::codePointIn(std::uint32_t host, std::uint32_t& point)
+{
+    constexpr std::uint64_t mostLookedAt = 1 << 15;
+    const auto& size = state_.facts.lattice.size;
+    const auto coordinates = [&](std::uint32_t p) -> std::array<std::uint32_t, 3> {
+        return {p % size[0], p / size[0] % size[1], p / size[0] / size[1]};
+    };
+    std::array<std::uint32_t, 3> low{nowhere, nowhere, nowhere}, high{};
+    for (const std::uint32_t corner : state_.corners[host]) {
+        const auto at = coordinates(arrays_.points[corner]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], at[axis]);
+            high[axis] = std::max(high[axis], at[axis]);
+        }
+    }
+    std::uint64_t boxed = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        boxed *= high[axis] - low[axis] + std::uint64_t(1);
+    if (boxed > mostLookedAt) {
+        auto at = coordinates(point);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            at[axis] = low[axis] + static_cast<std::uint32_t>(
+                                       oneOf(at[axis] - low[axis], high[axis] - low[axis] + std::uint64_t(1)));
+        point = (at[2] * size[1] + at[1]) * size[0] + at[0];
+    } else {
+        at_.inside.clear();
+        for (std::uint32_t z = low[2]; z <= high[2]; ++z)
+            for (std::uint32_t y = low[1]; y <= high[1]; ++y)
+                for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
+                    const std::uint32_t p = (z * size[1] + y) * size[0] + x;
+                    if (!state_.used[p] && state_.contains(host, state_.placeOfPoint(p)))
+                        at_.inside.push_back(p);
+                }
+        if (at_.inside.empty())
+            return false;
+        std::size_t truth = 0;
+        if constexpr (encodes) {
+            truth = static_cast<std::size_t>(std::ranges::lower_bound(at_.inside, point) - at_.inside.begin());
+            if (truth == at_.inside.size() || at_.inside[truth] != point)
+                return false;
+        }
+        point = at_.inside[oneOf(truth, at_.inside.size())];
+    }
+    state_.used[point] = true;
+    return true;
+}
+
+/// Coordinates as they are stored, next to where they are expected.
+template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, const Place& predicted)
+{
+    const auto code = [&]<class T>(T) {
+        Place place{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            constexpr unsigned bits = 8 * sizeof(T);
+            const std::uint64_t from = orderedBits(nearestSample<T>(predicted[axis]));
+            std::uint64_t truth = 0;
+            if constexpr (encodes) {
+                if constexpr (sizeof(T) == 4)
+                    truth = orderedBits(truth_.model->floatPositions()[site][static_cast<int>(axis)]);
+                else
+                    truth = orderedBits(truth_.model->doublePositions()[site][static_cast<int>(axis)]);
+            }
+            const std::uint64_t coded = wideNumber(models_.coordinate[axis], zigzag(truth, from, bits));
+            const T coordinate = fromOrderedBits<T>(unzigzag(coded, from, bits));
+            place[axis] = static_cast<double>(coordinate);
+            const auto* bytes = reinterpret_cast<const std::byte*>(&coordinate);
+            arrays_.positions.insert(arrays_.positions.end(), bytes, bytes + sizeof coordinate);
+        }
+        if (!onLattice())
+            state_.places.push_back(place);
+    };
+    if (state_.facts.coordinateBytes == 4)
+        code(float());
+    else
+        code(double());
+}
+
+/// Irregular and scattered data: where the site is and then which point it is.
+template <class Coder> bool GroupCoder<Coder>::codeFreePoint(std::uint32_t local)
+{
+    const std::uint32_t site = first_ + local;
+    if (!placedEarly_) {
+        // The middle of its neighbours that have a place.
+        Place middle{};
+        std::uint32_t neighbours = 0;
+        for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
+            for (const std::uint32_t other : arrays_.otherSites[t])
+                if (placed(other)) {
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        middle[axis] += state_.places[other][axis];
+                    ++neighbours;
+                }
+        if (neighbours == 0 && site > 0) {
+            middle = state_.places.back();
+            neighbours = 1;
+        }
+        for (double& coordinate : middle)
+            coordinate /= std::max(neighbours, 1u);
+        codePosition(site, middle);
+    }
+    // Points that are near have numbers that are.
+    std::uint32_t nearest = site > 0 ? site - 1 : nowhere;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
+        for (const std::uint32_t other : arrays_.otherSites[t])
+            if (other < site) {
+                double square = 0;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const double along = state_.places[other][axis] - state_.places[site][axis];
+                    square += along * along;
+                }
+                if (square < least) {
+                    least = square;
+                    nearest = other;
+                }
+            }
+    const std::uint32_t from = nearest == nowhere ? 0 : arrays_.points[nearest];
+    const std::uint64_t coded = number(models_.pointDelta, zigzag(truePoint(local), from, 32));
+    arrays_.points.push_back(static_cast<std::uint32_t>(unzigzag(coded, from, 32)));
+    host_ = hostOfFreeSite(local);
+    return true;
+}
+
+/// Of what dies by it, the one that it lies in or least far out of.
+template <class Coder> std::uint32_t GroupCoder<Coder>::hostOfFreeSite(std::uint32_t local)
+{
+    std::span<const std::uint32_t> hosts = hostsOf(local, true);
+    if (hosts.empty())
+        hosts = hostsOf(local, false);
+    constexpr std::size_t mostLookedAt = 256;
+    std::uint32_t best = nowhere;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : hosts.first(std::min(hosts.size(), mostLookedAt))) {
+        std::array<double, 4> weights{};
+        if (!state_.weightsAt(t, state_.places[first_ + local], weights))
+            continue;
+        if (const double least = std::ranges::min(weights); least > largest) {
+            largest = least;
+            best = t;
+        }
+    }
+    return best;
+}
+
+/// The value differs from the mesh's by the key where the site was the reason for it (S19).
+template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
+{
+    const std::uint32_t site = first_ + local;
+    double predicted = site > 0 ? state_.value(site - 1) : 0;
+    std::array<double, 4> weights{};
+    const bool interpolates = host_ != nowhere && state_.weightsAt(host_, state_.places[site], weights);
+    if (interpolates) {
+        predicted = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            predicted += weights[i] * state_.value(state_.corners[host_][i]);
+    } else {
+        double sum = 0;
+        std::uint32_t neighbours = 0;
+        for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
+            for (const std::uint32_t other : arrays_.otherSites[t])
+                if (other < site) {
+                    sum += state_.value(other);
+                    ++neighbours;
+                }
+        predicted = neighbours > 0 ? sum / neighbours : predicted;
+    }
+    visitSampleType(state_.facts.sampleType, [&]<class T>() {
+        constexpr unsigned bits = 8 * sizeof(T);
+        T truth{};
+        if constexpr (encodes)
+            std::memcpy(&truth, truth_.model->values().data() + site * sizeof(T), sizeof(T));
+        const auto key = static_cast<double>(key_);
+        const auto from = [&](double expected) { return orderedBits(nearestSample<T>(expected)); };
+        const auto distance = [&](double expected) { return zigzag(orderedBits(truth), from(expected), bits); };
+        bool byKey = false, above = false;
+        if (interpolates && key > 0 && std::isfinite(key)) {
+            if constexpr (encodes) {
+                above = distance(predicted + key) < distance(predicted - key);
+                byKey = distance(above ? predicted + key : predicted - key) < distance(predicted);
+            }
+            byKey = bit(models_.valueByKey[0], byKey);
+            if (byKey)
+                above = bit(models_.valueByKey[1], above);
+        }
+        const double expected = !byKey ? predicted : above ? predicted + key : predicted - key;
+        const std::uint64_t coded = wideNumber(models_.value[byKey ? 1 : 0], distance(expected));
+        const T value = fromOrderedBits<T>(unzigzag(coded, from(expected), bits));
+        const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+        arrays_.values.insert(arrays_.values.end(), bytes, bytes + sizeof value);
+    });
+}
+
+// The tetrahedra's own bounds.
+
+template <class Coder> void GroupCoder<Coder>::codeOwn()
+{
+    const bool warps = canWarp(state_.facts.domain);
+    // Bounds are near that of the mesh, as a share of the range.
+    const auto expected = [this](double whole) -> std::uint32_t {
+        const double share = static_cast<double>(key_) / whole;
+        return share > 0 && share < 1 ? halfRoundedUp(static_cast<float>(share)) : 0x3c00;
+    };
+    const std::array<std::uint32_t, 2> key{expected(state_.facts.extent),
+                                           expected(state_.facts.diagonal * state_.facts.warpingWeight)};
+    double unit = 1;
+    if (!onLattice()) {
+        // The mean volume of what was made.
+        double sum = 0;
+        for (std::uint32_t t = base_; t < state_.tetrahedronCount(); ++t)
+            sum += std::abs(state_.volume(t));
+        unit = sum / std::max<double>(1, static_cast<double>(at_.made.size())) / 64;
+    } else {
+        unit = state_.facts.lattice.spacing[0] * state_.facts.lattice.spacing[1] * state_.facts.lattice.spacing[2];
+    }
+    std::array<std::size_t, 2> before{2, 2};
+    for (std::uint32_t t = base_; t < state_.tetrahedronCount(); ++t) {
+        int exponent = 0;
+        const double share = std::abs(state_.volume(t)) / unit;
+        if (share > 0 && share < 1e9)
+            std::frexp(share + 0.25, &exponent);
+        const auto size = static_cast<std::size_t>(std::clamp(exponent, 0, 15));
+        for (std::size_t kind = 0; kind < (warps ? 2u : 1u); ++kind) {
+            std::vector<std::uint16_t>& own = kind == 0 ? arrays_.ownErrors : arrays_.ownWarpings;
+            std::uint16_t truth = 0;
+            if constexpr (encodes)
+                truth = kind == 0 ? truth_.model->ownErrors()[t] : truth_.model->ownWarpings()[t];
+            const bool isZero = bit(models_.ownIsZero[kind][size][before[kind]], truth == 0);
+            before[kind] = isZero ? 0 : 1;
+            std::uint64_t half = 0;
+            if (!isZero)
+                half =
+                    unzigzag(number(models_.own[kind][size > 6 ? 1 : 0], zigzag(truth, key[kind], 16)), key[kind], 16);
+            own.push_back(static_cast<std::uint16_t>(half));
+        }
+        if (const double bound = state_.ownKey(t); bound > 0)
+            state_.queue.emplace(bound, t);
+    }
+}
+
+template <class Coder> void GroupCoder<Coder>::finish()
+{
+    for (std::uint32_t local = 0; local < count_; ++local) {
+        arrays_.runningKeys.push_back(key_);
+        arrays_.meshSizes.push_back(static_cast<std::uint32_t>(state_.living));
+        arrays_.groupGoesOn.push_back(local + 1 < count_ ? 1 : 0);
+    }
+}
+
+} // namespace
+
+HistoryEncoder::HistoryEncoder(const Model& model, const HistoryFacts& facts)
+    : model_(model), state_(std::make_unique<HistoryState>(facts)), deathOffsets_(model.siteCount() + std::size_t(1))
+{
+    const auto destroyers = model.destroyers();
+    const auto dies = [&](std::uint64_t t) { return destroyers[t] < model.siteCount(); };
+    for (std::uint64_t t = 0; t < destroyers.size(); ++t)
+        if (dies(t))
+            ++deathOffsets_[destroyers[t] + std::size_t(1)];
+    for (std::size_t site = 0; site < model.siteCount(); ++site)
+        deathOffsets_[site + 1] += deathOffsets_[site];
+    deaths_.resize(deathOffsets_.back());
+    std::vector<std::uint64_t> next = deathOffsets_;
+    for (std::uint64_t t = 0; t < destroyers.size(); ++t)
+        if (dies(t))
+            deaths_[next[destroyers[t]]++] = static_cast<std::uint32_t>(t);
+}
+
+HistoryEncoder::~HistoryEncoder() = default;
+
+const HistoryArrays& HistoryEncoder::arrays() const noexcept
+{
+    return state_->arrays;
+}
+
+Result<std::vector<std::byte>> HistoryEncoder::encode(std::uint32_t end)
+{
+    RangeEncoder coder;
+    const HistoryTruth truth{&model_, deathOffsets_, deaths_};
+    GroupCoder<RangeEncoder> groups(*state_, coder, truth, cost_);
+    if (!groups.run(end))
+        return Error{ErrorKind::BadInput,
+                     Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' tells more.",
+                                  model_.path().string())};
+    return coder.finish();
+}
+
+HistoryDecoder::HistoryDecoder(const HistoryFacts& facts) : state_(std::make_unique<HistoryState>(facts)) {}
+
+HistoryDecoder::~HistoryDecoder() = default;
+
+const HistoryArrays& HistoryDecoder::arrays() const noexcept
+{
+    return state_->arrays;
+}
+
+bool HistoryDecoder::decode(std::span<const std::byte> bytes, std::uint32_t end)
+{
+    if (end > state_->facts.siteCount)
+        return false;
+    RangeDecoder coder(bytes);
+    HistoryCost unused;
+    const HistoryTruth none;
+    return GroupCoder<RangeDecoder>(*state_, coder, none, unused).run(end) && !coder.overrun();
+}
+
+} // namespace tetra
