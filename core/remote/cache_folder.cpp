@@ -5,7 +5,6 @@
 #include "core/base/folder.h"
 #include "core/base/guarded.h"
 #include "core/base/system_error.h"
-#include "core/base/work_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -286,10 +285,10 @@ Status CacheFolder::makeRoom(std::uint64_t bytes) const
         std::vector<Entry> entries = entriesOf(path_);
         std::uint64_t taken = bytesOf(entries);
         const auto fits = [&] { return bytes <= limit_ && taken <= limit_ - bytes; };
-        // 0 where the system does not tell: then writing will.
         const auto fitsDisk = [&] {
-            const std::uint64_t room = freeDiskBytes(path_);
-            return room == 0 || room >= bytes;
+            std::error_code problem;
+            const auto space = std::filesystem::space(path_, problem);
+            return problem || space.available >= bytes; // where the system does not tell, writing will
         };
         if (fits() && fitsDisk())
             return {};

@@ -171,10 +171,12 @@ Status PieceStore::write(std::uint64_t piece, std::span<const std::byte> bytes)
     {
         const std::lock_guard lock(growing_);
         if (room_ < bytes.size()) {
-            const std::uint64_t step = stepOfGrowth(folder_.limit());
-            if (const Status made = folder_.makeRoom(step); !made)
+            // Far ahead where there is room, or else for this piece and its sum alone.
+            const std::uint64_t step = stepOfGrowth(folder_.limit()), one = bytes.size() + 4096;
+            const bool isAhead = folder_.makeRoom(step).ok();
+            if (const Status made = isAhead ? Status() : folder_.makeRoom(one); !made)
                 return made;
-            room_ = step;
+            room_ = isAhead ? step : one;
         }
         room_ -= std::min<std::uint64_t>(room_, bytes.size());
     }
@@ -182,6 +184,13 @@ Status PieceStore::write(std::uint64_t piece, std::span<const std::byte> bytes)
         return written;
     const std::uint64_t sum = sumOf(bytes);
     return put(std::as_bytes(std::span(&sum, 1)), sumsAt_ + piece * sizeof sum);
+}
+
+void PieceStore::clear()
+{
+    // A piece that is being written now has its sum without its bytes, or neither.
+    if (::ftruncate(file_.descriptor(), static_cast<off_t>(sumsAt_)) != 0)
+        ::unlink(file_.path().c_str());
 }
 
 Status PieceStore::put(std::span<const std::byte> bytes, std::uint64_t offset)

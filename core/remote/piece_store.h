@@ -44,6 +44,8 @@ public:
     bool read(std::uint64_t piece, std::span<std::byte> to) const;
     /// Keeps a piece, as long as rangeOf() it. Errors: no room under the limit, or on the disk.
     Status write(std::uint64_t piece, std::span<const std::byte> bytes);
+    /// From here on no piece is there.
+    void clear();
 
 private:
     PieceStore(const CacheFolder& folder, CachedFile file) : folder_(folder), file_(std::move(file)) {}

@@ -431,6 +431,8 @@ public:
         return guardedHere([&] { return readBytes(offset, to, progress); });
     }
 
+    void forget() { store_->clear(); }
+
     RemoteCounts counts() const
     {
         const std::lock_guard lock(counting_);
@@ -820,6 +822,11 @@ ByteSource RemoteFile::source() const
 RemoteCounts RemoteFile::counts() const
 {
     return shared_->counts();
+}
+
+void RemoteFile::forget() const
+{
+    shared_->forget();
 }
 
 } // namespace tetra

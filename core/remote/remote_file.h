@@ -73,6 +73,9 @@ public:
     /// fetch() reports progress, read() does not.
     ByteSource source() const;
     RemoteCounts counts() const;
+    /// Throws away what the cache has of it, for whoever finds by checksums of its own that these are not the file's
+    /// bytes: all is asked for again.
+    void forget() const;
 
 private:
     class Shared;

@@ -694,6 +694,28 @@ private slots:
         QVERIFY(changed->state() != again->state());
     }
 
+    /// Bytes that were wrong when they came, which only their reader can know.
+    void whatIsForgottenIsFetchedAgain()
+    {
+        const QTemporaryDir home;
+        const CacheFolder cache = cacheIn(home);
+        std::atomic<bool> isDamaging = true;
+        const HttpServer server(content(), [&](const Request&, std::size_t, Reply& reply) {
+            if (isDamaging)
+                reply.body.back() ^= 1;
+        });
+        const auto file = RemoteFile::open(server.address(), cache);
+        std::string problem;
+        QVERIFY(wholeFile(file, problem) != content());
+        isDamaging = false;
+        QVERIFY(wholeFile(RemoteFile::open(server.address(), cache), problem) != content());
+        file->forget();
+        QCOMPARE(wholeFile(file, problem), content());
+        const auto again = RemoteFile::open(server.address(), cache);
+        QCOMPARE(wholeFile(again, problem), content());
+        QCOMPARE(again->counts().requests, 1u);
+    }
+
     void withoutETagAndDate()
     {
         const QTemporaryDir home;
@@ -826,6 +848,12 @@ private slots:
             return;
         const auto there = CacheFolder::open(disk.folder() / "tan");
         QVERIFY(there.ok());
+        {
+            const auto small = RemoteFile::open(server.address("/small"), *there);
+            QVERIFY(fetchFrom(*small, {{0, 10 * piece}}).ok());
+        }
+        // What is not in use makes room on a full disk, too.
+        QVERIFY(fetchFrom(*RemoteFile::open(server.address("/other"), *there), {{0, 20 * piece}}).ok());
         QVERIFY(wholeFile(RemoteFile::open(server.address(), *there), problem).empty());
         QVERIFY2(problem.find("No space left on device") != std::string::npos, problem.c_str());
     }
