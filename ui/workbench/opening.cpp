@@ -201,10 +201,13 @@ void Opening::showNewest(Coming& coming)
         growTo(part);
         coming.shown = part.model;
     }
-    sitesOfWhole_ = part.sitesOfWhole;
-    emit shownPartChanged();
+    coming.isInParts |= !part.becomes.empty();
+    if (coming.shown)
+        sitesOfWhole_ = part.sitesOfWhole;
     if (part.becomes.empty())
         endComing(coming, true);
+    else
+        emit shownPartChanged();
 }
 
 /// Nothing more of it comes; what is shown of it stays.
@@ -215,7 +218,8 @@ void Opening::endComing(Coming& coming, bool hasCome)
     if (!coming.shown || session_.model() != coming.shown)
         return;
     becomes_.clear();
-    addRecentFile(pathText(coming.shown->path()));
+    if (coming.isInParts && coming.newest.from.empty()) // else showModel() did that
+        addRecentFile(pathText(coming.shown->path()));
     emit shownPartChanged();
     if (hasCome && sitesOfWhole_ > 0)
         emit partRead(coming.newest);

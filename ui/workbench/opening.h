@@ -168,6 +168,7 @@ private:
     struct Coming {
         bool isAsked = false;    ///< whether it may take the place of what is open
         bool isAccepted = false; ///< and it may
+        bool isInParts = false;  ///< the first was not the last
         std::shared_ptr<const Model> shown{};
         OpenedModel newest{};
     };
