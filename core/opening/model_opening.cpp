@@ -10,7 +10,9 @@
 #include <tan/packed.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
+#include <functional>
 #include <utility>
 
 namespace tetra {
@@ -43,38 +45,56 @@ Result<bool> holdsPacked(const ByteSource& source, const Progress& progress)
     return false;
 }
 
+/// Told of what goes wrong with a file.
+using WhenFailing = std::function<void(const Error& error)>;
+
 /// A model's file that is not simply mapped: how far it goes, and how its beginnings are made into models.
 class ModelSource {
 public:
+    explicit ModelSource(WhenFailing whenFailing) : whenFailing_(std::move(whenFailing)) {}
     virtual ~ModelSource() = default;
+    ModelSource(const ModelSource&) = delete;
+    ModelSource& operator=(const ModelSource&) = delete;
 
     virtual ModelFacts facts() const = 0;
     /// Stands for the content of the file.
     virtual std::uint64_t checksum() const = 0;
     /// Of the model of a level.
     virtual std::uint64_t expectedBytes(std::size_t level) const = 0;
-    virtual Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output,
-                                      const Progress& progress) const = 0;
+    Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output, const Progress& progress) const
+    {
+        auto made = makeNow(level, output, progress);
+        if (!made)
+            whenFailing_(made.error());
+        return made;
+    }
+
+private:
+    virtual Result<UnpackReport> makeNow(std::size_t level, const std::filesystem::path& output,
+                                         const Progress& progress) const = 0;
+
+    WhenFailing whenFailing_;
 };
 
 class ExplicitSource final : public ModelSource {
 public:
-    ExplicitSource(ByteSource source, std::string name, ModelFront front)
-        : source_(std::move(source)), name_(std::move(name)), front_(std::move(front))
+    ExplicitSource(ByteSource source, std::string name, ModelFront front, WhenFailing whenFailing)
+        : ModelSource(std::move(whenFailing)), source_(std::move(source)), name_(std::move(name)),
+          front_(std::move(front))
     {
     }
 
     ModelFacts facts() const override;
     std::uint64_t checksum() const override { return front_.layout.header.checksum; }
     std::uint64_t expectedBytes(std::size_t level) const override { return bytesOf(endAt(level)); }
-    Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output,
-                              const Progress& progress) const override
+
+private:
+    Result<UnpackReport> makeNow(std::size_t level, const std::filesystem::path& output,
+                                 const Progress& progress) const override
     {
         const Status copied = copyPrefix(source_, name_, front_, endAt(level), output, progress);
         return copied ? Result<UnpackReport>(UnpackReport()) : copied.error();
     }
-
-private:
     PrefixEnd endAt(std::size_t level) const
     {
         const format::Header& header = front_.layout.header;
@@ -126,7 +146,10 @@ ModelFacts ExplicitSource::facts() const
 
 class PackedSource final : public ModelSource {
 public:
-    explicit PackedSource(std::shared_ptr<const PackedModel> packed) : packed_(std::move(packed)) {}
+    PackedSource(std::shared_ptr<const PackedModel> packed, WhenFailing whenFailing)
+        : ModelSource(std::move(whenFailing)), packed_(std::move(packed))
+    {
+    }
 
     ModelFacts facts() const override
     {
@@ -150,8 +173,10 @@ public:
         const double share = static_cast<double>(packed_->levels()[level].sites) / last.sites;
         return static_cast<std::uint64_t>(share * static_cast<double>(packed_->unpackedBytes()));
     }
-    Result<UnpackReport> make(std::size_t level, const std::filesystem::path& output,
-                              const Progress& progress) const override
+
+private:
+    Result<UnpackReport> makeNow(std::size_t level, const std::filesystem::path& output,
+                                 const Progress& progress) const override
     {
         if (level + 1 == packed_->levels().size())
             return unpackModel(*packed_, output, progress);
@@ -159,12 +184,11 @@ public:
         return unpacked ? Result<UnpackReport>(UnpackReport()) : unpacked.error();
     }
 
-private:
     std::shared_ptr<const PackedModel> packed_;
 };
 
-Result<std::unique_ptr<const ModelSource>> sourceOf(ByteSource source, const std::string& name,
-                                                    const Progress& progress)
+Result<std::unique_ptr<const ModelSource>> openSource(ByteSource source, const std::string& name,
+                                                      const Progress& progress, const WhenFailing& whenFailing)
 {
     const Result<bool> isPacked = holdsPacked(source, progress);
     if (!isPacked)
@@ -173,13 +197,22 @@ Result<std::unique_ptr<const ModelSource>> sourceOf(ByteSource source, const std
         auto packed = PackedModel::open(std::move(source), name, progress);
         if (!packed)
             return packed.error();
-        return std::unique_ptr<const ModelSource>(std::make_unique<PackedSource>(*std::move(packed)));
+        return std::unique_ptr<const ModelSource>(std::make_unique<PackedSource>(*std::move(packed), whenFailing));
     }
     auto front = readFront(source, name, progress);
     if (!front)
         return front.error();
     return std::unique_ptr<const ModelSource>(
-        std::make_unique<ExplicitSource>(std::move(source), name, *std::move(front)));
+        std::make_unique<ExplicitSource>(std::move(source), name, *std::move(front), whenFailing));
+}
+
+Result<std::unique_ptr<const ModelSource>> sourceOf(ByteSource source, const std::string& name,
+                                                    const Progress& progress, const WhenFailing& whenFailing)
+{
+    auto opened = openSource(std::move(source), name, progress, whenFailing);
+    if (!opened)
+        whenFailing(opened.error());
+    return opened;
 }
 
 Result<CacheFolder> cacheOf(const OpenOptions& options)
@@ -190,18 +223,41 @@ Result<CacheFolder> cacheOf(const OpenOptions& options)
                              options.cacheBytes > 0 ? options.cacheBytes : CacheFolder::defaultLimit);
 }
 
-Result<std::unique_ptr<const ModelSource>> sourceAt(const std::string& place, const OpenOptions& options,
-                                                    const Progress& progress)
+/// A file on a server. What is there and does not fit its checksums is asked for again the next time.
+Result<std::unique_ptr<const ModelSource>> sourceAtServer(const std::string& address, const OpenOptions& options,
+                                                          const Progress& progress)
 {
-    if (!isAddress(place)) {
-        auto file = fileSource(place);
-        return file ? sourceOf(*std::move(file), place, progress) : file.error();
-    }
     const auto cache = cacheOf(options);
     if (!cache)
         return cache.error();
-    const auto file = RemoteFile::open(place, *cache, {}, progress);
-    return file ? sourceOf(file->source(), shownAddress(place), progress) : file.error();
+    const auto file = RemoteFile::open(address, *cache, {}, progress);
+    if (!file)
+        return file.error();
+    const auto unread = std::make_shared<std::atomic<bool>>(false);
+    const auto watched = [unread](auto function) {
+        return [unread, function = std::move(function)](auto... arguments) {
+            const Status status = function(arguments...);
+            if (!status)
+                *unread = true;
+            return status;
+        };
+    };
+    ByteSource source = file->source();
+    source.read = watched(std::move(source.read));
+    source.fetch = watched(std::move(source.fetch));
+    return sourceOf(std::move(source), shownAddress(address), progress, [file = *file, unread](const Error& error) {
+        if (error.kind == ErrorKind::BadInput && !*unread)
+            file.forget();
+    });
+}
+
+Result<std::unique_ptr<const ModelSource>> sourceAt(const std::string& place, const OpenOptions& options,
+                                                    const Progress& progress)
+{
+    if (isAddress(place))
+        return sourceAtServer(place, options, progress);
+    auto file = fileSource(place);
+    return file ? sourceOf(*std::move(file), place, progress, [](const Error&) {}) : file.error();
 }
 
 std::size_t levelFor(const std::vector<LevelInFile>& levels, const std::optional<Accuracy>& asked,

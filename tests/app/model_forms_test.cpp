@@ -80,6 +80,55 @@ private slots:
         QVERIFY(!QFile::exists(path("x.tan")));
     }
 
+    /// R16: a packed model in place of the model.
+    void packed_data() { cut_data(); }
+    void packed()
+    {
+        QFETCH(QString, model);
+        QFETCH(QString, data);
+        const qint64 size = QFile(path(model)).size();
+        const Run run = make({"pack", model, "-o", "packed.tan", "--json"});
+        const QJsonObject packing = run.json()["packed"].toObject();
+        QCOMPARE(packing["bytes"].toInteger(), QFile(path("packed.tan")).size());
+        QCOMPARE(packing["unpacked_bytes"].toInteger(), size);
+        QVERIFY(packing["bytes"].toInteger() < size / 2);
+
+        const Run info = make({"info", "packed.tan", "--lod", "30,0", "--json"});
+        QCOMPARE(info.json()["form"].toString(), QString("packed"));
+        QCOMPARE(info.json()["unpacked_bytes"].toInteger(), size);
+        QVERIFY(info.json()["levels"][0]["bytes"].toInteger() < info.json()["levels"][1]["bytes"].toInteger());
+        QVERIFY(!QDir(path("cache")).exists("tan") || QDir(path("cache/tan")).isEmpty()); // nothing was unpacked
+
+        make({"unpack", "packed.tan", "-o", "unpacked.tan"});
+        QVERIFY(readFile(path("unpacked.tan")) == readFile(path(model)));
+        make({"unpack", "packed.tan", "--error", "30", "-o", "coarse.tan"});
+        QVERIFY(QFile(path("coarse.tan")).size() < size);
+        QCOMPARE(runIn({"verify", "coarse.tan", "--against", data, "--lod", "40,30"}).exitCode, 0);
+
+        const Run part = make({"extract", "packed.tan", "--error", "30", "-o", "part.ply", "--json"});
+        QVERIFY(part.json()["read_part"]["bytes"].toInteger() < packing["bytes"].toInteger());
+        QVERIFY(part.json()["error"].toDouble() <= 30);
+        make({"extract", "packed.tan", "--error", "0", "-o", "all.ply"});
+        make({"extract", model, "--error", "0", "-o", "right.ply"});
+        QVERIFY(readFile(path("all.ply")) == readFile(path("right.ply")));
+        QCOMPARE(make({"info", "packed.tan", "-o", "levels.csv", "--json"}).json()["bytes"].toInteger(), size);
+        const QStringList cached = QDir(path("cache/tan")).entryList(QDir::Files);
+        make({"verify", "packed.tan", "--against", data, "--lod", "5"});
+        QCOMPARE(QDir(path("cache/tan")).entryList(QDir::Files), cached); // found there again
+        QVERIFY(QDir(path("cache")).removeRecursively());
+    }
+
+    /// Builds, packs, and leaves nothing else.
+    void buildsPacked()
+    {
+        const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+        const Run run = make({"build", "c60.nrrd", "--packed", "-o", "built.tan", "--json"});
+        QVERIFY(run.json()["packed"]["bytes"].toInteger() > 0);
+        QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), before.size() + 1);
+        make({"unpack", "built.tan", "-o", "unpacked.tan"});
+        QVERIFY(readFile(path("unpacked.tan")) == readFile(path("c60.tan")));
+    }
+
     /// R28, B5: of a model on a server no more is fetched than a mesh needs.
     void addresses()
     {
@@ -109,6 +158,24 @@ private slots:
         make({"verify", address, "--against", "noise.nrrd", "--lod", "30"});
         const Run all = make({"extract", address, "--error", "0", "-o", "all.ply", "--json"});
         QVERIFY(!all.json().contains("read_part"));
+    }
+
+    /// What a proxy damages on its way is told, and asked for again the next time.
+    void damageOnTheWayIsForgotten()
+    {
+        std::atomic<bool> damages = true;
+        HttpServer server(readFile(path("c60.tan")).toStdString(),
+                          [&](const auto& request, std::size_t, HttpServer::Reply& reply) {
+                              if (damages && request.first.value_or(0) > 0)
+                                  reply.body[reply.body.size() / 2] ^= 1;
+                          });
+        const QString address = QString::fromStdString(server.address("/damaged.tan"));
+        const Run run = runIn({"extract", address, "--error", "3", "-o", "x.ply"});
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.messages.contains("is damaged"), run.messages);
+        QVERIFY(!QFile::exists(path("x.ply")));
+        damages = false;
+        make({"extract", address, "--error", "3", "-o", "x.ply"});
     }
 
     void whatIsNoModelIsTold()
