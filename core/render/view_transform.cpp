@@ -44,7 +44,7 @@ ViewTransform partOf(const ViewTransform& whole, const SampleRectangle& part)
     result.clipFromWorld.row(0) =
         (whole.clipFromWorld.row(0) * whole.width + w * (whole.width - 2 * part.left - result.width)) / result.width;
     result.clipFromWorld.row(1) =
-        (whole.clipFromWorld.row(1) * whole.height - w * (result.height - whole.height + 2 * part.top)) / result.height;
+        (whole.clipFromWorld.row(1) * whole.height + w * (result.height - whole.height + 2 * part.top)) / result.height;
     result.towardsEye +=
         static_cast<float>(part.left) * whole.towardsEyePerX + static_cast<float>(part.top) * whole.towardsEyePerY;
     return result;
