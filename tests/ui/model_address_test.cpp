@@ -8,6 +8,8 @@
 #include "ui/workbench/model_cache.h"
 #include "ui/workbench/recent_files.h"
 
+#include <tan/packed.h>
+
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QDropEvent>
@@ -32,6 +34,7 @@ private slots:
     void init();
     void cleanup();
     void aModelIsShownWhileItComes();
+    void aPackedModelIsShownWhileItIsUnpacked();
     void whatHasComeStaysWhenTheRestIsCancelled();
     void whatCannotBeFetchedIsTold();
     void anAddressIsAskedForAndDropped();
@@ -114,6 +117,31 @@ void ModelAddressTest::aModelIsShownWhileItComes()
     window_->window.open(recentFiles().value(0));
     QTRY_VERIFY(model() && model()->siteCount() == sites_);
     QCOMPARE(shown.front(), sites_);
+}
+
+/// R16: of this disk, in parts, and the second time at once.
+void ModelAddressTest::aPackedModelIsShownWhileItIsUnpacked()
+{
+    const std::filesystem::path file = window_->folderPath() + "/sample.tan", packed = window_->folderPath() + "/p.tan";
+    std::ofstream(file, std::ios::binary) << model_;
+    const auto report = packModel(**Model::open(file), packed);
+    QVERIFY2(report.ok(), report ? "" : report.error().text().c_str());
+    std::vector<std::uint32_t> shown;
+    connect(&opening(), &Opening::shownPartChanged, &window_->window, [&] { shown.push_back(model()->siteCount()); });
+    for (const bool isFirst : {true, false}) {
+        shown.clear();
+        window_->window.open(pathText(packed));
+        QTRY_VERIFY(model() && model()->siteCount() == sites_ && !opening().reading().running());
+        QVERIFY(isFirst ? shown.front() < sites_ : shown.front() == sites_);
+        QVERIFY(std::ranges::is_sorted(shown));
+        QCOMPARE(model()->path(), packed);
+        QCOMPARE(recentFiles().value(0), pathText(packed));
+        QVERIFY(opening().sessionDocument());
+        QTRY_VERIFY(window_->settled());
+        QCOMPARE(window_->messages(), QStringList());
+        window_->find<QAction>("action.close").trigger();
+        QVERIFY(!model());
+    }
 }
 
 void ModelAddressTest::whatHasComeStaysWhenTheRestIsCancelled()
