@@ -3,6 +3,7 @@
 
 #include "core/base/guarded.h"
 #include "core/remote/http_answer.h"
+#include "core/remote/libcurl.h"
 #include "core/remote/remote_file.h"
 
 #include <array>
@@ -71,8 +72,7 @@ Result<FetchedAnswer> fetched(const std::string& address, const std::string& tok
     if (!isRemoteAddress(address))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is no address of a server. Write it as http://HOST:PORT/NAME.tan.", shown)};
-    static const bool ready = ::curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
-    const std::unique_ptr<CURL, decltype(&::curl_easy_cleanup)> handle(ready ? ::curl_easy_init() : nullptr,
+    const std::unique_ptr<CURL, decltype(&::curl_easy_cleanup)> handle(isCurlReady() ? ::curl_easy_init() : nullptr,
                                                                        &::curl_easy_cleanup);
     std::unique_ptr<curl_slist, decltype(&::curl_slist_free_all)> headers(nullptr, &::curl_slist_free_all);
     if (!token.empty())
@@ -85,6 +85,8 @@ Result<FetchedAnswer> fetched(const std::string& address, const std::string& tok
     ::curl_easy_setopt(curl, CURLOPT_URL, address.c_str());
     ::curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
     ::curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
+    if (const std::string certificates = trustedCertificates(); !certificates.empty())
+        ::curl_easy_setopt(curl, CURLOPT_CAINFO, certificates.c_str());
     ::curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
     ::curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, connectSeconds);
     ::curl_easy_setopt(curl, CURLOPT_TCP_KEEPALIVE, 1L);

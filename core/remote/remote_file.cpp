@@ -3,12 +3,12 @@
 
 #include "core/base/guarded.h"
 #include "core/remote/http_answer.h"
+#include "core/remote/libcurl.h"
 #include "core/remote/piece_store.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <functional>
@@ -341,30 +341,6 @@ try {
 } catch (const std::bad_alloc&) {
     static_cast<Request*>(user)->lacksMemory = true;
     return 0;
-}
-
-/// libcurl's own data, set up once in a process.
-bool isCurlReady()
-{
-    static const bool ready = ::curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
-    return ready;
-}
-
-/// The file of the certificates that are trusted: what SSL_CERT_FILE names; nothing where libcurl knows one that is
-/// there; otherwise where other systems than that of its build keep theirs.
-std::string certificates()
-{
-    if (const char* const given = std::getenv("SSL_CERT_FILE"); given != nullptr && *given != '\0')
-        return given;
-    std::error_code problem;
-    const curl_version_info_data* const library = ::curl_version_info(CURLVERSION_NOW);
-    if (library->cainfo == nullptr || std::filesystem::exists(library->cainfo, problem))
-        return {};
-    for (const char* path : {"/etc/ssl/certs/ca-certificates.crt", "/etc/pki/tls/certs/ca-bundle.crt",
-                             "/etc/ssl/ca-bundle.pem", "/etc/ssl/cert.pem"})
-        if (std::filesystem::exists(path, problem))
-            return path;
-    return {};
 }
 
 /// Opens connections and keeps them for the next requests. One thread at a time.
@@ -740,7 +716,7 @@ private:
         return {};
     }
 
-    const std::string certificates_ = certificates();
+    const std::string certificates_ = trustedCertificates();
     std::timed_mutex network_; ///< guards all of these but the last two
     std::optional<Connections> connections_;
     RateLimit rate_;
