@@ -4,6 +4,7 @@
 #include "core/verify/cell_check.h"
 
 #include "core/base/rounding.h"
+#include "core/mesh/tetrahedron_planes.h"
 #include "core/mesh/topology.h"
 #include "core/verify/error_in_space.h"
 #include "core/verify/verify_irregular.h"

@@ -2,6 +2,7 @@
 #include "core/verify/error_in_space.h"
 
 #include "core/history/derived_sections.h"
+#include "core/mesh/tetrahedron_planes.h"
 #include "core/mesh/topology.h"
 
 #include <algorithm>

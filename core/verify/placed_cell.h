@@ -10,19 +10,6 @@
 
 namespace tetra {
 
-/// The planes of a positive tetrahedron and its box, as a quick test that never rejects what is inside.
-class TetrahedronPlanes {
-public:
-    explicit TetrahedronPlanes(const PlacedCell& corners);
-    bool mayMeet(const Eigen::AlignedBox3d& box) const;
-
-private:
-    std::array<Eigen::Vector3d, 4> origins_;
-    std::array<Eigen::Vector3d, 4> normals_;    ///< inwards
-    std::array<Eigen::Vector3d, 4> magnitudes_; ///< what the normals' rounding errors are relative to
-    Eigen::AlignedBox3d box_;
-};
-
 /// |value - interpolation| at a place in a positive cell.
 struct CellError {
     double error = 0;

@@ -4,6 +4,7 @@
 #include "core/base/rounding.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/triangles.h"
+#include "core/mesh/tetrahedron_planes.h"
 #include "core/mesh/topology.h"
 #include "core/refine/interpolation.h"
 
@@ -23,7 +24,15 @@ namespace {
 
 using Place = std::array<double, 3>;
 
+// Where a point was measured is the tetrahedron's slot and one more, so that a site's bound is less than any other.
 constexpr std::uint64_t notMeasured = ~std::uint64_t(0);
+constexpr std::uint64_t ofSite = 0;
+
+std::uint32_t slotOf(std::uint64_t measured)
+{
+    return static_cast<std::uint32_t>(measured) - 1;
+}
+
 constexpr double rounding = 1e-13; ///< of an error, of the extent of the values
 
 Eigen::Vector3d vectorOf(const PhysicalPoint& point)
@@ -76,11 +85,28 @@ SpaceErrors::SpaceErrors(const CurvilinearGrid& grid, double extent)
     : grid_(grid), extent_(extent),
       measured_(std::size_t(grid.lattice().size()[0]) * grid.lattice().size()[1] * grid.lattice().size()[2])
 {
-    tree_ = BoxTree(
-        measured_.size(), [&grid](std::uint32_t point) { return Eigen::AlignedBox3d(vectorOf(grid[point])); },
-        [&grid](std::uint32_t point, Eigen::Index axis) {
-            return grid[point].components[static_cast<std::size_t>(axis)];
+    for (std::atomic<std::uint64_t>& measured : measured_)
+        measured.store(notMeasured, std::memory_order_relaxed);
+    all_ = placesOf(notMeasuredYet());
+}
+
+SpaceErrors::Places SpaceErrors::placesOf(std::vector<std::uint32_t> points) const
+{
+    BoxTree tree(
+        points.size(), [&](std::uint32_t item) { return Eigen::AlignedBox3d(vectorOf(grid_[points[item]])); },
+        [&](std::uint32_t item, Eigen::Index axis) {
+            return grid_[points[item]].components[static_cast<std::size_t>(axis)];
         });
+    return {std::move(points), std::move(tree)};
+}
+
+std::vector<std::uint32_t> SpaceErrors::notMeasuredYet() const
+{
+    std::vector<std::uint32_t> points;
+    for (std::uint32_t point = 0; point < measured_.size(); ++point)
+        if (measured_[point].load(std::memory_order_relaxed) == notMeasured)
+            points.push_back(point);
+    return points;
 }
 
 /// Keeps the smaller of two bounds, and of equal ones that of the first tetrahedron. What cannot be told from none is
@@ -89,35 +115,38 @@ void SpaceErrors::note(std::uint32_t point, double error, std::uint32_t slot)
 {
     const double weighted = error * (grid_.weighted() ? grid_.weight(grid_.lattice().pointAt(point)) : 1);
     const float bound = weighted > 5 * rounding * extent_ ? roundedUp(weighted) : 0.0f;
-    const std::uint64_t entry = std::uint64_t(std::bit_cast<std::uint32_t>(bound)) << 32 | slot;
+    const std::uint64_t entry = std::uint64_t(std::bit_cast<std::uint32_t>(bound)) << 32 | (slot + 1);
     std::uint64_t known = measured_[point].load(std::memory_order_relaxed);
     while (entry < known && !measured_[point].compare_exchange_weak(known, entry, std::memory_order_relaxed))
         ;
 }
 
-void SpaceErrors::measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_t slot)
+void SpaceErrors::measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_t slot, const Places& places)
 {
     InterpolatingCell cell;
-    std::array<Place, 4> places{};
-    Eigen::AlignedBox3d box;
+    std::array<Place, 4> corners{};
     for (std::size_t corner = 0; corner < 4; ++corner) {
         const std::uint32_t point = grid_.lattice().index(tetrahedron.vertices[corner]);
-        measured_[point].store(0, std::memory_order_relaxed);
-        places[corner] = grid_[point].position();
+        measured_[point].store(ofSite, std::memory_order_relaxed);
+        corners[corner] = grid_[point].position();
         cell.corners[corner] = vectorOf(grid_[point]);
         cell.values[corner] = grid_[point].components[3];
-        box.extend(cell.corners[corner]);
     }
-    const int sign = orientationSign(places[0], places[1], places[2], places[3]);
+    const int sign = orientationSign(corners[0], corners[1], corners[2], corners[3]);
     if (sign == 0)
         return;
-    if (sign < 0)
-        std::swap(places[2], places[3]);
-    const auto meets = [&box](const Eigen::AlignedBox3d& other) { return box.intersects(other); };
-    tree_.visitNear(meets, [&](std::uint32_t point) {
+    if (sign < 0) {
+        std::swap(corners[2], corners[3]);
+        std::swap(cell.corners[2], cell.corners[3]);
+        std::swap(cell.values[2], cell.values[3]);
+    }
+    const TetrahedronPlanes planes(cell.corners);
+    const auto mayMeet = [&planes](const Eigen::AlignedBox3d& box) { return planes.mayMeet(box); };
+    places.tree.visitNear(mayMeet, [&](std::uint32_t item) {
+        const std::uint32_t point = places.points[item];
         const Eigen::Vector3d at = vectorOf(grid_[point]);
-        if (measured_[point].load(std::memory_order_relaxed) >> 32 == 0 || !box.contains(at) ||
-            !holds(places, grid_[point].position()))
+        if (measured_[point].load(std::memory_order_relaxed) == ofSite || !mayMeet({at, at}) ||
+            !holds(corners, grid_[point].position()))
             return;
         note(point, interpolationError(cell, at, grid_[point].components[3]) + rounding * extent_, slot);
     });
@@ -143,7 +172,7 @@ struct SpaceErrors::Boundary {
     }
 };
 
-void SpaceErrors::measureOutside(std::span<const DelaunayTetrahedron> tetrahedra)
+void SpaceErrors::measureOutside(std::span<const DelaunayTetrahedron> tetrahedra, std::span<const std::uint32_t> points)
 {
     const Boundary boundary(grid_, tetrahedra);
     const BoxTree tree(
@@ -160,33 +189,53 @@ void SpaceErrors::measureOutside(std::span<const DelaunayTetrahedron> tetrahedra
                 sum += corner->components[static_cast<std::size_t>(axis)];
             return sum;
         });
-    tbb::parallel_for(
-        tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(measured_.size()), 1024),
-        [&](const auto& range) {
-            for (std::uint32_t point = range.begin(); point != range.end(); ++point) {
-                if (measured_[point].load(std::memory_order_relaxed) != notMeasured)
-                    continue;
-                NearestPlace nearest;
-                tree.visitNearer(
-                    vectorOf(grid_[point]), [&nearest] { return std::sqrt(nearest.squaredDistance); },
-                    [&](std::uint32_t face) { look(boundary.faces[face], face, grid_[point].position(), nearest); });
-                note(point, std::abs(nearest.value - grid_[point].components[3]) + rounding * extent_,
-                     boundary.slots[nearest.triangle]);
-            }
-        });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
+        for (const std::uint32_t point : points.subspan(range.begin(), range.size())) {
+            NearestPlace nearest;
+            tree.visitNearer(
+                vectorOf(grid_[point]), [&nearest] { return std::sqrt(nearest.squaredDistance); },
+                [&](std::uint32_t face) { look(boundary.faces[face], face, grid_[point].position(), nearest); });
+            note(point, std::abs(nearest.value - grid_[point].components[3]) + rounding * extent_,
+                 boundary.slots[nearest.triangle]);
+        }
+    });
+}
+
+/// Finds the new tetrahedra; what was measured in those before them, or outside of all, is not known any more.
+void SpaceErrors::forget(std::span<const DelaunayTetrahedron> tetrahedra)
+{
+    tetrahedra_.resize(tetrahedra.size());
+    isNew_.assign(tetrahedra.size(), 0);
+    for (std::uint32_t slot = 0; slot < tetrahedra.size(); ++slot) {
+        const std::array<PackedPoint, 4> vertices =
+            tetrahedra[slot].determinant() != 0 ? tetrahedra[slot].vertices : std::array<PackedPoint, 4>();
+        isNew_[slot] = std::exchange(tetrahedra_[slot], vertices) != vertices ? 1 : 0;
+    }
+    for (std::atomic<std::uint64_t>& measured : measured_) {
+        const std::uint64_t known = measured.load(std::memory_order_relaxed);
+        if (known != ofSite && known != notMeasured && isNew_[slotOf(known)] != 0)
+            measured.store(notMeasured, std::memory_order_relaxed);
+    }
+    for (const std::uint32_t point : outside_)
+        measured_[point].store(notMeasured, std::memory_order_relaxed);
 }
 
 float SpaceErrors::measure(std::span<const DelaunayTetrahedron> tetrahedra, double limit, std::vector<Worst>& found)
 {
-    for (std::atomic<std::uint64_t>& measured : measured_)
-        measured.store(notMeasured, std::memory_order_relaxed);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(tetrahedra.size()), 8),
-                      [&](const auto& range) {
-                          for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot)
-                              if (tetrahedra[slot].determinant() != 0)
-                                  measureIn(tetrahedra[slot], slot);
-                      });
-    measureOutside(tetrahedra);
+    forget(tetrahedra);
+    const auto measureAll = [&](bool areNew, const Places& places) {
+        tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(tetrahedra.size()), 8),
+                          [&](const auto& range) {
+                              for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot)
+                                  if (tetrahedra[slot].determinant() != 0 && (isNew_[slot] != 0) == areNew)
+                                      measureIn(tetrahedra[slot], slot, places);
+                          });
+    };
+    measureAll(true, all_);
+    // Where tetrahedra overlap, or the boundary has moved, a point may lie in an older one.
+    measureAll(false, placesOf(notMeasuredYet()));
+    outside_ = notMeasuredYet();
+    measureOutside(tetrahedra, outside_);
     found.clear();
     float largest = 0;
     for (std::uint32_t point = 0; point < measured_.size(); ++point) {
@@ -194,7 +243,7 @@ float SpaceErrors::measure(std::span<const DelaunayTetrahedron> tetrahedra, doub
         const auto error = std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32));
         largest = std::max(largest, error);
         if (static_cast<double>(error) > limit)
-            found.push_back({point, error, static_cast<std::uint32_t>(entry)});
+            found.push_back({point, error, slotOf(entry)});
     }
     const auto isWorse = [](const Worst& one, const Worst& other) {
         return one.error != other.error ? one.error > other.error : one.point < other.point;

@@ -28,21 +28,34 @@ public:
         std::uint32_t slot = 0;
     };
     /// Of the tetrahedra of a whole grid (LatticeDelaunay::tetrahedra(), dead ones among them) a bound on the error at
-    /// all points; to `found` it gives the worst of each tetrahedron that is worse than `limit`, the worst first. On
-    /// all threads, the same with any number of them; O(tetrahedra + points) times the depth of the tree.
+    /// all points; to `found` it gives the worst of each tetrahedron that is worse than `limit`, the worst first. Sites
+    /// stay sites from one call to the next, as in a refinement: only what lies in tetrahedra that are new since is
+    /// measured again. On all threads, the same with any number of them; O(tetrahedra + points), and the points in new
+    /// tetrahedra or outside of all times the depth of trees.
     float measure(std::span<const DelaunayTetrahedron> tetrahedra, double limit, std::vector<Worst>& found);
 
 private:
+    /// Points to be found by place.
+    struct Places {
+        std::vector<std::uint32_t> points;
+        BoxTree tree;
+    };
     struct Boundary;
 
-    void measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_t slot);
-    void measureOutside(std::span<const DelaunayTetrahedron> tetrahedra);
+    Places placesOf(std::vector<std::uint32_t> points) const;
+    void forget(std::span<const DelaunayTetrahedron> tetrahedra);
+    void measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_t slot, const Places& places);
+    void measureOutside(std::span<const DelaunayTetrahedron> tetrahedra, std::span<const std::uint32_t> points);
     void note(std::uint32_t point, double error, std::uint32_t slot);
+    std::vector<std::uint32_t> notMeasuredYet() const;
 
     const CurvilinearGrid& grid_;
     double extent_;
-    BoxTree tree_;                                     ///< of the points
-    std::vector<std::atomic<std::uint64_t>> measured_; ///< of each point the bits of the least bound, then the slot
+    Places all_;
+    std::vector<std::atomic<std::uint64_t>> measured_;   ///< of each point the bits of the least bound, then where
+    std::vector<std::array<PackedPoint, 4>> tetrahedra_; ///< that were measured, by slots; of dead ones nothing
+    std::vector<std::uint8_t> isNew_;                    ///< of these, since the last time
+    std::vector<std::uint32_t> outside_;                 ///< points that no tetrahedron held
 };
 
 } // namespace tetra
