@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -92,12 +93,15 @@ SpaceErrors::SpaceErrors(const CurvilinearGrid& grid, double extent)
 
 SpaceErrors::Places SpaceErrors::placesOf(std::vector<std::uint32_t> points) const
 {
+    Eigen::AlignedBox3d box;
+    for (const std::uint32_t point : points)
+        box.extend(vectorOf(grid_[point]));
     BoxTree tree(
         points.size(), [&](std::uint32_t item) { return Eigen::AlignedBox3d(vectorOf(grid_[points[item]])); },
         [&](std::uint32_t item, Eigen::Index axis) {
             return grid_[points[item]].components[static_cast<std::size_t>(axis)];
         });
-    return {std::move(points), std::move(tree)};
+    return {std::move(points), std::move(tree), box};
 }
 
 std::vector<std::uint32_t> SpaceErrors::notMeasuredYet() const
@@ -125,13 +129,17 @@ void SpaceErrors::measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_
 {
     InterpolatingCell cell;
     std::array<Place, 4> corners{};
+    Eigen::AlignedBox3d box;
     for (std::size_t corner = 0; corner < 4; ++corner) {
         const std::uint32_t point = grid_.lattice().index(tetrahedron.vertices[corner]);
         measured_[point].store(ofSite, std::memory_order_relaxed);
         corners[corner] = grid_[point].position();
         cell.corners[corner] = vectorOf(grid_[point]);
         cell.values[corner] = grid_[point].components[3];
+        box.extend(cell.corners[corner]);
     }
+    if (!places.box.intersects(box))
+        return;
     const int sign = orientationSign(corners[0], corners[1], corners[2], corners[3]);
     if (sign == 0)
         return;
@@ -141,7 +149,7 @@ void SpaceErrors::measureIn(const DelaunayTetrahedron& tetrahedron, std::uint32_
         std::swap(cell.values[2], cell.values[3]);
     }
     const TetrahedronPlanes planes(cell.corners);
-    const auto mayMeet = [&planes](const Eigen::AlignedBox3d& box) { return planes.mayMeet(box); };
+    const auto mayMeet = [&planes](const Eigen::AlignedBox3d& other) { return planes.mayMeet(other); };
     places.tree.visitNear(mayMeet, [&](std::uint32_t item) {
         const std::uint32_t point = places.points[item];
         const Eigen::Vector3d at = vectorOf(grid_[point]);
@@ -232,8 +240,10 @@ float SpaceErrors::measure(std::span<const DelaunayTetrahedron> tetrahedra, doub
                           });
     };
     measureAll(true, all_);
-    // Where tetrahedra overlap, or the boundary has moved, a point may lie in an older one.
-    measureAll(false, placesOf(notMeasuredYet()));
+    // Where tetrahedra overlap, or the boundary has moved, a point may lie in an older one, unless it lay in none then.
+    std::vector<std::uint32_t> lost;
+    std::ranges::set_difference(notMeasuredYet(), outside_, std::back_inserter(lost));
+    measureAll(false, placesOf(std::move(lost)));
     outside_ = notMeasuredYet();
     measureOutside(tetrahedra, outside_);
     found.clear();

@@ -5,6 +5,8 @@
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/refine/lattice/lattice_delaunay.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -39,6 +41,7 @@ private:
     struct Places {
         std::vector<std::uint32_t> points;
         BoxTree tree;
+        Eigen::AlignedBox3d box;
     };
     struct Boundary;
 
