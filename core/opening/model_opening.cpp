@@ -289,9 +289,12 @@ public:
 
 private:
     bool isWhole(std::size_t level) const { return level + 1 == facts_.levels.size(); }
+    /// The checksum guards against chance: a server could put a model there that claims to be another one's, so each
+    /// address has models of its own.
     std::string keyOf(std::size_t level) const
     {
-        return "model " + std::to_string(source_.checksum()) +
+        return "model " + (isAddress(place_.native()) ? place_.native() + ' ' : std::string()) +
+               std::to_string(source_.checksum()) +
                (isWhole(level) ? "" : " up to site " + std::to_string(facts_.levels[level].sites));
     }
 
