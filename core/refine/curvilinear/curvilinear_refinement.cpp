@@ -129,8 +129,8 @@ public:
     /// The key that was reached.
     Result<float> run(const Progress& progress)
     {
-        // The rungs that are too many to be worth it are one, the last.
-        const double least = 1e-5 * std::max(options_.valueExtent, options_.warpingWeight * options_.positionExtent);
+        // Below a hundredth of a percent there is one rung, the last: more are not worth their time.
+        const double least = 1e-4 * std::max(options_.valueExtent, options_.warpingWeight * options_.positionExtent);
         double rung = std::numeric_limits<double>::infinity(), first = 0;
         for (;;) {
             const Result<float> inGrid = refineInGrid(rung, progress);

@@ -134,11 +134,14 @@ struct Costs {
     bool usesThreads = false;
 };
 
-Costs costsOf(const BuildSize& size, bool inBlocks)
+Costs costsOf(const BuildSize& size, bool inBlocks, bool keepsInSpace)
 {
     const auto points = static_cast<double>(size.points);
     if (size.domain == DomainClass::Scattered)
         return {.pointBytes = 60, .siteBytes = 700, .modelSiteBytes = 440, .siteSeconds = 25e-6};
+    if (size.domain == DomainClass::Curvilinear && keepsInSpace) // for each site of a build that is not
+        return {
+            .pointBytes = 110, .siteBytes = 700, .modelSiteBytes = 400, .siteSeconds = 150e-6, .pointSeconds = 40e-6};
     if (size.domain == DomainClass::Curvilinear && !inBlocks)
         return {.pointBytes = 60, .siteBytes = 600, .modelSiteBytes = 340, .siteSeconds = 7e-6};
     if (size.domain == DomainClass::Curvilinear)
@@ -167,10 +170,12 @@ Costs costsOf(const BuildSize& size, bool inBlocks)
 }
 
 /// What refining data of this size takes, down to an error that is a share of the range (and the diagonal); not of
-/// irregular ones. `inBlocks`: of lattices and grids.
-BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlocks, unsigned threads)
+/// irregular ones. `inBlocks`: of lattices and grids. `keepsInSpace`:
+/// the error in space is kept, too.
+BuildEstimate estimateRefinement(const BuildSize& size, double error, bool inBlocks, bool keepsInSpace,
+                                 unsigned threads)
 {
-    const Costs costs = costsOf(size, inBlocks);
+    const Costs costs = costsOf(size, inBlocks, keepsInSpace);
     const auto points = static_cast<double>(size.points);
     const double sites = std::max(points * size.density.share(error), 8.0);
     const double data = points * static_cast<double>(sampleSize(size.type));
@@ -244,7 +249,9 @@ std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, 
     double error = parameterValue<double>(parameters(), values, "error");
     if (taken.domain == DomainClass::Curvilinear && !(error > 0))
         error = parameterValue<double>(parameters(), values, "warping");
-    return estimateRefinement(taken, error / 100, takesBlocks(*block, size.points, usableBytes()), threads);
+    const bool keepsInSpace = parameterValue<std::string>(parameters(), values, "error-in") == inSpace;
+    return estimateRefinement(taken, error / 100, takesBlocks(*block, size.points, usableBytes()), keepsInSpace,
+                              threads);
 }
 
 namespace {

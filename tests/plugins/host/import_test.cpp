@@ -262,6 +262,9 @@ private slots:
         QCOMPARE(estimate("refinement", grid)->memoryBytes, estimate("refinement", points)->memoryBytes);
         QVERIFY(estimate("refinement", grid, {{"space", std::string("computational")}})->seconds <
                 estimate("refinement", grid)->seconds);
+        const ParameterValues asGrid{{"space", std::string("computational")}};
+        const ParameterValues inSpace{{"space", std::string("computational")}, {"error-in", std::string("space")}};
+        QVERIFY(estimate("refinement", grid, inSpace)->seconds > 5 * estimate("refinement", grid, asGrid)->seconds);
         QVERIFY(estimate("decimation", lattice)->memoryBytes > estimate("refinement", lattice)->memoryBytes);
         QVERIFY(estimate("refinement", lattice, {{"block", std::string("32")}})->memoryBytes <
                 estimate("refinement", lattice, {{"block", std::string("none")}})->memoryBytes / 2);
