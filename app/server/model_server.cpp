@@ -22,6 +22,8 @@
 #include <cstring>
 #include <thread>
 
+#include <malloc.h>
+
 namespace tetra {
 namespace {
 
@@ -212,6 +214,8 @@ public:
     {
         if (!isTaken_)
             return;
+        // What a mesh took goes back to the system: another thread's share of the heap would never use it again.
+        ::malloc_trim(0);
         const std::lock_guard lock(server_.mutex_);
         --server_.working_;
         server_.turnOver_.notify_one();
