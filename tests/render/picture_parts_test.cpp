@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int width = 150, height = 110;
+constexpr int width = 120, height = 84;
 
 SceneParts surfaces()
 {
@@ -71,13 +71,23 @@ const std::map<QString, std::function<SceneParts()>> scenes = {
      }},
 };
 
+/// Cells of a domain that is not convex may be in another order where that makes no difference but of rounding.
+double largestDepthDifference(const Picture& one, const Picture& other)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < one.depth.size(); ++i)
+        if (one.depth[i] != other.depth[i]) // infinite alike or not
+            largest = std::max(largest, std::abs(double(one.depth[i]) - other.depth[i]));
+    return largest;
+}
+
 /// In parts that end beside the tiles of the back ends, put together.
 Picture inParts(RenderBackend& backend, const Scene& scene, const Camera& camera, PictureOptions options)
 {
     Picture all{options.width, options.height, {}};
     all.pixels.resize(static_cast<std::size_t>(options.width * options.height));
     all.depth.resize(options.depth ? all.pixels.size() : 0);
-    const std::array columns{0, 37, 101, options.width}, rows{0, 1, 70, options.height};
+    const std::array columns{0, options.width * 3 / 10, options.width}, rows{0, options.height - 33, options.height};
     for (std::size_t row = 0; row + 1 < rows.size(); ++row)
         for (std::size_t column = 0; column + 1 < columns.size(); ++column) {
             const PixelRectangle part{columns[column], rows[row], columns[column + 1] - columns[column],
@@ -135,15 +145,51 @@ private slots:
         QVERIFY(std::ranges::any_of(whole.pixels, [&](const auto& pixel) { return pixel != whole.pixels.front(); }));
         const Picture parts = inParts(*cpu_, drawn, camera, options);
         QVERIFY(parts.pixels == whole.pixels);
-        QVERIFY(parts.depth == whole.depth);
+        const double off = largestDepthDifference(parts, whole);
+        QVERIFY2(off <= 1e-5 * drawn.bounds.diagonal().norm(), qPrintable(QString::number(off)));
         if (!gl_)
             return;
         options.depth = false;
         const Picture glWhole = rendered(*gl_, drawn, camera, options);
         const Picture glParts = inParts(*gl_, drawn, camera, options);
-        const Picture again = inParts(*gl_, drawn, camera, options);
         QVERIFY(
-            samePicture(glWhole, glParts, again, QString("parts_%1").arg(QTest::currentDataTag()).replace(' ', '_')));
+            samePicture(glWhole, glParts, glParts, QString("parts_%1").arg(QTest::currentDataTag()).replace(' ', '_')));
+    }
+
+    /// Pictures that are larger than what is drawn at once are drawn in parts, too.
+    void largePicturesAreTheirParts_data()
+    {
+        QTest::addColumn<int>("columns");
+        QTest::addColumn<int>("rows");
+        QTest::newRow("wide") << 4200 << 3;
+        QTest::newRow("high") << 3 << 4200;
+    }
+    void largePicturesAreTheirParts()
+    {
+        QFETCH(int, columns);
+        QFETCH(int, rows);
+        const Scene scene = both();
+        Camera camera = cameraAround(scene.bounds, true);
+        camera.fieldOfView = 0.03; // across the shorter side
+        const bool isWide = columns > rows;
+        PictureOptions options{.width = columns, .height = rows};
+        for (RenderBackend* backend : backends()) {
+            options.part.reset();
+            const Picture whole = rendered(*backend, scene, camera, options);
+            QVERIFY(
+                std::ranges::any_of(whole.pixels, [&](const auto& pixel) { return pixel != whole.pixels.front(); }));
+            // Over the place where the whole is cut, and before and behind it.
+            for (const int first : {100, 2000, 4050, 4110}) {
+                const PixelRectangle part = isWide ? PixelRectangle{first, 0, 80, 3} : PixelRectangle{0, first, 3, 80};
+                options.part = part;
+                const Picture drawn = rendered(*backend, scene, camera, options);
+                int wrong = 0;
+                for (int y = 0; y < part.height; ++y)
+                    for (int x = 0; x < part.width; ++x)
+                        wrong += difference(pixelAt(drawn, x, y), pixelAt(whole, part.left + x, part.top + y)) > 2;
+                QVERIFY2(wrong == 0 || (backend == gl_.get() && wrong <= 3), qPrintable(QString::number(wrong)));
+            }
+        }
     }
 
     /// What depends on the size of the picture is of the whole one.
@@ -171,13 +217,13 @@ private slots:
         const Camera camera = cameraAround(scene.bounds, true);
         constexpr int factor = 200;
         const PictureOptions options{
-            .width = width * factor, .height = height * factor, .part = PixelRectangle{15080, 11080, 40, 30}};
+            .width = width * factor, .height = height * factor, .part = PixelRectangle{12080, 8480, 40, 30}};
         const Picture small = rendered(*cpu_, scene, camera, {.width = width, .height = height, .samplesPerAxis = 1});
         for (RenderBackend* backend : backends()) {
             const Picture part = rendered(*backend, scene, camera, options);
             QCOMPARE(part.width, 40);
             // Its middle is that of a pixel of the small picture.
-            QVERIFY(difference(pixelAt(part, 20, 20), pixelAt(small, 75, 55)) <= 3);
+            QVERIFY(difference(pixelAt(part, 20, 20), pixelAt(small, 60, 42)) <= 3);
         }
     }
 

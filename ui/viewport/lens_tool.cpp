@@ -83,7 +83,7 @@ LensTool::LensTool(Workbench& workbench, Viewport& viewport)
             update(); // the enlarged picture is another one
     });
     connect(&builder_, &SceneBuilder::sceneReady, this, [this](const BuiltScene& built) {
-        if (isOn() && built.mesh.query == request().query)
+        if (isOn() && workbench_.scenes().renderer() != nullptr && built.mesh.query == request().query)
             draw(built.scene, built.mesh.tetrahedra, true);
     });
     connect(&builder_, &SceneBuilder::failed, this,
@@ -129,6 +129,8 @@ SceneRequest LensTool::request() const
 void LensTool::follow()
 {
     setVisible(isOn());
+    if (!std::exchange(wasOn_, isOn()) && !isOn())
+        return;
     settled_ = false;
     ++newest_;
     if (!isOn()) {
@@ -147,7 +149,7 @@ void LensTool::follow()
 
 void LensTool::rest()
 {
-    if (!isOn() || !viewport_.scene())
+    if (!isOn() || !viewport_.scene() || workbench_.scenes().renderer() == nullptr)
         return;
     const SceneRequest wanted = request();
     if (wanted.query == workbench_.scenes().sceneRequest().query && !workbench_.scenes().sceneBuilder().busy())

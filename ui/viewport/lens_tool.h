@@ -81,6 +81,7 @@ private:
     Camera drawnCamera_;
     quint64 newest_ = 0; ///< the number of the last change
     bool settled_ = false;
+    bool wasOn_ = false;
     std::shared_ptr<Backend> backend_; ///< the worker's
     LatestJob job_;
 };
