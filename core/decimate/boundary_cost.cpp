@@ -19,6 +19,7 @@ void BoundaryPoints::addOutside(std::uint32_t triangle, std::uint32_t point, flo
 {
     Relation& relation = at(triangle);
     relation.outside = pool_.appended(relation.outside, {&point, 1});
+    everOutside_.insert(point);
     relation.error = std::max(relation.error, error);
     relation.warping = std::max(relation.warping, warping);
 }
@@ -48,13 +49,16 @@ namespace {
 /// How far outside of a tetrahedron, as a share of it, a place may seem by rounding.
 constexpr double insideTolerance = 1e-11;
 
+/// By how much of its edges the box around a star is widened where points may lie in it.
+constexpr double besideStar = 1e-9;
+
 } // namespace
 
 void BoundaryCost::set(const CollapsibleMesh& mesh, const VertexStar& star, std::span<const std::uint32_t> inside,
                        const BoundaryPoints& relations)
 {
     vertex_ = star.vertex();
-    findRing(mesh, star);
+    findKept(mesh, star);
     distance_ = 0;
     for (const VertexStar::RimTriangle& rim : star.rim())
         distance_ = std::max(distance_, relations[rim.triangle].distance);
@@ -75,9 +79,14 @@ void BoundaryCost::set(const CollapsibleMesh& mesh, const VertexStar& star, std:
         for (const std::uint32_t point : relations.ofBoundary(rim.triangle))
             addPoint(point, none, false, ofBoundary_);
     }
-    for (const Triangle& triangle : ring_)
+    for (const Triangle& triangle : kept_)
         for (const std::uint32_t point : relations.outside(triangle.number))
-            addPoint(point, isKept(triangle.number) ? triangle.number : none, true, points_);
+            addPoint(point, triangle.number, true, points_);
+    const Eigen::Vector3d margin = besideStar * (Eigen::Vector3d(greatest_.data()) - Eigen::Vector3d(least_.data()));
+    const Eigen::Vector3d& place = input_.positions[vertex_];
+    relations.visitEverOutside(
+        {place + Eigen::Vector3d(least_.data()) - margin, place + Eigen::Vector3d(greatest_.data()) + margin},
+        [&](std::uint32_t point) { addPoint(point, none, true, points_); });
     dropDoubles();
 }
 
@@ -87,7 +96,7 @@ void BoundaryCost::dropDoubles()
     ranks_.clear();
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const Point& point = points_[i];
-        const std::uint64_t behind = (point.keptBy == none ? 2U : 0U) + (point.ofRing ? 1U : 0U);
+        const std::uint64_t behind = (point.keptBy == none ? 2U : 0U) + (point.stays ? 1U : 0U);
         ranks_.push_back({std::uint64_t(point.point) << 2 | behind, i});
     }
     std::ranges::sort(ranks_);
@@ -102,41 +111,23 @@ void BoundaryCost::dropDoubles()
 /// Whether the box around the star has the place, or nearly.
 bool BoundaryCost::mayBeInStar(const Vector& place) const
 {
-    constexpr double beyondRounding = 1e-9;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double margin = beyondRounding * (greatest_[axis] - least_[axis]);
+        const double margin = besideStar * (greatest_[axis] - least_[axis]);
         if (place[axis] < least_[axis] - margin || place[axis] > greatest_[axis] + margin)
             return false;
     }
     return true;
 }
 
-/// The boundary triangles that share a vertex with those of the star's vertex.
-void BoundaryCost::findRing(const CollapsibleMesh& mesh, const VertexStar& star)
+void BoundaryCost::findKept(const CollapsibleMesh& mesh, const VertexStar& star)
 {
-    ring_.clear();
     kept_.clear();
-    for (const VertexStar::RimTriangle& rim : star.rim()) {
-        // Each vertex around is once the first corner.
-        const std::uint32_t around = star.link()[rim.corners[0]];
-        for (const std::uint32_t slot : mesh.star(around)) {
-            const CollapsibleMesh::Four& neighbours = mesh.neighbours(slot);
-            for (std::size_t i = 0; i < 4; ++i)
-                if (CollapsibleMesh::isTriangle(neighbours[i]) && mesh.vertices(slot)[i] != around)
-                    addToRing(neighbours[i], mesh.cornersOfFaceOf(slot, i));
-        }
+    for (const std::uint32_t slot : star.tetrahedra()) {
+        const std::size_t corner = indexOf(mesh.vertices(slot), vertex_);
+        const std::uint32_t opposite = mesh.neighbours(slot)[corner];
+        if (CollapsibleMesh::isTriangle(opposite))
+            kept_.push_back(triangleOf(opposite, mesh.cornersOfFaceOf(slot, corner)));
     }
-    std::ranges::sort(ring_, {}, &Triangle::number);
-    for (const Triangle& triangle : ring_)
-        if (std::ranges::find(star.tetrahedra(), mesh.slotOfTriangle(triangle.number)) != star.tetrahedra().end())
-            kept_.push_back(triangle);
-}
-
-void BoundaryCost::addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners)
-{
-    if (std::ranges::find(corners, vertex_) == corners.end() &&
-        std::ranges::find(ring_, triangle, &Triangle::number) == ring_.end())
-        ring_.push_back(triangleOf(triangle, corners));
 }
 
 BoundaryCost::Triangle BoundaryCost::triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const
@@ -156,9 +147,9 @@ BoundaryCost::Triangle BoundaryCost::triangleOf(std::uint32_t number, const std:
     return triangle;
 }
 
-void BoundaryCost::addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to)
+void BoundaryCost::addPoint(std::uint32_t point, std::uint32_t keptBy, bool stays, std::vector<Point>& to)
 {
-    to.push_back({point, keptBy, ofRing, placeOf(point)});
+    to.push_back({point, keptBy, stays, placeOf(point)});
 }
 
 BoundaryCost::Vector BoundaryCost::placeOf(std::uint32_t vertex) const
@@ -228,7 +219,7 @@ double BoundaryCost::judgeError(const Point& point, const CollapseStar& fan)
     if (error.inFan != none) {
         error.error = errorOf(point, fan.interpolated(error.inFan, 0, fan.weightsAt(error.inFan, place)));
     } else {
-        if (point.ofRing)
+        if (point.stays)
             return 0;
         const Nearest projection = onFan(point);
         error.triangle = projection.triangle;

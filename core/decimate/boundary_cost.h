@@ -5,6 +5,7 @@
 #include "core/decimate/collapse_star.h"
 #include "core/decimate/collapsible_mesh.h"
 #include "core/decimate/decimation.h"
+#include "core/decimate/point_grid.h"
 #include "core/decimate/vertex_star.h"
 
 #include <algorithm>
@@ -31,7 +32,11 @@ public:
         double distance = 0;
     };
 
-    explicit BoundaryPoints(std::uint32_t triangles) : relations_(triangles) {}
+    /// `positions` outlives this. May throw std::bad_alloc.
+    BoundaryPoints(std::span<const Eigen::Vector3d> positions, std::uint32_t triangles)
+        : relations_(triangles), everOutside_(positions, triangles)
+    {
+    }
 
     const Relation& operator[](std::uint32_t triangle) const
     {
@@ -41,6 +46,12 @@ public:
     std::span<const std::uint32_t> ofBoundary(std::uint32_t triangle) const
     {
         return pool_[(*this)[triangle].ofBoundary];
+    }
+
+    /// Calls visit(point) with each point in the box that is outside or was.
+    template <class Visit> void visitEverOutside(const Eigen::AlignedBox3d& box, const Visit& visit) const
+    {
+        everOutside_.visitIn(box, visit);
     }
 
     void clear(std::uint32_t triangle);
@@ -56,6 +67,7 @@ private:
 
     std::vector<Relation> relations_;
     IndexPool pool_;
+    PointGrid everOutside_;
 };
 
 /// Judges collapses of boundary vertices of an irregular mesh: there removed points come to lie out- or inside, and the
@@ -63,8 +75,8 @@ private:
 /// tetrahedra that the collapse makes, never to one beyond: what is related to a tetrahedron is known when it is made,
 /// and stays until it goes, so that its own error and warping hold in every mesh of the history that has it, whatever
 /// else was collapsed there. For the same reason a point outside that a new tetrahedron takes in, but that is related
-/// to one which stays, counts for both; such are looked for on the triangles around those that change. Coordinates are
-/// relative to the star's vertex.
+/// to one which stays, counts for both. Such a point may have belonged to any part of the mesh, as on the other side of
+/// a gap, so they are looked for by their places. Coordinates are relative to the star's vertex.
 class BoundaryCost {
 public:
     static constexpr std::uint32_t none = CollapsibleMesh::none;
@@ -130,18 +142,13 @@ private:
     struct Point {
         std::uint32_t point = none;
         std::uint32_t keptBy = none; ///< the triangle of the fan that it is related to already
-        bool ofRing = false;         ///< it stays as it is, unless a new tetrahedron has it
+        bool stays = false;          ///< as it is, unless a new tetrahedron has it
         Vector place{};
     };
 
-    void findRing(const CollapsibleMesh& mesh, const VertexStar& star);
-    bool isKept(std::uint32_t triangle) const
-    {
-        return std::ranges::find(kept_, triangle, &Triangle::number) != kept_.end();
-    }
-    void addToRing(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners);
+    void findKept(const CollapsibleMesh& mesh, const VertexStar& star);
     void dropDoubles();
-    void addPoint(std::uint32_t point, std::uint32_t keptBy, bool ofRing, std::vector<Point>& to);
+    void addPoint(std::uint32_t point, std::uint32_t keptBy, bool stays, std::vector<Point>& to);
     Vector placeOf(std::uint32_t vertex) const;
     Triangle triangleOf(std::uint32_t number, const std::array<std::uint32_t, 3>& corners) const;
     void approach(const Triangle& triangle, const Vector& place, Nearest& nearest) const;
@@ -164,8 +171,7 @@ private:
     double distance_ = 0; ///< of the star's boundary triangles the largest
     std::uint32_t vertex_ = none;
     Vector least_{}, greatest_{}; ///< the box of the star
-    std::vector<Triangle> ring_;  ///< the boundary triangles around those of the vertex
-    std::vector<Triangle> kept_;  ///< those of the ring that a new tetrahedron gets
+    std::vector<Triangle> kept_;  ///< the boundary triangles opposite to the vertex, which new tetrahedra get
     std::vector<Triangle> fresh_; ///< the new boundary triangles of the collapse at hand
     std::vector<Point> points_;   ///< whose errors change
     std::vector<Point> distinct_;

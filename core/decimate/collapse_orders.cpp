@@ -137,7 +137,7 @@ Entry ExactOrder::evaluated(std::uint32_t vertex, DecimatedMesh::Legality legali
 
 void ExactOrder::collapse(const Entry& entry)
 {
-    if (!mesh_.collapse(entry.vertex, entry.target)) {
+    if (!mesh_.collapse(entry.vertex, {entry.target, entry.key})) {
         const Entry other = evaluated(entry.vertex, DecimatedMesh::Legality::Whole);
         if (states_[entry.vertex].queued)
             queue_.push(other);
@@ -413,7 +413,7 @@ void PaperOrder::attempt(const Entry& entry)
     ++versions_[entry.vertex];
     const DecimatedMesh::Candidate candidate = mesh_.judge(entry.vertex, entry.target);
     if (!candidate.exists() || static_cast<double>(candidate.key) > stopKey_ ||
-        !mesh_.collapse(entry.vertex, candidate.target))
+        !mesh_.collapse(entry.vertex, candidate))
         return;
     noteAccuracy();
     for (const std::uint32_t vertex : mesh_.touched())
@@ -513,7 +513,7 @@ void Rounds::collapseUpTo(double bound)
     for (const std::uint32_t vertex : chosen) {
         if (stale_[vertex])
             continue;
-        if (!mesh_.collapse(vertex, candidates_[vertex].target)) {
+        if (!mesh_.collapse(vertex, candidates_[vertex])) {
             stale_[vertex] = true;
             continue;
         }

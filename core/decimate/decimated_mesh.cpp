@@ -63,7 +63,7 @@ DecimatedMesh::DecimatedMesh(const DecimationMesh& mesh, const DecimationOptions
     : input_(mesh), placedValues_(placedValuesOf(mesh)), options_(options),
       mesh_(vertexCount(), mesh.tetrahedra, !mesh.box),
       warpings_(mesh.box && mesh.physical.empty() ? 0 : mesh_.slotCount()), keys_(mesh_.slotCount()),
-      boundaryPoints_(mesh_.triangleCount()), live_(mesh_.slotCount()),
+      boundaryPoints_(mesh.positions, mesh_.triangleCount()), live_(mesh_.slotCount()),
       star_(placedValues_, exactVolumes(mesh.positions)), boundaryCost_(input_, measure_)
 {
     double largestValue = 0;
@@ -229,8 +229,9 @@ void DecimatedMesh::gatherPoints()
     }
 }
 
-bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
+bool DecimatedMesh::collapse(std::uint32_t vertex, const Candidate& candidate)
 {
+    const auto [target, mostKey] = candidate;
     if (star_.vertex() != vertex)
         setStar(vertex);
     const auto link = star_.link();
@@ -245,7 +246,7 @@ bool DecimatedMesh::collapse(std::uint32_t vertex, std::uint32_t target)
     touched_.assign(link.begin(), link.end());
     logStar();
     if (movesOnBoundary(vertex)) {
-        if (!collapseOnBoundary(vertex, target))
+        if (!collapseOnBoundary(place, mostKey))
             return false;
     } else {
         if (!known)
@@ -536,16 +537,15 @@ bool DecimatedMesh::swallows(std::uint32_t linkPlace)
     return swallowed;
 }
 
-bool DecimatedMesh::collapseOnBoundary(std::uint32_t vertex, std::uint32_t target)
+/// Points outside may have come to lie where the new tetrahedra will be since it was judged.
+bool DecimatedMesh::collapseOnBoundary(std::uint32_t linkPlace, float mostKey)
 {
-    const auto link = star_.link();
-    const auto place = static_cast<std::uint32_t>(std::ranges::find(link, target) - link.begin());
-    if (!boundaryAllows(place))
+    boundaryCost_.set(mesh_, star_, points_.points, boundaryPoints_);
+    const double key = boundaryCost_.evaluate(star_, linkPlace, fan_, std::numeric_limits<double>::infinity());
+    if (key > static_cast<double>(mostKey) || !boundaryAllows(linkPlace))
         return false;
     boundary_->replace(removedTriangles_, addedTriangles_);
-    boundaryCost_.set(mesh_, star_, points_.points, boundaryPoints_);
-    boundaryCost_.evaluate(star_, place, fan_, std::numeric_limits<double>::infinity());
-    mesh_.collapse(vertex, target);
+    mesh_.collapse(star_.vertex(), star_.link()[linkPlace]);
     clearStates();
     for (const VertexStar::RimTriangle& rim : star_.rim())
         boundaryPoints_.clear(rim.triangle);

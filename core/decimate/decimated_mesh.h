@@ -91,8 +91,8 @@ public:
     Candidate judge(std::uint32_t vertex, std::uint32_t target);
 
     /// Does a collapse that best() named; nothing around the vertex has changed since. False, and nothing is done, if
-    /// what lies behind its neighbours has come into the way on an irregular boundary.
-    [[nodiscard]] bool collapse(std::uint32_t vertex, std::uint32_t target);
+    /// what lies behind its neighbours has come into the way on an irregular boundary, or makes the key larger.
+    [[nodiscard]] bool collapse(std::uint32_t vertex, const Candidate& candidate);
     /// The vertices around the one that was removed last: their stars have changed.
     std::span<const std::uint32_t> touched() const noexcept { return touched_; }
 
@@ -142,7 +142,7 @@ private:
     bool boundaryAllows(std::uint32_t linkPlace);
     void setBoundaryChange(std::uint32_t linkPlace);
     bool swallows(std::uint32_t linkPlace);
-    bool collapseOnBoundary(std::uint32_t vertex, std::uint32_t target);
+    bool collapseOnBoundary(std::uint32_t linkPlace, float mostKey);
     void relateToBoundary();
     void raiseOwn(std::uint32_t slot);
     void setStar(std::uint32_t vertex);

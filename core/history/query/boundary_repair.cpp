@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace tetra {
 
@@ -21,11 +22,25 @@ namespace {
 
 constexpr MarkedText testing = Message::marked("Testing the boundary");
 
+/// When a site enters: later ones of the same batch at the same time, for it has no mesh between them.
+using EntryTime = float;
+constexpr EntryTime beforeAll = -std::numeric_limits<EntryTime>::infinity();
+constexpr EntryTime afterAll = std::numeric_limits<EntryTime>::infinity();
+
+EntryTime timeOf(const Model& model, std::uint32_t site)
+{
+    if (site >= model.siteCount())
+        return afterAll;
+    model.check(model.runningKeys()[site]); // whoever asked learns of damage in the end
+    return -model.runningKeys()[site];
+}
+
 /// The boundary of a closed set's mesh, each triangle with the life of its tetrahedron.
 struct LivingBoundary {
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
-    std::vector<std::uint32_t> creators;
+    std::vector<EntryTime> births;
+    std::vector<EntryTime> deaths;
     std::vector<std::uint32_t> destroyers;
 };
 
@@ -54,7 +69,8 @@ LivingBoundary boundaryOf(const Model& model, const ExtractedMesh& mesh)
             if ((adjacency.innerFaces[cell] >> face & 1) != 0)
                 continue;
             boundary.triangles.push_back(sideCorners(tetrahedra, 4 * cell + face));
-            boundary.creators.push_back(sites[0]);
+            boundary.births.push_back(timeOf(model, sites[0]));
+            boundary.deaths.push_back(timeOf(model, destroyer));
             boundary.destroyers.push_back(destroyer);
         }
     }
@@ -82,28 +98,28 @@ public:
             counts_[axis] = static_cast<int>(std::clamp(places, 1.0, mostPlaces));
         }
         const auto places = static_cast<std::size_t>(counts_.prod());
-        firstDeath_.assign(places, Model::never);
-        lastBirth_.assign(places, 0);
+        firstDeath_.assign(places, afterAll);
+        lastBirth_.assign(places, beforeAll);
         for (std::size_t t = 0; t < boxes.size(); ++t)
             visit(boxes[t], [&](std::size_t place) {
-                firstDeath_[place] = std::min(firstDeath_[place], boundary.destroyers[t]);
-                lastBirth_[place] = std::max(lastBirth_[place], boundary.creators[t]);
+                firstDeath_[place] = std::min(firstDeath_[place], boundary.deaths[t]);
+                lastBirth_[place] = std::max(lastBirth_[place], boundary.births[t]);
             });
     }
 
-    /// Whether something near died at that site or before.
-    bool hasDeath(const Eigen::AlignedBox3d& box, std::uint32_t site) const
+    /// Whether something near died at that time or before.
+    bool hasDeath(const Eigen::AlignedBox3d& box, EntryTime time) const
     {
-        std::uint32_t first = Model::never;
+        EntryTime first = afterAll;
         visit(box, [&](std::size_t place) { first = std::min(first, firstDeath_[place]); });
-        return first <= site;
+        return first <= time;
     }
-    /// Whether something near was born at that site or after.
-    bool hasBirth(const Eigen::AlignedBox3d& box, std::uint32_t site) const
+    /// Whether something near was born at that time or after.
+    bool hasBirth(const Eigen::AlignedBox3d& box, EntryTime time) const
     {
-        std::uint32_t last = 0;
+        EntryTime last = beforeAll;
         visit(box, [&](std::size_t place) { last = std::max(last, lastBirth_[place]); });
-        return last >= site;
+        return last >= time;
     }
 
 private:
@@ -128,14 +144,14 @@ private:
 
     Eigen::AlignedBox3d all_;
     Eigen::Array3i counts_;
-    std::vector<std::uint32_t> firstDeath_;
-    std::vector<std::uint32_t> lastBirth_;
+    std::vector<EntryTime> firstDeath_;
+    std::vector<EntryTime> lastBirth_;
 };
 
 /// Collects what destroys the tetrahedra at fault.
 class BoundaryTest {
 public:
-    BoundaryTest(const LivingBoundary& boundary, std::uint32_t end) : boundary_(boundary), end_(end) {}
+    BoundaryTest(const LivingBoundary& boundary, std::uint32_t known) : boundary_(boundary), known_(known) {}
 
     BoundaryRepair run(const Progress& progress)
     {
@@ -154,7 +170,7 @@ private:
     void destroy(std::uint32_t triangle)
     {
         repair_.isSound = false;
-        if (boundary_.destroyers[triangle] < end_)
+        if (boundary_.destroyers[triangle] < known_)
             repair_.sites.push_back(boundary_.destroyers[triangle]);
     }
 
@@ -163,15 +179,15 @@ private:
     void findBreachesOfManifold()
     {
         struct Lives {
-            std::uint32_t lastBirth = 0;
-            std::uint32_t firstDeath = Model::never;
+            EntryTime lastBirth = beforeAll;
+            EntryTime firstDeath = afterAll;
             bool differ() const { return firstDeath <= lastBirth; }
         };
         std::vector<Lives> around(boundary_.positions.size());
         for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
             for (const std::uint32_t vertex : boundary_.triangles[t]) {
-                around[vertex].lastBirth = std::max(around[vertex].lastBirth, boundary_.creators[t]);
-                around[vertex].firstDeath = std::min(around[vertex].firstDeath, boundary_.destroyers[t]);
+                around[vertex].lastBirth = std::max(around[vertex].lastBirth, boundary_.births[t]);
+                around[vertex].firstDeath = std::min(around[vertex].firstDeath, boundary_.deaths[t]);
             }
         const auto differ = [&](std::uint32_t vertex) { return around[vertex].differ(); };
         std::vector<Triangle> some;
@@ -190,7 +206,7 @@ private:
             breached[vertex] = differ(vertex);
         for (const std::uint32_t t : numbers)
             for (const std::uint32_t vertex : boundary_.triangles[t])
-                if (breached[vertex] && boundary_.destroyers[t] <= around[vertex].lastBirth)
+                if (breached[vertex] && boundary_.deaths[t] <= around[vertex].lastBirth)
                     destroy(t);
     }
 
@@ -204,7 +220,7 @@ private:
         std::vector<Triangle> old;
         std::vector<std::uint32_t> numbers; // of the old ones
         for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
-            if (grid.hasBirth(boxes[t], boundary_.destroyers[t])) {
+            if (grid.hasBirth(boxes[t], boundary_.deaths[t])) {
                 old.push_back(boundary_.triangles[t]);
                 numbers.push_back(t);
             }
@@ -215,11 +231,11 @@ private:
         tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(boundary_.triangles.size())),
                           [&](const auto& range) {
                               for (std::uint32_t t = range.begin(); t != range.end() && !progress.cancelled(); ++t)
-                                  if (grid.hasDeath(boxes[t], boundary_.creators[t]))
+                                  if (grid.hasDeath(boxes[t], boundary_.births[t]))
                                       oldBoxes.visitMeeting(
                                           boundary_.triangles[t],
                                           [&](std::uint32_t other) {
-                                              return boundary_.destroyers[numbers[other]] <= boundary_.creators[t];
+                                              return boundary_.deaths[numbers[other]] <= boundary_.births[t];
                                           },
                                           [&](std::uint32_t other) { found.local().push_back(numbers[other]); });
                           });
@@ -264,20 +280,20 @@ private:
     }
 
     const LivingBoundary& boundary_;
-    std::uint32_t end_;
+    std::uint32_t known_; ///< sites
     BoundaryRepair repair_;
 };
 
 } // namespace
 
-Result<BoundaryRepair> testBoundary(const Model& model, const ExtractedMesh& mesh, std::uint32_t end,
+Result<BoundaryRepair> testBoundary(const Model& model, const ExtractedMesh& mesh, std::uint32_t known,
                                     const Progress& progress)
 {
     progress.report(0, testing);
     const LivingBoundary boundary = boundaryOf(model, mesh);
     if (progress.cancelled())
         return cancelledError(testing);
-    BoundaryRepair repair = BoundaryTest(boundary, end).run(progress);
+    BoundaryRepair repair = BoundaryTest(boundary, known).run(progress);
     if (progress.cancelled())
         return cancelledError(testing);
     return repair;

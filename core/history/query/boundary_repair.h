@@ -16,13 +16,13 @@ struct BoundaryRepair {
     std::vector<std::uint32_t> sites; ///< else to be added, with all that they need; empty if none are known to help
 };
 
-/// Tests the boundary of the mesh of a closed set (C3, S12). In the mesh of a prefix the boundary is sound; so two of
-/// its triangles can only meet if no prefix has the tetrahedra of both: one was destroyed before the other was made.
-/// Those pairs are tested, exactly, in the positions of the sites. `sites` destroy the older tetrahedron of each pair
-/// that meets, as far as they come before `end`, the sites that are known; with all of these there is a prefix's mesh.
-/// `mesh` is as extractSet() gives it. O(tetrahedra) and expected O(b log^2 b) for b faces of the boundary, 100 bytes a
-/// tetrahedron while it runs. Errors: cancelled.
-Result<BoundaryRepair> testBoundary(const Model& model, const ExtractedMesh& mesh, std::uint32_t end,
+/// Tests the boundary of the mesh of a closed set (C3, S12). In the mesh at the end of a batch the boundary is sound;
+/// so two of its triangles can only meet if no such mesh has the tetrahedra of both: one was destroyed in a batch no
+/// later than that in which the other was made. Those pairs are tested, exactly, in the positions of the sites. `sites`
+/// destroy the older tetrahedron of each pair that meets, as far as they are among the first `known`, which end a
+/// batch. `mesh` is as extractSet() gives it. O(tetrahedra) and expected O(b log^2 b) for b faces of the boundary, 100
+/// bytes a tetrahedron while it runs. Errors: cancelled.
+Result<BoundaryRepair> testBoundary(const Model& model, const ExtractedMesh& mesh, std::uint32_t known,
                                     const Progress& progress);
 
 } // namespace tetra

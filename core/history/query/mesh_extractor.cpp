@@ -364,8 +364,9 @@ Status MeshExtractor::Work::extractClosedSet(const MeshQuery& query, const Progr
     return extractSoundSet(query, criterion, finest, progress.part(0.3, 1));
 }
 
-/// Of irregular data, whose boundary moves, only prefixes are certain not to meet themselves: other sets are tested,
-/// and grow until they do not (C3). Within a budget, one that grows beyond it is begun again with a smaller one.
+/// Of irregular data, whose boundary moves, only meshes at the ends of batches certainly do not meet themselves: other
+/// sets are tested, and grow until they do not (C3). Within a budget, one that grows beyond it is begun again with a
+/// smaller one.
 Status MeshExtractor::Work::extractSoundSet(const MeshQuery& query, const RefinementCriterion& criterion,
                                             std::uint32_t finest, const Progress& progress)
 {

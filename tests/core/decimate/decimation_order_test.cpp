@@ -176,7 +176,7 @@ std::vector<std::uint32_t> plainOrder(const TestMesh& input, const DecimationOpt
         const auto [one, other, vertex, target] = *first;
         tagged[vertex] = true;
         const DecimatedMesh::Candidate candidate = mesh.judge(vertex, target);
-        if (!candidate.exists() || double(candidate.key) > options.stopKey || !mesh.collapse(vertex, target))
+        if (!candidate.exists() || double(candidate.key) > options.stopKey || !mesh.collapse(vertex, candidate))
             continue;
         removed[vertex] = true;
         order.push_back(vertex);

@@ -9,6 +9,7 @@
 #include "core/history/site_positions.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/query/random_queries.h"
+#include "tests/verdict_text.h"
 
 #include <tan/query.h>
 #include <tan/verify.h>
@@ -20,6 +21,8 @@
 #include <numbers>
 
 using namespace tetra;
+
+using testing::textOf;
 
 namespace {
 
@@ -189,6 +192,8 @@ private slots:
         QTest::addColumn<double>("gap");
         QTest::newRow("narrow") << 0.8 << 0.2;
         QTest::newRow("wider") << 1.0 << 0.3;
+        QTest::newRow("narrowest") << 1.2 << 0.1;
+        QTest::newRow("of equal keys") << 1.0 << 0.2; // a set between the sites of a batch meets itself
     }
     void boundariesNeverMeetThemselves()
     {
@@ -200,7 +205,7 @@ private slots:
         std::mt19937 random(6);
         MeshExtractor extractor(model);
         int repaired = 0;
-        for (int round = 0; round < 40; ++round) {
+        for (int round = 0; round < 100; ++round) {
             const Eigen::AlignedBox3d bounds = model->description().bounds;
             MeshQuery query;
             query.error = SpaceRamp{Sphere{placeIn(random, bounds), between(random, 0, 0.15) * model->diagonal()},
@@ -229,6 +234,21 @@ private slots:
             }
         }
         QVERIFY2(repaired >= 5, qPrintable(QString::number(repaired)));
+    }
+
+    /// R4, R5: a point that was removed from one side of a gap counts for what comes to lie over it from the other
+    /// side, in every mesh.
+    void claimsHoldAcrossGaps()
+    {
+        std::vector<Accuracy> levels;
+        for (double percent = 40; percent > 0.5; percent *= 0.8)
+            levels.push_back({percent, percent});
+        for (const double gap : {0.1, 0.2, 0.5}) {
+            const Dataset dataset = withGap(1.2, gap);
+            const auto model = modelOf(folder_.filePath("gap").toStdString(), dataset, decimated(dataset));
+            const auto verdict = verify(*model, dataset, levels);
+            QVERIFY2(verdict.ok() && verdict->ok(), qPrintable(textOf(verdict)));
+        }
     }
 
     /// Nothing is inserted into a mesh that is not Delaunay, however sharp the focus is.
