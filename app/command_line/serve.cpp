@@ -107,8 +107,8 @@ Result<Outcome> runServe(const Invocation& invocation)
     if (!bound)
         return bound.error();
     const std::string host = address.find(':') == std::string::npos ? address : "[" + address + "]";
-    invocation.messages << "Serving '" << arguments.positionals[0] << "' at http://" << host << ":" << *bound
-                        << "/ until Ctrl+C.\n"
+    invocation.messages << "Serving '" + arguments.positionals[0] + "' at http://" + host + ":" +
+                               std::to_string(*bound) + "/ until Ctrl+C.\n"
                         << std::flush;
     if (const Status ran = server.run(invocation.progress); !ran)
         return ran.error();

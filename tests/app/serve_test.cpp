@@ -656,7 +656,8 @@ private slots:
         process.setWorkingDirectory(place_.path());
         process.start(tanProgram(), {"serve", "models", "--port", "0", "--json"});
         process.setReadChannel(QProcess::StandardError);
-        QVERIFY(QTest::qWaitFor([&] { return process.canReadLine() || process.waitForReadyRead(100); }, 20'000));
+        while (!process.canReadLine())
+            QVERIFY(process.waitForReadyRead(20'000));
         const QByteArray line = process.readLine();
         const int port = line.mid(line.lastIndexOf(':') + 1).split('/')[0].toInt();
         QVERIFY2(port > 0, line);
