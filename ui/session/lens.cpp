@@ -9,7 +9,7 @@ namespace {
 
 /// Back ends draw no larger ones.
 constexpr double largestSide = 32767;
-constexpr double everyError = 100; ///< %
+constexpr double errorBeside = 100; ///< %; outside of the frustum
 
 int rounded(double number)
 {
@@ -113,9 +113,9 @@ MeshQuery lensQuery(MeshQuery query, double error, std::span<const HalfSpace> fr
         return query;
     const auto refined = [&](const ErrorField& field) {
         const double within = std::min(error, field.bounds().maximum);
-        ErrorField inside = SpaceRamp{frustum.front(), within, everyError, 0};
+        ErrorField inside = SpaceRamp{frustum.front(), within, errorBeside, 0};
         for (const HalfSpace& plane : frustum.subspan(1))
-            inside = largerOf(inside, SpaceRamp{plane, within, everyError, 0});
+            inside = largerOf(inside, SpaceRamp{plane, within, errorBeside, 0});
         return smallerOf(field, inside);
     };
     const ErrorField fine = refined(query.error);
