@@ -100,6 +100,14 @@ void Opening::readDifferently()
         look(dataset_->source.path, true);
 }
 
+/// How a model is to be seen that was seen before; none read yet.
+OpenedModel Opening::asSeenLast(const std::filesystem::path& place) const
+{
+    OpenedModel as;
+    as.view = views_.find(place);
+    return as;
+}
+
 /// In a worker; what was being read before is not wanted any more.
 void Opening::read(LongTask::Work work)
 {
@@ -111,7 +119,7 @@ void Opening::read(LongTask::Work work)
 void Opening::readModel(const std::filesystem::path& place, const std::shared_ptr<Coming>& coming, bool whole)
 {
     read([this, place, coming, whole](const Progress& progress) {
-        return whenModelCame(place, {.view = views_.find(place)}, coming, whole, progress);
+        return whenModelCame(place, asSeenLast(place), coming, whole, progress);
     });
     coming_ = coming;
 }
@@ -235,7 +243,7 @@ void Opening::look(const std::filesystem::path& path, bool ask)
             return [this, path] { emit pictureOpened(pathText(path)); };
         if (!isModelFile(path) || ask)
             return whenLookedAt(path, ask, progress);
-        return whenModelCame(path, {.view = views_.find(path)}, coming, false, progress);
+        return whenModelCame(path, asSeenLast(path), coming, false, progress);
     });
     coming_ = coming;
 }
@@ -344,7 +352,10 @@ void Opening::openSession(const std::filesystem::path& path, SessionSource sourc
         const auto document = readSession(path);
         if (!document)
             return tellLater(document.error());
-        const OpenedModel as{.view = *document, .from = path, .source = source};
+        OpenedModel as;
+        as.view = *document;
+        as.from = path;
+        as.source = source;
         return whenModelCame(document->model, as, coming, false, progress);
     });
     coming_ = coming;

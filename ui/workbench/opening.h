@@ -173,6 +173,7 @@ private:
         OpenedModel newest{};
     };
 
+    OpenedModel asSeenLast(const std::filesystem::path& place) const;
     void read(LongTask::Work work);
     void readModel(const std::filesystem::path& place, const std::shared_ptr<Coming>& coming, bool whole);
     std::function<void()> whenModelCame(const std::filesystem::path& place, const OpenedModel& as,
