@@ -47,6 +47,7 @@ static_assert(sizeof(PieceHead) == 8);
 /// What the prefixes of a model need besides the history.
 struct PartFacts {
     std::uint32_t coordinateBytes = 0;
+    bool decimals = false;
     std::array<std::uint32_t, 3> blockCells{};
     std::vector<Fault> faultsOfCells;
 };
@@ -103,6 +104,7 @@ template <class Coder> void codeFacts(Coder& coder, PartFacts& facts, std::uint6
 {
     PlainCoder<Coder> plain(coder);
     facts.coordinateBytes = plain.number(facts.coordinateBytes);
+    facts.decimals = plain.template number<std::uint32_t>(facts.decimals ? 1 : 0) != 0;
     for (std::uint32_t& cells : facts.blockCells)
         cells = plain.number(cells);
     const std::uint64_t count = std::min(plain.template number<std::uint64_t>(facts.faultsOfCells.size()), mostFaults);
@@ -116,13 +118,14 @@ template <class Coder> void codeFacts(Coder& coder, PartFacts& facts, std::uint6
     }
 }
 
-HistoryFacts factsOf(const Header& header, const ModelDescription& description, std::uint32_t coordinateBytes)
+HistoryFacts factsOf(const Header& header, const ModelDescription& description, const PartFacts& known)
 {
     HistoryFacts facts;
     facts.domain = description.domain;
     facts.sampleType = description.sampleType;
     facts.lattice = description.lattice;
-    facts.coordinateBytes = coordinateBytes;
+    facts.coordinateBytes = known.coordinateBytes;
+    facts.decimals = known.decimals;
     facts.delaunay = description.delaunay;
     facts.extent = description.range.extent();
     facts.diagonal = description.bounds.diagonal().norm();
@@ -378,6 +381,7 @@ PartFacts partFactsOf(const Model& model)
 {
     PartFacts facts;
     facts.coordinateBytes = !model.floatPositions().empty() ? 4 : !model.doublePositions().empty() ? 8 : 0;
+    facts.decimals = facts.coordinateBytes > 0 && hasDecimals(model);
     const DerivedSections derived = derivedSections(model);
     if (derived.blockCells.size() == 3)
         std::ranges::copy(derived.blockCells, facts.blockCells.begin());
@@ -532,7 +536,7 @@ public:
         codeFacts(coder, facts_, std::numeric_limits<std::uint64_t>::max());
         if (const Status added = records_.add(PartKind::Facts, coder.finish()); !added)
             return added.error();
-        HistoryEncoder encoder(model_, factsOf(layout->header, model_.description(), facts_.coordinateBytes));
+        HistoryEncoder encoder(model_, factsOf(layout->header, model_.description(), facts_));
         if (const Status packed = packHistory(encoder); !packed)
             return packed.error();
         if (const Status packed = packRest(encoder.arrays()); !packed)
@@ -643,7 +647,7 @@ public:
     {
         if (const Status facts = readFacts(); !facts)
             return facts;
-        decoder_.emplace(factsOf(file_.header(), file_.description(), facts_.coordinateBytes));
+        decoder_.emplace(factsOf(file_.header(), file_.description(), facts_));
         std::uint32_t site = 0;
         while (site < sites) {
             if (const Status read = expect(PartKind::History); !read)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <type_traits>
 
@@ -113,6 +114,37 @@ std::uint64_t unzigzag(std::uint64_t code, std::uint64_t from, unsigned bits)
     return bits == 64 ? sum : sum & ((std::uint64_t(1) << bits) - 1);
 }
 
+double powerOfTen(unsigned exponent)
+{
+    double power = 1;
+    for (unsigned i = 0; i < exponent; ++i)
+        power *= 10; // exactly, up to 10^22
+    return power;
+}
+
+/// A number in units of 1 / `unit`, if it is no more than doubles count.
+std::optional<std::int64_t> wholeUnits(double number, double unit)
+{
+    const double units = std::floor(number * unit + 0.5);
+    if (!(std::abs(units) <= 0x1p53))
+        return std::nullopt;
+    return static_cast<std::int64_t>(units);
+}
+
+constexpr unsigned mostDecimals = 12;
+
+/// The fewest digits behind the point with which a number can be written; one more than most if there are none.
+template <class T> unsigned decimalsIn(T number)
+{
+    for (unsigned digits = 0; digits <= mostDecimals; ++digits) {
+        const double unit = powerOfTen(digits);
+        const auto units = wholeUnits(static_cast<double>(number), unit);
+        if (units && orderedBits(number) == orderedBits(nearestSample<T>(static_cast<double>(*units) / unit)))
+            return digits;
+    }
+    return mostDecimals + 1;
+}
+
 using Place = std::array<double, 3>;
 
 /// Six times the volume of (o, a, b, c).
@@ -135,6 +167,8 @@ struct HistoryState {
     HistoryArrays arrays;
     std::vector<Tetrahedron> corners;               ///< of each tetrahedron, as they are stored: the creator first
     std::vector<std::array<std::uint32_t, 4>> next; ///< its neighbours, opposite to its corners; of the living
+    std::vector<std::uint8_t>
+        fronts; ///< likewise: where their creators may be in the builder's order of corners, as bits
     std::vector<std::uint32_t> marks;
     std::uint32_t mark = 0;
     std::vector<Place> places; ///< of the sites, in the space that the mesh was made in
@@ -153,6 +187,8 @@ struct HistoryState {
     std::uint32_t siteCount() const { return static_cast<std::uint32_t>(arrays.points.size()); }
     std::uint32_t tetrahedronCount() const { return static_cast<std::uint32_t>(corners.size()); }
     bool alive(std::uint32_t t) const { return arrays.destroyers[t] == Model::never; }
+    /// Builders that put a new corner in the place of one that goes; others put it in front.
+    bool turnsInPlace() const { return !facts.delaunay || !isOnLattice(facts.domain); }
     std::size_t sampleBytes() const { return sampleSize(facts.sampleType); }
     template <class T> T valueOf(std::uint32_t site) const
     {
@@ -255,12 +291,14 @@ struct PartModels {
     Bits<2, 3, 8> apex;
     Bits<2> moreTetrahedra;
     Bits<2, 4> orderIsNext;
-    Bits<2, 3> turn;
+    Bits<2, 2, 3, 2> turn;
     std::array<NumberModel, 3> coordinate;
+    std::array<NumberModel, 2> decimal;
+    Bits<16> digits;
     Bits<3> valueByKey;
     std::array<NumberModel, 2> value;
-    Bits<2, 16, 3> ownIsZero;
-    std::array<std::array<NumberModel, 2>, 2> own;
+    Bits<2, 16, 3, 3> ownIsZero;
+    std::array<std::array<NumberModel, 3>, 2> own;
 };
 
 /// What a group's coding works with, kept for the next one's sake.
@@ -269,14 +307,19 @@ struct GroupScratch {
         Triangle corners{};           ///< (apex, corners) is positive
         std::uint32_t back = nowhere; ///< the tetrahedron on the other side: a new one by its place if isNew
         std::uint32_t backFace = 0;
-        std::uint32_t hint = nowhere; ///< a site that may be the apex
+        std::uint32_t hint = nowhere;  ///< a site that may be the apex
+        std::uint32_t dying = nowhere; ///< what dies on this side
+        std::uint32_t dyingFace = 0;
         bool isNew = false, closed = false, odd = false;
     };
     struct New {
         Tetrahedron sites{};
         std::array<std::uint32_t, 4> next{nowhere, nowhere, nowhere, nowhere};
         std::array<bool, 4> nextIsNew{};
-        std::uint32_t truth = 0; ///< in the encoder: its number
+        std::uint32_t dying = nowhere; ///< in whose place it comes, but for a corner ...
+        std::uint32_t dyingCorner = 0; ///< ... which is this one of it
+        std::uint8_t fronts = 15;      ///< as HistoryState's
+        std::uint32_t truth = 0;       ///< in the encoder: its number
     };
     struct Outer {
         std::uint32_t inside, face; ///< of a tetrahedron that dies
@@ -297,6 +340,7 @@ struct GroupScratch {
     std::vector<New> made;
     std::vector<std::vector<std::uint32_t>> stars;
     std::vector<std::uint32_t> numbers; ///< of what was made
+    std::vector<std::uint32_t> parents; ///< of each of these, in the order of their numbers: New::dying
     std::vector<std::uint32_t> candidates;
     std::vector<std::uint32_t> ownedBegins; ///< for each site of the group: in ...
     std::vector<std::uint32_t> owned;       ///< ... the dying by their owners
@@ -351,6 +395,14 @@ private:
         const std::uint64_t coded = number(model, std::min(truth, huge));
         return coded < huge ? coded : rawBits(truth, 64);
     }
+    /// Four bits that are learnt.
+    unsigned codeDigits(unsigned truth)
+    {
+        unsigned node = 1;
+        for (unsigned i = 4; i-- > 0;)
+            node = node << 1 | (bit(models_.digits[node], (truth >> i & 1) != 0) ? 1u : 0u);
+        return node & 15;
+    }
     std::uint64_t rawBits(std::uint64_t truth, unsigned count)
     {
         if constexpr (encodes) {
@@ -403,6 +455,8 @@ private:
     std::uint32_t pushFace(const GroupScratch::Face& face, const SortedTriangle& sorted);
     bool orderStars();
     bool turnCreatorFirst(GroupScratch::New& tetrahedron, std::uint32_t creator);
+    std::size_t codeTurn(GroupScratch::New& tetrahedron, const std::array<std::size_t, 4>& corners, std::size_t truth);
+    std::size_t nextAround(std::span<const std::uint32_t> star, std::size_t done);
     void link();
     bool codeSites();
     bool codePoint(std::uint32_t local);
@@ -437,6 +491,8 @@ private:
     std::vector<std::uint32_t> common_; ///< corners that all that dies has
     std::uint32_t host_ = nowhere;      ///< of the site that is placed: where it lies
     std::uint32_t used_ = 0;            ///< in the encoder: of its tetrahedra
+    std::uint32_t asked_ = 0;           ///< of the star at hand: whose neighbours come next ...
+    std::vector<std::uint32_t> around_; ///< ... and whose after that, the last one first
     std::uint64_t death_ = 0;           ///< likewise: the first that has not been coded
     std::uint32_t unused_ = 0;          ///< likewise: all before are
     bool placedEarly_ = false;          ///< the only site was, before what it destroys was known
@@ -770,6 +826,8 @@ template <class Coder> bool GroupCoder<Coder>::fillCavity()
                 return false;
         }
         open.hint = first_ + at_.owners[dyingPlace];
+        open.dying = inside;
+        open.dyingFace = face;
         const SortedTriangle sorted = sortedTriangle(open.corners, open.odd);
         if (pushFace(open, sorted) + 1 != at_.faces.size())
             return false;
@@ -913,8 +971,11 @@ template <class Coder> bool GroupCoder<Coder>::addNew(const Tetrahedron& sites, 
             at_.made[face.back].nextIsNew[face.backFace] = true;
         }
     };
-    if (from != nowhere)
+    if (from != nowhere) {
+        at_.made.back().dying = at_.faces[from].dying;
+        at_.made.back().dyingCorner = at_.faces[from].dyingFace;
         meet(at_.faces[from], 0);
+    }
     for (std::uint32_t own = from != nowhere ? 1 : 0; own < 4; ++own) {
         const auto& [a, b, c] = faceOf(sites, own);
         GroupScratch::Face open;
@@ -946,6 +1007,7 @@ template <class Coder> bool GroupCoder<Coder>::orderStars()
     for (std::uint32_t place = 0; place < at_.made.size(); ++place)
         at_.stars[std::ranges::max(at_.made[place].sites) - first_].push_back(place);
     at_.numbers.resize(at_.made.size());
+    at_.parents.resize(at_.made.size());
     std::uint32_t number = base_;
     const std::size_t single = count_ == 1 ? 0 : 1;
     for (std::uint32_t local = 0; local < count_; ++local) {
@@ -959,21 +1021,60 @@ template <class Coder> bool GroupCoder<Coder>::orderStars()
                 while (truth + 1 < left.size() && base_ + at_.made[left[truth]].truth != number)
                     ++truth;
             const std::size_t choices = left.size() - done;
-            std::size_t chosen = done;
+            const std::size_t expected = nextAround(left, done);
+            std::size_t chosen = expected;
             if (choices > 1 &&
                 !bit(models_.orderIsNext[single][std::min<std::size_t>(std::bit_width(choices) - 1, 4) - 1],
-                     truth == done))
-                chosen = done + 1 + oneOf(truth - done - 1, choices - 1);
+                     truth == expected)) {
+                chosen = done + oneOf(truth < expected ? truth - done : truth - done - 1, choices - 1);
+                chosen += chosen >= expected ? 1 : 0;
+            }
             // The others keep their order.
             std::rotate(left.begin() + static_cast<std::ptrdiff_t>(done),
                         left.begin() + static_cast<std::ptrdiff_t>(chosen),
                         left.begin() + static_cast<std::ptrdiff_t>(chosen) + 1);
             at_.numbers[left[done]] = number;
+            at_.parents[number - base_] = at_.made[left[done]].dying;
             if (!turnCreatorFirst(at_.made[left[done]], first_ + local))
                 return false;
         }
     }
     return true;
+}
+
+/// Which of a star's tetrahedra is likely to follow the first `done`: the next one as it is; of scattered points, whose
+/// builder goes from tetrahedron to tetrahedron around the new point, a neighbour of the one that it has come to: it
+/// takes all neighbours of one, and then those of the last that it took.
+template <class Coder> std::size_t GroupCoder<Coder>::nextAround(std::span<const std::uint32_t> star, std::size_t done)
+{
+    if (onLattice() || !state_.facts.delaunay)
+        return done;
+    if (done == 0)
+        return done;
+    if (done == 1) {
+        around_.clear();
+        asked_ = star[0];
+    } else {
+        around_.push_back(star[done - 1]);
+    }
+    for (;;) {
+        const GroupScratch::New& tetrahedron = at_.made[asked_];
+        const auto front = static_cast<std::size_t>(std::countr_zero(tetrahedron.fronts));
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const auto& others = cornersOfFace[front];
+            const auto stored = static_cast<std::size_t>(std::ranges::find(others, corner) - others.begin());
+            if (stored == 3 || !tetrahedron.nextIsNew[1 + stored])
+                continue;
+            const auto left = star.subspan(done);
+            const auto found = std::ranges::find(left, tetrahedron.next[1 + stored]);
+            if (found != left.end())
+                return done + static_cast<std::size_t>(found - left.begin());
+        }
+        if (around_.empty())
+            return done;
+        asked_ = around_.back();
+        around_.pop_back();
+    }
 }
 
 /// The creator in front, the others in the order in which they are stored.
@@ -991,8 +1092,7 @@ template <class Coder> bool GroupCoder<Coder>::turnCreatorFirst(GroupScratch::Ne
         if (turn == 3 || others[1] != site(turn + 1) || others[2] != site(turn + 2))
             return false;
     }
-    const std::size_t single = count_ == 1 ? 0 : 1;
-    turn = bit(models_.turn[single][0], turn != 0) ? bit(models_.turn[single][1], turn == 2) ? 2 : 1 : 0;
+    turn = codeTurn(tetrahedron, corners, turn);
     const GroupScratch::New before = tetrahedron;
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t from = i == 0 ? corners[0] : corners[1 + (i - 1 + turn) % 3];
@@ -1001,6 +1101,61 @@ template <class Coder> bool GroupCoder<Coder>::turnCreatorFirst(GroupScratch::Ne
         tetrahedron.nextIsNew[i] = before.nextIsNew[from];
     }
     return true;
+}
+
+/// How far the others are turned from how the face lies that the tetrahedron fills. A builder that changes a corner in
+/// place keeps the order of all four, of which a file tells no more than what is left of it with the creator in front.
+template <class Coder> std::size_t GroupCoder<Coder>::codeTurn(GroupScratch::New& tetrahedron,
+                                                               const std::array<std::size_t, 4>& corners,
+                                                               std::size_t truth)
+{
+    struct Guess {
+        std::uint8_t parent = 0, own = 0; ///< the creators' places
+        std::size_t turn = 0;
+    };
+    std::array<Guess, 4> guesses{};
+    std::size_t count = 0, expected = 0;
+    std::array<std::size_t, 3> votes{};
+    if (state_.turnsInPlace() && tetrahedron.dying != nowhere) {
+        const Tetrahedron& parent = state_.corners[tetrahedron.dying];
+        for (std::uint8_t front = 0; front < 4; ++front) {
+            if ((state_.fronts[tetrahedron.dying] >> front & 1) == 0)
+                continue;
+            Tetrahedron order{};
+            order[front] = parent[0];
+            for (std::size_t i = 0; i < 3; ++i)
+                order[cornersOfFace[front][i]] = parent[1 + i];
+            Guess guess{front, 0, 0};
+            guess.own =
+                static_cast<std::uint8_t>(std::ranges::find(order, parent[tetrahedron.dyingCorner]) - order.begin());
+            const std::uint32_t second = order[cornersOfFace[guess.own][0]];
+            while (guess.turn < 2 && tetrahedron.sites[corners[1 + guess.turn]] != second)
+                ++guess.turn;
+            ++votes[guess.turn];
+            guesses[count++] = guess;
+        }
+        expected = static_cast<std::size_t>(std::ranges::max_element(votes) - votes.begin());
+    }
+    // Whether the corner that goes is one that all has that dies, as where an edge was collapsed.
+    const bool isCommon =
+        count > 0 &&
+        std::ranges::find(common_, state_.corners[tetrahedron.dying][tetrahedron.dyingCorner]) != common_.end();
+    const std::size_t sure = count == 0 ? 0 : votes[expected] == count ? 2 : 1;
+    auto& models = models_.turn[count_ == 1 ? 0 : 1][isCommon ? 1 : 0][sure];
+    const std::size_t off = (truth + 3 - expected) % 3;
+    const std::size_t coded = bit(models[0], off != 0) ? bit(models[1], off == 2) ? 2 : 1 : 0;
+    const std::size_t turn = (expected + coded) % 3;
+    std::uint8_t parents = 0, fronts = 0;
+    for (const Guess& guess : std::span(guesses).first(count))
+        if (guess.turn == turn) {
+            parents = static_cast<std::uint8_t>(parents | 1u << guess.parent);
+            fronts = static_cast<std::uint8_t>(fronts | 1u << guess.own);
+        }
+    if (fronts != 0) {
+        state_.fronts[tetrahedron.dying] = parents;
+        tetrahedron.fronts = fronts;
+    }
+    return turn;
 }
 
 /// Puts the new tetrahedra in the place of those that die.
@@ -1014,6 +1169,7 @@ template <class Coder> void GroupCoder<Coder>::link()
     const std::size_t count = at_.made.size();
     state_.corners.resize(base_ + count);
     state_.next.resize(base_ + count);
+    state_.fronts.resize(base_ + count);
     state_.marks.resize(base_ + count);
     arrays_.otherSites.resize(base_ + count);
     arrays_.destroyers.resize(base_ + count, Model::never);
@@ -1021,6 +1177,7 @@ template <class Coder> void GroupCoder<Coder>::link()
         const GroupScratch::New& tetrahedron = at_.made[place];
         const std::uint32_t number = at_.numbers[place];
         state_.corners[number] = tetrahedron.sites;
+        state_.fronts[number] = tetrahedron.fronts;
         arrays_.otherSites[number] = {tetrahedron.sites[1], tetrahedron.sites[2], tetrahedron.sites[3]};
         for (std::size_t i = 0; i < 4; ++i)
             state_.next[number][i] = tetrahedron.nextIsNew[i] ? at_.numbers[tetrahedron.next[i]] : tetrahedron.next[i];
@@ -1188,26 +1345,42 @@ template <class Coder> bool GroupCoder<Coder>::codePointIn(std::uint32_t host, s
     return true;
 }
 
-/// Coordinates as they are stored, next to where they are expected.
+/// Coordinates as they are stored, next to where they are expected; those that were written as decimals as these.
 template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, const Place& predicted)
 {
     const auto code = [&]<class T>(T) {
         Place place{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            constexpr unsigned bits = 8 * sizeof(T);
-            const std::uint64_t from = orderedBits(nearestSample<T>(predicted[axis]));
-            std::uint64_t truth = 0;
-            if constexpr (encodes) {
-                if constexpr (sizeof(T) == 4)
-                    truth = orderedBits(truth_.model->floatPositions()[site][static_cast<int>(axis)]);
-                else
-                    truth = orderedBits(truth_.model->doublePositions()[site][static_cast<int>(axis)]);
-            }
-            const std::uint64_t coded = wideNumber(models_.coordinate[axis], zigzag(truth, from, bits));
-            const T coordinate = fromOrderedBits<T>(unzigzag(coded, from, bits));
+        const auto keep = [&](std::size_t axis, T coordinate) {
             place[axis] = static_cast<double>(coordinate);
             const auto* bytes = reinterpret_cast<const std::byte*>(&coordinate);
             arrays_.positions.insert(arrays_.positions.end(), bytes, bytes + sizeof coordinate);
+        };
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            constexpr unsigned bits = 8 * sizeof(T);
+            const std::uint64_t from = orderedBits(nearestSample<T>(predicted[axis]));
+            T exact{};
+            if constexpr (encodes) {
+                if constexpr (sizeof(T) == 4)
+                    exact = truth_.model->floatPositions()[site][static_cast<int>(axis)];
+                else
+                    exact = truth_.model->doublePositions()[site][static_cast<int>(axis)];
+            }
+            if (state_.facts.decimals) {
+                const unsigned digits = codeDigits(encodes ? decimalsIn(exact) : 0);
+                if (digits <= mostDecimals) {
+                    const double unit = powerOfTen(digits);
+                    const auto near = static_cast<std::uint64_t>(wholeUnits(predicted[axis], unit).value_or(0));
+                    std::uint64_t units = 0;
+                    if constexpr (encodes)
+                        units = static_cast<std::uint64_t>(*wholeUnits(static_cast<double>(exact), unit));
+                    units =
+                        unzigzag(wideNumber(models_.decimal[digits > 4 ? 1 : 0], zigzag(units, near, 64)), near, 64);
+                    keep(axis, nearestSample<T>(static_cast<double>(static_cast<std::int64_t>(units)) / unit));
+                    continue;
+                }
+            }
+            const std::uint64_t coded = wideNumber(models_.coordinate[axis], zigzag(orderedBits(exact), from, bits));
+            keep(axis, fromOrderedBits<T>(unzigzag(coded, from, bits)));
         }
         if (!onLattice())
             state_.places.push_back(place);
@@ -1367,12 +1540,14 @@ template <class Coder> void GroupCoder<Coder>::codeOwn()
             std::uint16_t truth = 0;
             if constexpr (encodes)
                 truth = kind == 0 ? truth_.model->ownErrors()[t] : truth_.model->ownWarpings()[t];
-            const bool isZero = bit(models_.ownIsZero[kind][size][before[kind]], truth == 0);
+            const std::uint32_t parent = at_.parents[t - base_];
+            const std::size_t parentClass = parent == nowhere ? 2 : own[parent] == 0 ? 0 : 1;
+            const bool isZero = bit(models_.ownIsZero[kind][size][before[kind]][parentClass], truth == 0);
             before[kind] = isZero ? 0 : 1;
             std::uint64_t half = 0;
+            const std::uint32_t near = parentClass == 1 ? own[parent] : key[kind];
             if (!isZero)
-                half =
-                    unzigzag(number(models_.own[kind][size > 6 ? 1 : 0], zigzag(truth, key[kind], 16)), key[kind], 16);
+                half = unzigzag(number(models_.own[kind][parentClass], zigzag(truth, near, 16)), near, 16);
             own.push_back(static_cast<std::uint16_t>(half));
         }
         if (const double bound = state_.ownKey(t); bound > 0)
@@ -1406,6 +1581,22 @@ HistoryEncoder::HistoryEncoder(const Model& model, const HistoryFacts& facts)
     for (std::uint64_t t = 0; t < destroyers.size(); ++t)
         if (dies(t))
             deaths_[next[destroyers[t]]++] = static_cast<std::uint32_t>(t);
+}
+
+bool hasDecimals(const Model& model)
+{
+    // In bits: what decimals take within the bounding box, and what the numbers themselves take near others.
+    const auto areShort = [&](const auto& positions) {
+        double sum = 0;
+        for (const auto& position : positions)
+            for (const auto coordinate : {position[0], position[1], position[2]}) {
+                const unsigned digits = decimalsIn(coordinate);
+                const auto own = static_cast<double>(8 * sizeof coordinate - 12);
+                sum += digits > mostDecimals ? 4 : std::log2(model.diagonal() * powerOfTen(digits) + 1) - 3 - own;
+            }
+        return sum < 0;
+    };
+    return model.floatPositions().empty() ? areShort(model.doublePositions()) : areShort(model.floatPositions());
 }
 
 HistoryEncoder::~HistoryEncoder() = default;

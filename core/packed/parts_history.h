@@ -25,6 +25,7 @@ struct HistoryFacts {
     SampleType sampleType = SampleType::UInt8;
     Lattice lattice;
     std::size_t coordinateBytes = 0; ///< of the sites' positions: 4 or 8; 0 of regular lattices
+    bool decimals = false; ///< coordinates are coded as decimals: most of them are short ones
     bool delaunay = true;
     double extent = 0;        ///< of the values
     double diagonal = 0;      ///< of the bounding box
@@ -32,6 +33,9 @@ struct HistoryFacts {
     std::uint32_t siteCount = 0;
     std::uint64_t tetrahedronCount = 0;
 };
+
+/// Whether a model's positions are best coded as decimals, as those of text files are. O(sites).
+bool hasDecimals(const Model& model);
 
 /// The arrays of the sites and tetrahedra so far (FORMAT.md); a destroyer that has not come yet is Model::never.
 struct HistoryArrays {

@@ -127,6 +127,7 @@ HistoryFacts factsOf(const Model& model)
     facts.sampleType = about.sampleType;
     facts.lattice = about.lattice;
     facts.coordinateBytes = !model.floatPositions().empty() ? 4 : !model.doublePositions().empty() ? 8 : 0;
+    facts.decimals = facts.coordinateBytes > 0 && hasDecimals(model);
     facts.delaunay = about.delaunay;
     facts.extent = about.range.extent();
     facts.diagonal = model.diagonal();
