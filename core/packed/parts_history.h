@@ -25,7 +25,7 @@ struct HistoryFacts {
     SampleType sampleType = SampleType::UInt8;
     Lattice lattice;
     std::size_t coordinateBytes = 0; ///< of the sites' positions: 4 or 8; 0 of regular lattices
-    bool decimals = false; ///< coordinates are coded as decimals: most of them are short ones
+    bool decimals = false;           ///< coordinates are coded as decimals: most of them are short ones
     bool delaunay = true;
     double extent = 0;        ///< of the values
     double diagonal = 0;      ///< of the bounding box
@@ -64,7 +64,7 @@ struct HistoryCost {
 
 struct HistoryState;
 
-/// Codes a model from its first site on. Memory: about 60 bytes a tetrahedron that ever lived. May throw
+/// Codes a model from its first site on. Memory: about 80 bytes a tetrahedron that ever lived. May throw
 /// std::bad_alloc.
 class HistoryEncoder {
 public:
