@@ -142,7 +142,9 @@ void addCells(const QString& folder)
 void addTexts(const QString& folder)
 {
     Seeds transfer(folder, "transfer");
-    transfer.add(transferFunctionToText({{{1, {0, 0.5f, 0}, 0}, {1, {1, 1, 1}, 1}, {2.5, {1, 0, 0}, 0.25f}}, 3}));
+    transfer.add(transferFunctionToText({.colours = {{1, {0, 0.5f, 0}}, {1, {1, 1, 1}}, {2.5, {1, 0, 0}}},
+                                         .opacities = {{1, 0}, {1, 1}, {2.5, 0.25f}},
+                                         .unitDistance = 3}));
     transfer.add(transferFunctionToText({}));
 
     Seeds fields(folder, "error-field");
