@@ -69,21 +69,25 @@ std::span<const std::byte> bytesOfEach(std::span<const Key> keys, Buffer<std::by
 
 } // namespace
 
-ModelFileWriter::ModelFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description)
+ModelFileWriter::ModelFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description,
+                                 KnownSamples known)
     : target_(file.target()), sections_(std::move(file)), dataset_(dataset), description_(std::move(description)),
-      positionsFitFloats_(hasPositions() && fitFloats(*dataset.positions))
+      positionsFitFloats_(hasPositions() && fitFloats(*dataset.positions)), known_(known)
 {
 }
 
 Result<std::unique_ptr<ModelFileWriter>> ModelFileWriter::create(const std::filesystem::path& path,
                                                                  const Dataset& dataset, ModelDescription description,
-                                                                 const std::filesystem::path& workFolder)
+                                                                 const std::filesystem::path& workFolder,
+                                                                 KnownSamples known)
 {
-    describeSource(description, dataset);
+    if (known == KnownSamples::All)
+        describeSource(description, dataset);
     Result<FileWriter> file = FileWriter::create(path, 1 << 20, workFolder);
     if (!file)
         return file.error();
-    std::unique_ptr<ModelFileWriter> writer(new ModelFileWriter(std::move(*file), dataset, std::move(description)));
+    std::unique_ptr<ModelFileWriter> writer(
+        new ModelFileWriter(std::move(*file), dataset, std::move(description), known));
     if (const Status begun = writer->begin(); !begun)
         return begun.error();
     return writer;
@@ -140,7 +144,8 @@ bool ModelFileWriter::keepsSamples() const noexcept
     const std::size_t positionBytes = !hasPositions()       ? 0
                                       : positionsFitFloats_ ? sizeof(Eigen::Vector3f)
                                                             : sizeof(Eigen::Vector3d);
-    return keepsSamplesOf(dataset_.domain, dataset_.values.type(), positionBytes, dataset_.pointCount(), counts_);
+    return known_ == KnownSamples::All &&
+           keepsSamplesOf(dataset_.domain, dataset_.values.type(), positionBytes, dataset_.pointCount(), counts_);
 }
 
 Status ModelFileWriter::announce(const FixedCounts& counts)
@@ -467,13 +472,13 @@ Error HistoryFileWriter::inconsistent(const Message& what) const
 
 Result<std::unique_ptr<ModelWriter>> ModelWriter::create(const std::filesystem::path& path, const Dataset& dataset,
                                                          ModelDescription description,
-                                                         const std::filesystem::path& workFolder)
+                                                         const std::filesystem::path& workFolder, KnownSamples known)
 {
     if (dataset.pointCount() > (1ull << 32))
         return Error{ErrorKind::OutOfResource,
                      Message::say("A model holds at most 4294967296 points, and '%1' has %2. Take a part of it.",
                                   dataset.source.name, dataset.pointCount())};
-    auto file = ModelFileWriter::create(path, dataset, std::move(description), workFolder);
+    auto file = ModelFileWriter::create(path, dataset, std::move(description), workFolder, known);
     if (!file)
         return file.error();
     auto spoolFolder = workFolder.empty() ? (*file)->target().parent_path() : workFolder;

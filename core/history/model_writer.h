@@ -17,6 +17,12 @@
 
 namespace tetra {
 
+/// Which samples of a dataset are known to those who write a model of it.
+enum class KnownSamples {
+    All,
+    OfSites ///< the others are whatever they are: the model keeps none, and its description is taken as it is given
+};
+
 /// Writes the sections that a model of a dataset has (FORMAT.md), whoever made its history and in whatever order it
 /// comes. Memory: buffers, and what writeDerivedSections() takes at the end. Nothing appears under the path before
 /// finish() has succeeded: the file is written beside it, synced and renamed; destroying an unfinished writer removes
@@ -27,7 +33,8 @@ public:
     /// `workFolder`, on the same disk; without one beside `path`.
     static Result<std::unique_ptr<ModelFileWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
                                                            ModelDescription description,
-                                                           const std::filesystem::path& workFolder = {});
+                                                           const std::filesystem::path& workFolder = {},
+                                                           KnownSamples known = KnownSamples::All);
     /// Likewise of a history whose size is known already.
     static Result<std::unique_ptr<ModelFileWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
                                                            ModelDescription description, const FixedCounts& counts,
@@ -67,7 +74,7 @@ public:
                                        std::uint64_t points) noexcept;
 
 private:
-    ModelFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description);
+    ModelFileWriter(FileWriter file, const Dataset& dataset, ModelDescription description, KnownSamples known);
     Status begin();
     bool hasPositions() const noexcept { return dataset_.domain != DomainClass::RegularLattice; }
     bool keepsSamples() const noexcept;
@@ -83,6 +90,7 @@ private:
     std::array<std::uint32_t, 3> blockCells_{};
     bool otherSitesBegun_ = false;
     bool positionsFitFloats_ = false;
+    KnownSamples known_ = KnownSamples::All;
     std::vector<std::uint64_t> offsets_;
     Buffer<std::byte> elements_;
 };
@@ -94,7 +102,8 @@ public:
     /// As ModelFileWriter's.
     static Result<std::unique_ptr<ModelWriter>> create(const std::filesystem::path& path, const Dataset& dataset,
                                                        ModelDescription description,
-                                                       const std::filesystem::path& workFolder = {});
+                                                       const std::filesystem::path& workFolder = {},
+                                                       KnownSamples known = KnownSamples::All);
     /// In place of finish(), at any time: completes the file with the sites before the batch that is not complete yet,
     /// a mesh of known error. Error: no batch is complete.
     virtual Status finishEarly() = 0;

@@ -246,8 +246,9 @@ Status PackedFile::checkLevels() const
                             std::isfinite(level.warping) && level.sites <= header_.siteCount &&
                             level.chunkBytes <= chunks_.size &&
                             level.chunkBytes / sizeof(PackedChunkHead) >= level.chunks && level.chunks > 0;
-        const bool order = before == nullptr || (before->sites < level.sites && before->chunks < level.chunks &&
-                                                 before->chunkBytes < level.chunkBytes && before->error >= level.error);
+        const bool order =
+            before == nullptr || (before->sites < level.sites && before->chunks <= level.chunks &&
+                                  before->chunkBytes <= level.chunkBytes && before->error >= level.error);
         if (!bounds || !order)
             return damaged(Message::say("its levels make no sense"));
         before = &level;

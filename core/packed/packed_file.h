@@ -37,6 +37,8 @@ public:
     /// All chunks so far make a mesh of so many sites and these bounds, in units of the values and of length. Sites
     /// rise from level to level, errors never do. At most format::mostPackedLevels.
     void endLevel(float error, float warping, std::uint32_t sites);
+    /// Takes the last level back.
+    void dropLevel() { levels_.pop_back(); }
     std::size_t levelCount() const noexcept { return levels_.size(); }
     /// The size of the file, if it ended here.
     std::uint64_t size() const noexcept;
@@ -72,7 +74,7 @@ public:
     const format::PackedFacts& facts() const noexcept { return facts_; }
     /// Of the sections of the model that was packed.
     std::span<const format::PackedSum> sums() const noexcept { return sums_; }
-    /// At least one; sites and bytes rise, errors do not, and all of them lie within what the header says.
+    /// At least one; sites rise, bytes do not fall and errors do not rise; all of them lie within what the header says.
     std::span<const format::PackedLevelEntry> levels() const noexcept { return levels_; }
     /// Where the chunks begin, and how many bytes they have.
     ByteRange chunks() const noexcept { return chunks_; }

@@ -89,8 +89,8 @@ public:
     std::uint32_t siteCount() const noexcept;
     std::uint64_t tetrahedronCount() const noexcept;
     std::uint64_t unpackedBytes() const noexcept; ///< of its file
-    /// At least one. Sites and bytes rise, errors fall; the last one has all sites, and of a StoredByParts model it is
-    /// the model itself.
+    /// At least one. Sites rise, bytes do not fall, errors do not rise; the last one has all sites, and of a
+    /// StoredByParts model it is the model itself.
     std::span<const PackedLevel> levels() const noexcept { return levels_; }
 
     /// For those who unpack it.

@@ -108,6 +108,7 @@ Status LocalDelaunay::prepare(const BlockDivision& division, const LatticeMetric
         return prepared;
     division_ = division;
     hints_ = HintGrid(division, hintEdge);
+    lastOfBlocks_.assign(division.count(), HintGrid::none);
     if (const Status started = vertexSet_.start(size); !started)
         return started;
     if (const Status reserved =
@@ -216,33 +217,33 @@ void LocalDelaunay::fetchAhead(std::span<const PackedPoint> points, std::size_t 
     withHint(1, [this](std::uint32_t slot) { mesh_.prefetchSurroundings(slot); });
 }
 
-bool LocalDelaunay::add(std::span<const PackedPoint> points)
+bool LocalDelaunay::add(std::span<const PackedPoint> points, InsertionWatch* watch)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         fetchAhead(points, i);
-        if (!addOne(points[i]))
+        if (!addOne(points[i], watch))
             return false;
     }
     return true;
 }
 
-bool LocalDelaunay::addOne(PackedPoint point)
+bool LocalDelaunay::addOne(PackedPoint point, InsertionWatch* watch)
 {
     const auto number = static_cast<std::uint32_t>(firstVertices_.size() + added_.size());
     const auto place = coordinates(point);
     added_.push_back(point);
     vertexSet_.add(place[0], place[1], place[2]);
     if (!hints_.dividesBlocks())
-        return insertAt(point, hints_.cellOf(place[0], place[1], place[2]), number);
+        return insertAt(point, hints_.cellOf(place[0], place[1], place[2]), number, watch);
     std::array<std::uint32_t, 8> cells{};
     const std::uint32_t count = hints_.cellsOf(place, cells);
     for (std::uint32_t i = 0; i < count; ++i)
-        if (!insertAt(point, cells[i], number))
+        if (!insertAt(point, cells[i], number, watch))
             return false;
     return true;
 }
 
-bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t cell, std::uint32_t number)
+bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t cell, std::uint32_t number, InsertionWatch* watch)
 {
     const std::uint32_t start = startFor(cell);
     const std::uint32_t found = start == HintGrid::none ? start : mesh_.findConflict(point, start);
@@ -266,7 +267,26 @@ bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t cell, std::uint32_
     }
     mesh_.label(point, number);
     hints_[cell] = created[0];
+    if (hints_.dividesBlocks())
+        lastOfBlocks_[blockOf(hints_.blockOf(cell))] = created[0];
+    if (watch != nullptr)
+        watch->inserted(*this, destroyed, created);
     return true;
+}
+
+std::uint32_t LocalDelaunay::locate(PackedPoint point) const
+{
+    const std::uint32_t start = startFor(cellOf(point));
+    return start == HintGrid::none ? LatticeDelaunay::none : walkTo(mesh_, point, start);
+}
+
+std::uint32_t LocalDelaunay::blockOf(const std::array<HintGrid::Bounds, 3>& bounds) const
+{
+    std::uint32_t block = 0;
+    for (std::size_t axis = 3; axis-- > 0;)
+        block = block * division_.countAlong(axis) +
+                division_.blockAlong(axis, static_cast<std::uint32_t>(bounds[axis].first));
+    return block;
 }
 
 /// Without a branch on whether it is there already, which nobody could predict.
@@ -293,6 +313,8 @@ std::uint32_t LocalDelaunay::startFor(std::uint32_t cell) const
     }
     // Rare: its slot was given to another tetrahedron, far away, or to none.
     const std::array<HintGrid::Bounds, 3> block = hints_.blockOf(cell);
+    if (const std::uint32_t last = lastOfBlocks_[blockOf(block)]; isAlive(last) && lies(last, block))
+        return last;
     for (std::uint32_t slot = 0; slot < mesh_.slotCount(); ++slot)
         if (isAlive(slot) && lies(slot, block))
             return slot;

@@ -96,6 +96,18 @@ private:
     ReservedArray<std::uint64_t> words_;
 };
 
+class LocalDelaunay;
+
+/// Told of every insertion.
+class InsertionWatch {
+public:
+    virtual ~InsertionWatch() = default;
+    /// A point was inserted into a block: what lay in the slots `destroyed` is gone, and `created` hold what was made,
+    /// some of them in the same slots.
+    virtual void inserted(const LocalDelaunay& mesh, std::span<const std::uint32_t> destroyed,
+                          std::span<const std::uint32_t> created) = 0;
+};
+
 /// A Delaunay mesh of a lattice, whole or in blocks that conform, to which points are added here and there, and which
 /// then goes back to what it was, at the cost of what changed. Vertices are numbered, those of the first mesh first. A
 /// point on the border of blocks is added to each. One thread. Allocations throw std::bad_alloc.
@@ -127,7 +139,10 @@ public:
 
     /// Adds points that are not vertices yet, one after the other. False if the mesh cannot take them: it is too large,
     /// or not what load() had seen.
-    [[nodiscard]] bool add(std::span<const PackedPoint> points);
+    [[nodiscard]] bool add(std::span<const PackedPoint> points, InsertionWatch* watch = nullptr);
+    /// A tetrahedron that contains a point of the lattice, on a border of blocks in one of these. From any thread,
+    /// while nothing changes. `none` if the mesh is not what load() had seen.
+    std::uint32_t locate(PackedPoint point) const;
 
     /// The slots made or emptied since the last acceptChanges() (or load, restore), each once.
     std::span<const std::uint32_t> changed() const noexcept { return {changed_.data(), changedCount_}; }
@@ -163,9 +178,10 @@ private:
         return hints_.cellOf(x, y, z);
     }
     void fetchAhead(std::span<const PackedPoint> points, std::size_t next) const;
-    bool addOne(PackedPoint point);
-    bool insertAt(PackedPoint point, std::uint32_t cell, std::uint32_t number);
+    bool addOne(PackedPoint point, InsertionWatch* watch);
+    bool insertAt(PackedPoint point, std::uint32_t cell, std::uint32_t number, InsertionWatch* watch);
     std::uint32_t startFor(std::uint32_t cell) const;
+    std::uint32_t blockOf(const std::array<HintGrid::Bounds, 3>& bounds) const;
     bool lies(std::uint32_t slot, const std::array<HintGrid::Bounds, 3>& block) const;
     void note(std::uint32_t slot);
     void dropMesh();
@@ -173,6 +189,7 @@ private:
     BlockDivision division_{{2, 2, 2}, 0};
     LatticeDelaunay mesh_;
     HintGrid hints_;
+    std::vector<std::uint32_t> lastOfBlocks_; ///< of each block a tetrahedron, the last that was made there
     PointSet vertexSet_;
     ReservedArray<std::array<std::uint32_t, 4>> numbers_;
     ReservedArray<std::uint8_t> flags_;

@@ -51,4 +51,30 @@ void BlockDivision::blocksOf(const std::array<std::uint32_t, 3>& point, std::vec
                 blocks.push_back((z * counts_[1] + y) * counts_[0] + x);
 }
 
+std::optional<std::uint32_t> edgeOfBlocks(const std::array<std::uint32_t, 3>& size,
+                                          std::span<const std::uint32_t> corners)
+{
+    const auto placeOf = [&](std::uint32_t point) -> std::array<std::uint32_t, 3> {
+        return {point % size[0], point / size[0] % size[1], point / size[0] / size[1]};
+    };
+    // Blocks of the same edge, but for the last: the least coordinate behind the first plane of any axis that is cut.
+    std::uint32_t edge = 0;
+    for (const std::uint32_t point : corners) {
+        const auto place = placeOf(point);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (place[axis] > 0 && place[axis] + 1 < size[axis] && (edge == 0 || place[axis] < edge))
+                edge = place[axis];
+    }
+    const BlockDivision division(size, edge);
+    std::uint64_t count = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        count *= division.countAlong(axis) + 1ull;
+    const bool areCorners = corners.size() == count && std::ranges::all_of(corners, [&](std::uint32_t point) {
+                                const auto place = placeOf(point);
+                                return division.isBorder(0, place[0]) && division.isBorder(1, place[1]) &&
+                                       place[2] < size[2] && division.isBorder(2, place[2]);
+                            });
+    return areCorners ? std::optional(edge) : std::nullopt;
+}
+
 } // namespace tetra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace tetra {
@@ -49,5 +51,10 @@ private:
     std::array<std::uint32_t, 3> edges_{};
     std::array<std::uint32_t, 3> counts_{};
 };
+
+/// The cells along an edge of the blocks (0 for one block) whose corners are these points of a lattice, by their
+/// numbers, each once; nothing if they are not the corners of any.
+std::optional<std::uint32_t> edgeOfBlocks(const std::array<std::uint32_t, 3>& size,
+                                          std::span<const std::uint32_t> corners);
 
 } // namespace tetra

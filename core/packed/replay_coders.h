@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/packed/range_coder.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace tetra {
+
+/// What the chunks of a replayed model are coded with (FORMAT.md, "Packed form"). Each chunk begins with new ones.
+
+/// How many free points lie between one site of a step and the next.
+class GapCoder {
+public:
+    /// `mean`: the step's free points divided by its sites.
+    template <class Coder> std::uint64_t code(Coder& coder, std::uint64_t mean, std::uint64_t gap)
+    {
+        const auto size = static_cast<std::size_t>(std::bit_width(mean));
+        const std::size_t lately = before_ * 4 < mean ? 0 : before_ < mean ? 1 : before_ < 3 * mean ? 2 : 3;
+        gap = models_[size * classes + lately].code(coder, gap);
+        before_ = (before_ + gap + 1) / 2;
+        return gap;
+    }
+
+private:
+    static constexpr std::size_t classes = 4;
+    std::vector<NumberModel> models_ = std::vector<NumberModel>(34 * classes);
+    std::uint64_t before_ = 0; ///< lately, on average
+};
+
+inline bool codedBit(RangeEncoder& coder, BitModel& model, bool one)
+{
+    coder.bit(model, one);
+    return one;
+}
+inline bool codedBit(RangeDecoder& coder, BitModel& model, bool)
+{
+    return coder.bit(model);
+}
+
+/// The value of a sample of which something is expected. Lossless for every value and whatever is expected.
+template <class T> class ValueCoder {
+public:
+    template <class Coder> T code(Coder& coder, double expected, T value)
+    {
+        if constexpr (std::is_integral_v<T>)
+            return codeInteger(coder, expected, value);
+        else
+            return codeFloat(coder, expected, value);
+    }
+
+private:
+    struct Context {
+        BitModel isNext;
+        BitModel isBeyond;
+        std::array<NumberModel, 2> distances;
+    };
+
+    /// The signed number of steps from what is expected.
+    template <class Coder> std::int64_t codeSteps(Coder& coder, Context& context, std::int64_t steps)
+    {
+        if (!codedBit(coder, context.isNext, steps != 0))
+            return 0;
+        const bool negative = codedBit(coder, context.isBeyond, steps < 0);
+        const auto size = negative ? 0 - static_cast<std::uint64_t>(steps) : static_cast<std::uint64_t>(steps);
+        const std::uint64_t coded = context.distances[negative ? 1 : 0].code(coder, size - 1) + 1;
+        return static_cast<std::int64_t>(negative ? 0 - coded : coded);
+    }
+
+    template <class Coder> T codeInteger(Coder& coder, double expected, T value)
+    {
+        constexpr auto least = static_cast<double>(std::numeric_limits<T>::min()),
+                       most = static_cast<double>(std::numeric_limits<T>::max());
+        const double bounded = expected >= least && expected <= most ? expected : expected > most ? most : least;
+        const double nearest = std::floor(bounded + 0.5);
+        const double off = bounded - nearest;
+        // A value on the side to which the expectation leans is nearer: there steps are positive.
+        const bool leansDown = off < 0;
+        const auto nearestInteger = static_cast<std::int64_t>(nearest);
+        const auto size = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(spread_) >> 8));
+        const std::size_t leaning =
+            size < 3 ? std::min<std::size_t>(static_cast<std::size_t>(std::abs(off) * 16), 7) : 0;
+        Context& context =
+            contexts_[size < 3 ? size * 8 + leaning : std::min<std::size_t>(21 + size, contexts_.size() - 1)];
+        const std::int64_t away = static_cast<std::int64_t>(value) - nearestInteger;
+        const std::int64_t steps = codeSteps(coder, context, leansDown ? -away : away);
+        const std::int64_t size16 = std::min<std::int64_t>(std::abs(steps), std::int64_t(1) << 33);
+        spread_ += (size16 * 256 - spread_) / 16;
+        return static_cast<T>(static_cast<std::uint64_t>(nearestInteger) +
+                              static_cast<std::uint64_t>(leansDown ? 0 - steps : steps));
+    }
+
+    using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+
+    /// In the order of the numbers that the bits stand for.
+    static Bits ordered(T value)
+    {
+        constexpr Bits sign = Bits(1) << (8 * sizeof(T) - 1);
+        const auto bits = std::bit_cast<Bits>(value);
+        return (bits & sign) != 0 ? ~bits : bits | sign;
+    }
+    static T fromOrdered(Bits bits)
+    {
+        constexpr Bits sign = Bits(1) << (8 * sizeof(T) - 1);
+        return std::bit_cast<T>((bits & sign) != 0 ? bits & ~sign : static_cast<Bits>(~bits));
+    }
+    /// Of a double as its bits have it.
+    static int exponentOf(double value) { return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff); }
+
+    template <class Coder> T codeFloat(Coder& coder, double expected, T value)
+    {
+        const T rounded = static_cast<T>(expected);
+        const int digits = (expectedExponent_ >> 4) - exponentOf(static_cast<double>(rounded));
+        Context& context = contexts_[static_cast<std::size_t>(std::clamp(digits + 32, 0, 47))];
+        using Signed = std::make_signed_t<Bits>;
+        const auto away = static_cast<Signed>(static_cast<Bits>(ordered(value) - ordered(rounded)));
+        const std::int64_t steps = codeSteps(coder, context, away);
+        const T result = fromOrdered(static_cast<Bits>(ordered(rounded) + static_cast<Bits>(steps)));
+        if (steps != 0) {
+            const int exponent = exponentOf(static_cast<double>(result) - static_cast<double>(rounded));
+            expectedExponent_ += (exponent * 16 - expectedExponent_) / 8;
+        }
+        return result;
+    }
+
+    std::vector<Context> contexts_ = std::vector<Context>(56);
+    std::int64_t spread_ = 256;        ///< of integers: steps on average, in 256ths
+    int expectedExponent_ = 1023 * 16; ///< of floats: of the difference, in 16ths
+};
+
+} // namespace tetra

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/packed/replay_mesh.h"
+
+#include "core/base/progress.h"
+#include "core/base/rounding.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <type_traits>
+
+namespace tetra {
+
+namespace {
+
+constexpr MarkedText activity = Message::marked("Replaying the insertions");
+
+using Offset = std::array<std::int64_t, 3>;
+
+std::int64_t determinantOf(const Offset& a, const Offset& b, const Offset& c)
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The linear interpolation at a point of a tetrahedron. Of integers of up to 16 bits it is one division of exact
+/// integers; of others the weights are reduced fractions, and only vertices of a weight count, in the lattice's order:
+/// so a point on a face gets the same from both sides.
+template <class T> double interpolate(const PackedLattice& lattice, const T* samples, PackedPoint point,
+                                      std::array<PackedPoint, 4> vertices)
+{
+    std::ranges::sort(vertices);
+    const auto from = [&](PackedPoint other) -> Offset {
+        return {lattice.x(other) - lattice.x(vertices[0]), lattice.y(other) - lattice.y(vertices[0]),
+                lattice.z(other) - lattice.z(vertices[0])};
+    };
+    const Offset a = from(vertices[1]), b = from(vertices[2]), c = from(vertices[3]), q = from(point);
+    std::int64_t whole = determinantOf(a, b, c);
+    std::array<std::int64_t, 4> weights{0, determinantOf(q, b, c), determinantOf(a, q, c), determinantOf(a, b, q)};
+    weights[0] = whole - weights[1] - weights[2] - weights[3];
+    if (whole == 0) // no mesh has it
+        return 0;
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            sum += weights[i] * static_cast<std::int64_t>(samples[lattice.index(vertices[i])]);
+        return static_cast<double>(sum) / static_cast<double>(whole);
+    } else {
+        std::int64_t divisor = whole;
+        for (const std::int64_t weight : weights)
+            divisor = std::gcd(divisor, weight);
+        if (whole < 0)
+            divisor = -divisor;
+        double sum = 0, first = 0;
+        bool begun = false;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (weights[i] == 0)
+                continue;
+            const auto value = static_cast<double>(samples[lattice.index(vertices[i])]);
+            if (!begun)
+                first = value;
+            begun = true;
+            sum += static_cast<double>(weights[i] / divisor) * (value - first);
+        }
+        const double result = first + sum / static_cast<double>(whole / divisor);
+        return std::isfinite(result) ? result : first;
+    }
+}
+
+/// No error is small enough: the largest one of each tetrahedron is to be found.
+class NoLimits final : public ErrorLimits {
+public:
+    NoLimits() { twoValued = true; }
+    double at(const std::array<std::uint32_t, 3>&) const override { return 0; }
+};
+
+} // namespace
+
+Result<std::unique_ptr<ReplayMesh>> ReplayMesh::make(const Lattice& lattice, SampleType type, std::uint32_t blockCells,
+                                                     const Progress& progress)
+{
+    std::unique_ptr<ReplayMesh> mesh(new ReplayMesh(lattice, type, blockCells));
+    if (const Status prepared = mesh->prepare(lattice, progress); !prepared)
+        return prepared.error();
+    return mesh;
+}
+
+Status ReplayMesh::prepare(const Lattice& lattice, const Progress& progress)
+{
+    const auto metric = latticeMetric(division_.box(0).size, lattice.spacing);
+    if (!metric)
+        return metric.error();
+    LatticeDelaunay first;
+    if (const Status prepared =
+            first.prepare(lattice.size, *metric, 64 + std::uint64_t(LatticeDelaunay::startCount) * division_.count());
+        !prepared)
+        return prepared;
+    for (std::uint32_t block = 0; block < division_.count(); ++block)
+        first.addBox(division_.box(block), !division_.odd(block));
+    std::vector<PackedPoint> vertices;
+    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra())
+        vertices.insert(vertices.end(), tetrahedron.vertices.begin(), tetrahedron.vertices.end());
+    std::ranges::sort(vertices);
+    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra()) {
+        std::array<std::uint32_t, 4> numbers{};
+        for (std::size_t i = 0; i < 4; ++i)
+            numbers[i] = static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, tetrahedron.vertices[i]) -
+                                                    vertices.begin());
+        start_.push_back(numbers);
+    }
+    for (const PackedPoint vertex : vertices)
+        corners_.push_back(first.lattice().index(vertex));
+    if (const Status prepared = delaunay_.prepare(division_, *metric); !prepared)
+        return prepared;
+    const MeshLoading loaded = delaunay_.load(start_, vertices, progress);
+    if (loaded == MeshLoading::Cancelled)
+        return cancelledError(activity);
+    if (loaded != MeshLoading::Done)
+        return Error{ErrorKind::OutOfResource, Message::say("The lattice is too large to be packed as a whole.")};
+    auto samples = allocateSamples(type_, pointCount_);
+    if (!samples)
+        return samples.error();
+    samples_ = *std::move(samples);
+    std::memset(samples_.get(), 0, pointCount_ * sampleSize(type_));
+    return {};
+}
+
+Status ReplayMesh::expect(std::span<const std::uint32_t> points, std::vector<double>& expected,
+                          const Progress& progress) const
+{
+    constexpr std::size_t atOnce = 1024;
+    expected.resize(points.size());
+    const PackedLattice lattice = delaunay_.lattice();
+    std::atomic<bool> lost = false;
+    visitSampleType(type_, [&]<class T>() {
+        const T* const samples = reinterpret_cast<const T*>(samples_.get());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), atOnce), [&](const auto& range) {
+            if (progress.cancelled() || lost)
+                return;
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const PackedPoint point = lattice.pointAt(points[i]);
+                const std::uint32_t slot = delaunay_.locate(point);
+                if (slot == LatticeDelaunay::none) {
+                    lost = true;
+                    return;
+                }
+                expected[i] = interpolate(lattice, samples, point, delaunay_.mesh()[slot].vertices);
+            }
+        });
+    });
+    if (progress.cancelled())
+        return cancelledError(activity);
+    if (lost)
+        return Error{ErrorKind::BadInput, Message::say("A point lies in no tetrahedron of the mesh.")};
+    return {};
+}
+
+Status ReplayMesh::add(std::span<const std::uint32_t> points, const Progress& progress, InsertionWatch* watch)
+{
+    constexpr std::size_t atOnce = 4096;
+    std::vector<PackedPoint> packed;
+    for (std::size_t first = 0; first < points.size(); first += atOnce) {
+        if (progress.cancelled())
+            return cancelledError(activity);
+        const auto part = points.subspan(first, std::min(atOnce, points.size() - first));
+        packed.clear();
+        for (const std::uint32_t point : part)
+            packed.push_back(delaunay_.lattice().pointAt(point));
+        if (!delaunay_.add(packed, watch))
+            return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+    }
+    return {};
+}
+
+Result<float> ReplayMesh::error(const Progress& progress)
+{
+    constexpr std::size_t atOnce = 4096;
+    const std::uint32_t slots = delaunay_.mesh().slotCount();
+    errors_.resize(slots, -1);
+    const NoLimits limits;
+    // What is looked at: at first all, then what changed.
+    std::vector<std::uint32_t> all;
+    std::span<const std::uint32_t> changed = delaunay_.changed();
+    if (largestSample_ == 0) {
+        all.resize(slots);
+        std::iota(all.begin(), all.end(), 0u);
+        changed = all;
+        visitSampleType(type_, [&]<class T>() {
+            for (const T sample : samplesAs<T>())
+                largestSample_ = std::max(largestSample_, std::abs(static_cast<double>(sample)));
+        });
+        largestSample_ = std::max(largestSample_, std::numeric_limits<double>::min());
+    }
+    visitSampleType(type_, [&]<class T>() {
+        const LatticeSamples samples{std::span<const T>(samplesAs<T>())};
+        // Sums of doubles are off by a few of their last bits.
+        const double rounding = samples.exact() ? 0 : largestSample_ * 0x1p-42;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, changed.size(), atOnce), [&](const auto& range) {
+            if (progress.cancelled())
+                return;
+            const auto part = changed.subspan(range.begin(), range.size());
+            for (const std::uint32_t slot : part)
+                errors_[slot] = 0;
+            std::vector<WorstSample> worst;
+            scanSamples(delaunay_, part, samples, limits, ScannedPart::All, worst);
+            for (const WorstSample& found : worst)
+                errors_[found.slot] = roundedUp(found.error + rounding);
+        });
+    });
+    if (progress.cancelled())
+        return cancelledError(activity);
+    delaunay_.acceptChanges();
+    float largest = 0;
+    for (const float error : errors_)
+        largest = std::max(largest, error);
+    return largest;
+}
+
+} // namespace tetra

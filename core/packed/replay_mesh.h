@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/refine/insertion/local_delaunay.h"
+#include "core/refine/insertion/sample_scan.h"
+#include "core/refine/lattice/block_division.h"
+#include "core/refine/lattice/lattice_samples.h"
+
+#include <tan/base.h>
+#include <tan/data.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// The mesh of a replayed model while its sites enter it, and the samples as far as they are known. Allocations throw
+/// std::bad_alloc.
+class ReplayMesh {
+public:
+    /// The mesh of the blocks' corners. Errors: too large a lattice, refused memory, cancelled.
+    static Result<std::unique_ptr<ReplayMesh>> make(const Lattice& lattice, SampleType type, std::uint32_t blockCells,
+                                                    const Progress& progress);
+    ReplayMesh(const ReplayMesh&) = delete;
+    ReplayMesh& operator=(const ReplayMesh&) = delete;
+
+    const BlockDivision& division() const noexcept { return division_; }
+    const LocalDelaunay& delaunay() const noexcept { return delaunay_; }
+    SampleType type() const noexcept { return type_; }
+    std::uint64_t pointCount() const noexcept { return pointCount_; }
+    /// The corners of the blocks, by rising numbers; the mesh's first vertices have their places here as numbers.
+    std::span<const std::uint32_t> corners() const noexcept { return corners_; }
+    /// The mesh of these alone, by their places.
+    std::span<const std::array<std::uint32_t, 4>> start() const noexcept { return start_; }
+    /// Back to that.
+    void restart() { delaunay_.restore(); }
+
+    /// One of `type` a point, all zero at first; those of the vertices must be known before expect().
+    std::span<std::byte> samples() noexcept { return {samples_.get(), pointCount_ * sampleSize(type_)}; }
+    const std::shared_ptr<std::byte>& sharedSamples() const noexcept { return samples_; }
+    template <class T> std::span<T> samplesAs() noexcept { return {reinterpret_cast<T*>(samples_.get()), pointCount_}; }
+
+    /// What the mesh says of the samples of points. It depends on the mesh alone, not on which of several tetrahedra
+    /// has a point, and is the same bits on every machine. On all threads.
+    Status expect(std::span<const std::uint32_t> points, std::vector<double>& expected, const Progress& progress) const;
+
+    /// Adds sites. Errors: the mesh grew beyond what was reserved, cancelled.
+    Status add(std::span<const std::uint32_t> points, const Progress& progress, InsertionWatch* watch = nullptr);
+
+    /// A bound on the error of the mesh, all samples being known, in units of the values. Looks at what changed since
+    /// it was last asked. On all threads. Errors: cancelled.
+    Result<float> error(const Progress& progress);
+
+private:
+    ReplayMesh(const Lattice& lattice, SampleType type, std::uint32_t blockCells)
+        : division_(lattice.size, blockCells), type_(type), pointCount_(lattice.pointCount())
+    {
+    }
+    Status prepare(const Lattice& lattice, const Progress& progress);
+
+    BlockDivision division_;
+    SampleType type_;
+    std::uint64_t pointCount_;
+    LocalDelaunay delaunay_;
+    std::vector<std::uint32_t> corners_;
+    std::vector<std::array<std::uint32_t, 4>> start_;
+    std::shared_ptr<std::byte> samples_;
+    std::vector<float> errors_; ///< of the tetrahedron in each slot
+    double largestSample_ = 0;
+};
+
+} // namespace tetra
