@@ -240,11 +240,13 @@ Status PackedFile::readFront(const Progress& progress)
 
 Status PackedFile::checkLevels() const
 {
+    // A replayed model's levels have sites of their own.
+    const bool own = facts_.method == std::uint32_t(PackMethod::Replayed);
+    const std::uint64_t most = own ? description_.lattice.pointCount() : header_.siteCount;
     const PackedLevelEntry* before = nullptr;
     for (const PackedLevelEntry& level : levels_) {
         const bool bounds = level.error >= 0 && std::isfinite(level.error) && level.warping >= 0 &&
-                            std::isfinite(level.warping) && level.sites <= header_.siteCount &&
-                            level.chunkBytes <= chunks_.size &&
+                            std::isfinite(level.warping) && level.sites <= most && level.chunkBytes <= chunks_.size &&
                             level.chunkBytes / sizeof(PackedChunkHead) >= level.chunks && level.chunks > 0;
         const bool order =
             before == nullptr || (before->sites < level.sites && before->chunks <= level.chunks &&
@@ -253,7 +255,7 @@ Status PackedFile::checkLevels() const
             return damaged(Message::say("its levels make no sense"));
         before = &level;
     }
-    if (levels_.back().sites != header_.siteCount)
+    if (!own && levels_.back().sites != header_.siteCount)
         return damaged(Message::say("its levels make no sense"));
     return {};
 }

@@ -40,6 +40,7 @@ struct SiteChunkHead {
 template <class Coder> struct ChunkCoders {
     Coder positions;
     Coder values;
+    NumberModel sizes; ///< of steps
     GapCoder gaps;
 };
 
@@ -199,25 +200,15 @@ Status rebuild(const Dataset& dataset, const ModelDescription& description, cons
 
 // Packing.
 
-/// Where steps end: sites of one, in the order of the model, are those whose running keys have the same leading bits.
-constexpr unsigned keyBitsLeftOut = 20; // eight steps an octave
+/// Each level has at most so much of the error of the one before: eight an octave.
+constexpr double fall = 0.917;
 
-/// Small steps are joined: each is at least so large a part of the sites before it.
-constexpr std::uint32_t leastShare = 32;
-constexpr std::uint32_t leastSites = 16;
-
-std::vector<std::uint32_t> stepEnds(std::span<const float> keys, std::uint32_t firstSites)
+/// Where levels end: fine enough that little is left to say of the other samples.
+double finestOf(const ReplayMesh& mesh, const ModelDescription& about, const Refinement& recipe)
 {
-    const auto band = [&](std::uint32_t site) { return std::bit_cast<std::uint32_t>(keys[site]) >> keyBitsLeftOut; };
-    std::vector<std::uint32_t> ends{firstSites};
-    const auto count = static_cast<std::uint32_t>(keys.size());
-    for (std::uint32_t site = firstSites; site < count; ++site) {
-        const bool ends_ = site + 1 == count || band(site) != band(site + 1);
-        const std::uint32_t begin = ends.back();
-        if (site + 1 == count || (ends_ && site + 1 - begin >= std::max(leastSites, begin / leastShare)))
-            ends.push_back(site + 1);
-    }
-    return ends;
+    constexpr double unit = 0.4999, share = 1e-4;
+    const double least = isInteger(mesh.type()) ? unit : share * about.range.extent();
+    return std::max(least, recipe.error / 100 * about.range.extent());
 }
 
 /// Chunks are closed when they are so large: the first ones earlier, so that something can be seen soon.
@@ -228,21 +219,19 @@ std::size_t chunkBytesWanted(std::uint64_t written)
 
 class ReplayPacker {
 public:
-    ReplayPacker(const Model& model, ReplayMesh& mesh, PackedFileWriter& file)
-        : model_(model), mesh_(mesh), file_(file), free_(mesh.pointCount())
-    {
-    }
+    ReplayPacker(ReplayMesh& mesh, PackedFileWriter& file) : mesh_(mesh), file_(file), free_(mesh.pointCount()) {}
 
-    Result<PackReport> pack(const Progress& progress);
+    /// Levels down to an error.
+    Result<PackReport> pack(double finest, const Progress& progress);
 
 private:
-    Status packStep(std::span<const std::uint32_t> points, const Progress& progress);
-    Status endStep(std::uint32_t sites, bool last, const Progress& progress);
+    Status packCorners();
+    Status packLevel(float limit, const Progress& progress);
+    Status packSites(std::span<const std::uint32_t> points, std::span<const double> expected);
     Status packOthers(const Progress& progress);
     Status closeChunk(ChunkKind kind);
     void writeLevels();
 
-    const Model& model_;
     ReplayMesh& mesh_;
     PackedFileWriter& file_;
     FreePoints free_;
@@ -250,85 +239,91 @@ private:
     std::unique_ptr<AnyValueCoder> values_ = AnyValueCoder::make(mesh_);
     std::uint32_t pointsInChunk_ = 0;
     std::uint64_t writtenSites_ = 0; ///< bytes of chunks
-    /// Of the file, in rising order of sites; those after the first so many wait for their chunk's end.
+    std::uint32_t sites_ = 0;
+    /// Errors and sites; those after the first so many wait for their chunk's end.
     std::vector<std::pair<float, std::uint32_t>> levels_;
     std::size_t levelsWritten_ = 0;
     PackReport report_;
 };
 
-Result<PackReport> ReplayPacker::pack(const Progress& progress)
+Result<PackReport> ReplayPacker::pack(double finest, const Progress& progress)
 {
-    const std::span<const std::uint32_t> points = model_.points();
-    const std::span<const float> keys = model_.runningKeys();
-    const auto firstSites = static_cast<std::uint32_t>(mesh_.corners().size());
-    std::vector<std::uint32_t> step;
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : stepEnds(keys, firstSites)) {
-        step.assign(points.begin() + begin, points.begin() + end);
-        std::ranges::sort(step);
-        if (const Status packed = packStep(step, progress); !packed)
+    constexpr MarkedText packing = Message::marked("Packing");
+    if (const Status packed = packCorners(); !packed)
+        return packed.error();
+    if (const Status measured = mesh_.measure(progress); !measured)
+        return measured.error();
+    float error = mesh_.error();
+    levels_.emplace_back(error, sites_);
+    const double first = std::max(static_cast<double>(error), 2 * finest);
+    while (static_cast<double>(error) > finest) {
+        const double limit = std::max(finest, fall * static_cast<double>(error));
+        if (const Status packed = packLevel(static_cast<float>(limit), progress); !packed)
             return packed.error();
-        if (const Status ended = endStep(end, end == points.size(), progress); !ended)
-            return ended.error();
-        begin = end;
-        progress.report(static_cast<double>(end) / static_cast<double>(points.size()), Message::marked("Packing"));
+        error = mesh_.error();
+        // Small levels are not worth an entry.
+        constexpr std::uint32_t share = 12;
+        if (sites_ - levels_.back().second > levels_.back().second / share || !(static_cast<double>(error) > finest))
+            levels_.emplace_back(error, sites_);
+        progress.report(
+            0.9 * std::min(1.0, std::log(first / std::max<double>(error, finest)) / std::log(first / finest)), packing);
     }
+    if (pointsInChunk_ > 0)
+        if (const Status closed = closeChunk(ChunkKind::Sites); !closed)
+            return closed.error();
+    writeLevels();
     if (const Status packed = packOthers(progress); !packed)
         return packed.error();
     report_.accuracy = file_.levelCount() * sizeof(format::PackedLevelEntry);
     return report_;
 }
 
-Status ReplayPacker::packStep(std::span<const std::uint32_t> points, const Progress& progress)
+Status ReplayPacker::packCorners()
 {
-    const bool first = free_.count() == free_.size();
-    std::vector<double> expected(points.size(), 0.0);
-    if (!first)
-        if (const Status known = mesh_.expect(points, expected, progress); !known)
-            return known;
+    const std::vector<double> unknown(mesh_.corners().size(), 0.0);
+    coders_.sizes.code(coders_.positions, unknown.size());
+    values_->encode(coders_.values, mesh_.corners(), unknown.data());
+    for (const std::uint32_t corner : mesh_.corners())
+        free_.remove(corner);
+    pointsInChunk_ = sites_ = static_cast<std::uint32_t>(unknown.size());
+    return {};
+}
+
+/// Steps until no error is larger than the limit.
+Status ReplayPacker::packLevel(float limit, const Progress& progress)
+{
+    ReplayMesh::Round round;
+    for (bool everywhere = true;; everywhere = false) {
+        if (const Status added = mesh_.addWorst(limit, everywhere, round, progress); !added)
+            return added;
+        if (round.points.empty())
+            return {};
+        if (const Status packed = packSites(round.points, round.expected); !packed)
+            return packed;
+        if (const Status measured = mesh_.measure(progress); !measured)
+            return measured;
+    }
+}
+
+Status ReplayPacker::packSites(std::span<const std::uint32_t> points, std::span<const double> expected)
+{
     const std::uint64_t mean = free_.count() / points.size();
-    coders_.positions.raw(points.size(), 32);
+    coders_.sizes.code(coders_.positions, points.size());
     std::uint64_t place = 0;
     for (std::size_t begin = 0; begin < points.size(); begin += codedAtOnce) {
         const auto part = points.subspan(begin, std::min(codedAtOnce, points.size() - begin));
         for (const std::uint32_t point : part) {
-            if (!first)
-                coders_.gaps.code(coders_.positions, mean, free_.countBetween(place, point));
+            coders_.gaps.code(coders_.positions, mean, free_.countBetween(place, point));
             free_.remove(point);
             place = point + 1ull;
         }
         values_->encode(coders_.values, part, expected.data() + begin);
         pointsInChunk_ += static_cast<std::uint32_t>(part.size());
+        sites_ += static_cast<std::uint32_t>(part.size());
         if (coders_.positions.size() + coders_.values.size() >= chunkBytesWanted(writtenSites_))
             if (const Status closed = closeChunk(ChunkKind::Sites); !closed)
                 return closed;
     }
-    return first ? Status() : mesh_.add(points, progress);
-}
-
-/// A level ends with the step if the mesh has become better, and large enough to be worth an entry.
-Status ReplayPacker::endStep(std::uint32_t sites, bool last, const Progress& progress)
-{
-    const bool worthIt = levels_.empty() || sites >= levels_.back().second + levels_.back().second / 7;
-    if (worthIt || last) {
-        const Result<float> error = mesh_.error(progress);
-        if (!error)
-            return error.error();
-        while (last && !levels_.empty() && levels_.back().first < *error) {
-            // What was said to be better than the whole: it was, but nobody needs it.
-            levels_.pop_back();
-            if (levelsWritten_ > levels_.size()) {
-                file_.dropLevel();
-                --levelsWritten_;
-            }
-        }
-        if (levels_.empty() || *error < levels_.back().first || last)
-            levels_.emplace_back(*error, sites);
-    }
-    if (last && pointsInChunk_ > 0)
-        return closeChunk(ChunkKind::Sites);
-    if (pointsInChunk_ == 0)
-        writeLevels();
     return {};
 }
 
@@ -490,6 +485,7 @@ private:
     ReplayMesh& mesh_;
     PackedChunkReader chunks_;
     FreePoints free_;
+    NumberModel sizes_;
     GapCoder gaps_;
     std::unique_ptr<AnyValueCoder> valueCoder_;
     std::vector<std::uint32_t> sites_;
@@ -535,6 +531,7 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
         return head.error();
     RangeDecoder positions(bytes.subspan(sizeof *head, head->positionBytes));
     RangeDecoder values(bytes.subspan(sizeof *head + head->positionBytes));
+    sizes_ = {};
     gaps_ = {};
     valueCoder_ = AnyValueCoder::make(mesh_);
     for (std::uint32_t left = head->points; left > 0;) {
@@ -573,9 +570,8 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
 
 Status ReplayReader::beginStep(RangeDecoder& positions)
 {
-    const std::uint64_t sites = positions.raw(32);
-    if (sites == 0 || sites > free_.count() || sites > file_.header().siteCount - siteCount() ||
-        (!begun_ && sites != mesh_.corners().size()))
+    const std::uint64_t sites = sizes_.code(positions, 0);
+    if (sites == 0 || sites > free_.count() || positions.overrun() || (!begun_ && sites != mesh_.corners().size()))
         return damaged();
     leftInStep_ = static_cast<std::uint32_t>(sites);
     mean_ = free_.count() / sites;
@@ -869,7 +865,8 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
     if (!*same)
         return cannot;
     file.setBlockCells(*cells);
-    const Result<PackReport> report = ReplayPacker(model, **mesh, file).pack(progress.part(builtAt, 1));
+    const Result<PackReport> report =
+        ReplayPacker(**mesh, file).pack(finestOf(**mesh, about, *recipe), progress.part(builtAt, 1));
     if (!report)
         return report.error();
     return std::optional(*report);
@@ -888,7 +885,7 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
         return file.damaged(Message::say("its text does not tell how it is built"));
     {
         ReplayReader reader(file, **mesh, file.chunks().size);
-        if (const Status read = reader.readSites(file.header().siteCount, progress.part(0, readAt)); !read)
+        if (const Status read = reader.readSites(file.levels().back().sites, progress.part(0, readAt)); !read)
             return read.error();
         if (const Status read = reader.readOthers(progress); !read)
             return read.error();

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -56,6 +57,9 @@ public:
     }
 
 private:
+    /// Integers that are off by fewer bits than this: there it tells which side of the expectation they are on.
+    static constexpr std::size_t leaningSizes = 5;
+
     struct Context {
         BitModel isNext;
         BitModel isBeyond;
@@ -85,9 +89,8 @@ private:
         const auto nearestInteger = static_cast<std::int64_t>(nearest);
         const auto size = static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(spread_) >> 8));
         const std::size_t leaning =
-            size < 3 ? std::min<std::size_t>(static_cast<std::size_t>(std::abs(off) * 16), 7) : 0;
-        Context& context =
-            contexts_[size < 3 ? size * 8 + leaning : std::min<std::size_t>(21 + size, contexts_.size() - 1)];
+            size < leaningSizes ? std::min<std::size_t>(static_cast<std::size_t>(std::abs(off) * 16), 7) : 0;
+        Context& context = contexts_[size < leaningSizes ? size * 8 + leaning : leaningSizes * 7 + size];
         const std::int64_t away = static_cast<std::int64_t>(value) - nearestInteger;
         const std::int64_t steps = codeSteps(coder, context, leansDown ? -away : away);
         const std::int64_t size16 = std::min<std::int64_t>(std::abs(steps), std::int64_t(1) << 33);
@@ -129,7 +132,7 @@ private:
         return result;
     }
 
-    std::vector<Context> contexts_ = std::vector<Context>(56);
+    std::vector<Context> contexts_ = std::vector<Context>(72);
     std::int64_t spread_ = 256;        ///< of integers: steps on average, in 256ths
     int expectedExponent_ = 1023 * 16; ///< of floats: of the difference, in 16ths
 };

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 
 namespace tetra {
 
@@ -176,48 +177,98 @@ Status ReplayMesh::add(std::span<const std::uint32_t> points, const Progress& pr
     return {};
 }
 
-Result<float> ReplayMesh::error(const Progress& progress)
+Status ReplayMesh::measure(const Progress& progress)
 {
     constexpr std::size_t atOnce = 4096;
     const std::uint32_t slots = delaunay_.mesh().slotCount();
-    errors_.resize(slots, -1);
-    const NoLimits limits;
-    // What is looked at: at first all, then what changed.
-    std::vector<std::uint32_t> all;
-    std::span<const std::uint32_t> changed = delaunay_.changed();
-    if (largestSample_ == 0) {
-        all.resize(slots);
-        std::iota(all.begin(), all.end(), 0u);
-        changed = all;
+    // At first all, then what changed.
+    if (errors_.empty()) {
+        lastMeasured_.resize(slots);
+        std::iota(lastMeasured_.begin(), lastMeasured_.end(), 0u);
         visitSampleType(type_, [&]<class T>() {
             for (const T sample : samplesAs<T>())
                 largestSample_ = std::max(largestSample_, std::abs(static_cast<double>(sample)));
         });
-        largestSample_ = std::max(largestSample_, std::numeric_limits<double>::min());
+    } else {
+        lastMeasured_.assign(delaunay_.changed().begin(), delaunay_.changed().end());
     }
+    errors_.resize(slots, 0);
+    worst_.resize(slots, 0);
+    const NoLimits limits;
+    const std::span<const std::uint32_t> measured = lastMeasured_;
     visitSampleType(type_, [&]<class T>() {
         const LatticeSamples samples{std::span<const T>(samplesAs<T>())};
         // Sums of doubles are off by a few of their last bits.
         const double rounding = samples.exact() ? 0 : largestSample_ * 0x1p-42;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, changed.size(), atOnce), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, measured.size(), atOnce), [&](const auto& range) {
             if (progress.cancelled())
                 return;
-            const auto part = changed.subspan(range.begin(), range.size());
+            const auto part = measured.subspan(range.begin(), range.size());
             for (const std::uint32_t slot : part)
                 errors_[slot] = 0;
             std::vector<WorstSample> worst;
             scanSamples(delaunay_, part, samples, limits, ScannedPart::All, worst);
-            for (const WorstSample& found : worst)
+            for (const WorstSample& found : worst) {
                 errors_[found.slot] = roundedUp(found.error + rounding);
+                worst_[found.slot] = found.point;
+            }
         });
     });
     if (progress.cancelled())
         return cancelledError(activity);
     delaunay_.acceptChanges();
+    return {};
+}
+
+float ReplayMesh::error() const
+{
     float largest = 0;
     for (const float error : errors_)
         largest = std::max(largest, error);
     return largest;
+}
+
+Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Progress& progress)
+{
+    struct Candidate {
+        PackedPoint point;
+        std::uint32_t slot;
+        std::array<PackedPoint, 4> vertices;
+        double expected;
+    };
+    std::vector<Candidate> candidates;
+    const auto look = [&](std::uint32_t slot) {
+        if (errors_[slot] > limit && delaunay_.isAlive(slot))
+            candidates.push_back({worst_[slot], slot, delaunay_.mesh()[slot].vertices, 0});
+    };
+    if (everywhere)
+        for (std::uint32_t slot = 0; slot < errors_.size(); ++slot)
+            look(slot);
+    else
+        std::ranges::for_each(lastMeasured_, look);
+    std::ranges::sort(candidates, {}, [](const Candidate& one) { return std::pair(one.point, one.slot); });
+    const PackedLattice lattice = delaunay_.lattice();
+    visitSampleType(type_, [&]<class T>() {
+        const T* const samples = reinterpret_cast<const T*>(samples_.get());
+        for (Candidate& one : candidates)
+            one.expected = interpolate(lattice, samples, one.point, one.vertices);
+    });
+    round.points.clear();
+    round.expected.clear();
+    constexpr std::size_t between = 4096;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (i % between == 0 && progress.cancelled())
+            return cancelledError(activity);
+        const Candidate& one = candidates[i];
+        const DelaunayTetrahedron& now = delaunay_.mesh()[one.slot];
+        if (!(now.determinant() > 0) || now.vertices != one.vertices || delaunay_.isVertex(one.point))
+            continue;
+        if (!delaunay_.add({&one.point, 1}))
+            return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+        round.points.push_back(lattice.index(one.point));
+        round.expected.push_back(one.expected);
+    }
+    return {};
 }
 
 } // namespace tetra

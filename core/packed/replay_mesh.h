@@ -51,9 +51,22 @@ public:
     /// Adds sites. Errors: the mesh grew beyond what was reserved, cancelled.
     Status add(std::span<const std::uint32_t> points, const Progress& progress, InsertionWatch* watch = nullptr);
 
-    /// A bound on the error of the mesh, all samples being known, in units of the values. Looks at what changed since
-    /// it was last asked. On all threads. Errors: cancelled.
-    Result<float> error(const Progress& progress);
+    // For those who pack: all samples are known.
+
+    /// The largest error of each tetrahedron that changed since it was last measured. On all threads. Errors:
+    /// cancelled.
+    Status measure(const Progress& progress);
+    /// A bound on the error of the mesh as it was measured, in units of the values.
+    float error() const;
+    /// Sites that entered together, by rising numbers, and what the mesh before them said of their samples.
+    struct Round {
+        std::vector<std::uint32_t> points;
+        std::vector<double> expected;
+    };
+    /// Adds the worst point of each tetrahedron of a larger error than `limit`, in the lattice's order, but for those
+    /// whose tetrahedron an earlier one destroyed. `everywhere`: not only where something changed before it was last
+    /// measured. Errors: as add().
+    Status addWorst(float limit, bool everywhere, Round& round, const Progress& progress);
 
 private:
     ReplayMesh(const Lattice& lattice, SampleType type, std::uint32_t blockCells)
@@ -69,7 +82,9 @@ private:
     std::vector<std::uint32_t> corners_;
     std::vector<std::array<std::uint32_t, 4>> start_;
     std::shared_ptr<std::byte> samples_;
-    std::vector<float> errors_; ///< of the tetrahedron in each slot
+    std::vector<float> errors_;               ///< of the tetrahedron in each slot ...
+    std::vector<PackedPoint> worst_;          ///< ... and the point that has it
+    std::vector<std::uint32_t> lastMeasured_; ///< slots
     double largestSample_ = 0;
 };
 
