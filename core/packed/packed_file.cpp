@@ -21,12 +21,12 @@ using format::SectionId;
 
 namespace {
 
-template <class T> std::span<const std::byte> bytesOf(const std::vector<T>& elements)
+template <class T> std::span<const std::byte> bytesOfAll(const std::vector<T>& elements)
 {
     return std::as_bytes(std::span(elements));
 }
 
-std::uint64_t sumOf(const PackedChunkHead& head, std::span<const std::byte> bytes)
+std::uint64_t sumOfChunk(const PackedChunkHead& head, std::span<const std::byte> bytes)
 {
     Checksum sum;
     sum.add(std::as_bytes(std::span(&head, 1)).subspan(sizeof head.checksum));
@@ -73,7 +73,7 @@ Result<std::unique_ptr<PackedFileWriter>> PackedFileWriter::create(const std::fi
 Status PackedFileWriter::addChunk(std::uint32_t kind, std::span<const std::byte> bytes)
 {
     PackedChunkHead head{0, kind, static_cast<std::uint32_t>(bytes.size())};
-    head.checksum = sumOf(head, bytes);
+    head.checksum = sumOfChunk(head, bytes);
     for (const std::byte byte : std::as_bytes(std::span(&head, 1)))
         chunks_.push_back(byte);
     for (const std::byte byte : bytes)
@@ -92,8 +92,8 @@ std::uint64_t PackedFileWriter::size() const noexcept
     constexpr std::uint64_t front = sizeof(Header) + 5 * sizeof(Section);
     std::uint64_t size = front;
     for (const std::uint64_t bytes :
-         {std::uint64_t(sizeof(PackedFacts)), std::uint64_t(bytesOf(levels_).size()),
-          std::uint64_t(bytesOf(sums_).size()), std::uint64_t(text_.size()), chunks_.size()})
+         {std::uint64_t(sizeof(PackedFacts)), std::uint64_t(bytesOfAll(levels_).size()),
+          std::uint64_t(bytesOfAll(sums_).size()), std::uint64_t(text_.size()), chunks_.size()})
         size = format::aligned(size) + bytes;
     return size;
 }
@@ -107,8 +107,8 @@ Status PackedFileWriter::finish()
     };
     const std::array front{
         Part{SectionId::PackedFacts, sizeof(PackedFacts), std::as_bytes(std::span(&facts_, 1))},
-        Part{SectionId::PackedLevels, sizeof(PackedLevelEntry), bytesOf(levels_)},
-        Part{SectionId::PackedSums, sizeof(PackedSum), bytesOf(sums_)},
+        Part{SectionId::PackedLevels, sizeof(PackedLevelEntry), bytesOfAll(levels_)},
+        Part{SectionId::PackedSums, sizeof(PackedSum), bytesOfAll(sums_)},
         Part{SectionId::Text, 1, std::as_bytes(std::span(text_))},
     };
     std::vector<Section> table;
@@ -145,10 +145,10 @@ Status PackedFileWriter::finish()
     header.minorVersion = format::minorVersion;
     header.sectionCount = static_cast<std::uint32_t>(table.size());
     header.fileBytes = file_.size();
-    header.checksum = headerChecksum(header, bytesOf(table));
+    header.checksum = headerChecksum(header, bytesOfAll(table));
     if (written = file_.overwrite(0, std::as_bytes(std::span(&header, 1))); !written)
         return written;
-    if (written = file_.overwrite(sizeof(Header), bytesOf(table)); !written)
+    if (written = file_.overwrite(sizeof(Header), bytesOfAll(table)); !written)
         return written;
     return file_.commit();
 }
@@ -291,7 +291,7 @@ Result<bool> PackedChunkReader::next(const Progress& progress)
     if (const Status there = have(sizeof head_ + head_.bytes, progress); !there)
         return there.error();
     bytes_ = std::span(window_).subspan(place_ - windowPlace_ + sizeof head_, head_.bytes);
-    if (sumOf(head_, bytes_) != head_.checksum)
+    if (sumOfChunk(head_, bytes_) != head_.checksum)
         return file_.damaged(Message::say("the checksum of a chunk is wrong"));
     place_ += sizeof head_ + head_.bytes;
     return true;

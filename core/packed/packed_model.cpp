@@ -113,7 +113,7 @@ bool isPacked(const std::filesystem::path& path)
 
 namespace {
 
-Result<PackReport> pack(const Model& model, const std::filesystem::path& output, const Progress& progress)
+Result<PackReport> packInto(const Model& model, const std::filesystem::path& output, const Progress& progress)
 {
     if (const Status safe = checkModelOutput(output); !safe)
         return safe.error();
@@ -152,7 +152,7 @@ Result<PackReport> packModel(const Model& model, const std::filesystem::path& ou
     return guarded(
         Message::marked("Not enough memory to pack '%1'. Close other programs, or pack it on a larger "
                         "machine."),
-        [&] { return pack(model, output, progress); }, model.path().native());
+        [&] { return packInto(model, output, progress); }, model.path().native());
 }
 
 Result<UnpackReport> unpackModel(const PackedModel& packed, const std::filesystem::path& output,

@@ -25,7 +25,7 @@ namespace tetra {
 namespace {
 
 /// What a chunk holds.
-enum class ChunkKind : std::uint32_t {
+enum class ReplayChunk : std::uint32_t {
     Sites = 1,  ///< sites with their values, in steps
     Others = 2, ///< the values of points that are no sites, in the lattice's order
 };
@@ -98,7 +98,7 @@ void takeExpected(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::
 }
 
 /// Whether that is what they are.
-bool agrees(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::span<const double> expected)
+bool agreesWith(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::span<const double> expected)
 {
     return visitSampleType(mesh.type(), [&]<class T>() {
         const std::span<const T> samples = mesh.samplesAs<T>();
@@ -115,7 +115,7 @@ bool agrees(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::span<c
 constexpr std::size_t codedAtOnce = 256;
 
 /// How many points are dealt with at a time, where there is no reason for another number.
-constexpr std::size_t pointsAtOnce = 1 << 16;
+constexpr std::size_t replayedAtOnce = 1 << 16;
 
 /// Calls visit(points) for the free points, in their order, so many at a time.
 template <class Visit> Status forEachFree(const FreePoints& free, const Visit& visit)
@@ -124,7 +124,7 @@ template <class Visit> Status forEachFree(const FreePoints& free, const Visit& v
     std::uint64_t place = free.next(0, 0);
     while (place < free.size()) {
         points.clear();
-        for (; place < free.size() && points.size() < pointsAtOnce; place = free.next(place + 1, 0))
+        for (; place < free.size() && points.size() < replayedAtOnce; place = free.next(place + 1, 0))
             points.push_back(static_cast<std::uint32_t>(place));
         if (const Status visited = visit(std::span<const std::uint32_t>(points)); !visited)
             return visited;
@@ -132,7 +132,7 @@ template <class Visit> Status forEachFree(const FreePoints& free, const Visit& v
     return {};
 }
 
-constexpr MarkedText activity = Message::marked("Unpacking");
+constexpr MarkedText unpackingSites = Message::marked("Unpacking");
 
 /// Whether a mesh of all points can be kept: in address space, and in the numbers of its tetrahedra.
 bool isReplayableSize(const Lattice& lattice, std::uint32_t blockCells)
@@ -149,7 +149,7 @@ bool isReplayableSize(const Lattice& lattice, std::uint32_t blockCells)
 // The recipe.
 
 /// How the model is built from its samples, or nothing if its text does not tell.
-std::optional<Refinement> recipeOf(const ModelDescription& description, std::uint32_t blockCells)
+std::optional<Refinement> replayRecipe(const ModelDescription& description, std::uint32_t blockCells)
 {
     Refinement recipe;
     recipe.block = blockCells;
@@ -170,7 +170,7 @@ std::optional<Refinement> recipeOf(const ModelDescription& description, std::uin
 }
 
 /// The dataset that the model was built from, of all its samples; without them if they are not those.
-std::optional<Dataset> datasetOf(const ModelDescription& description, const std::shared_ptr<std::byte>& samples)
+std::optional<Dataset> replayedDataset(const ModelDescription& description, const std::shared_ptr<std::byte>& samples)
 {
     Dataset dataset;
     dataset.domain = description.domain;
@@ -184,8 +184,8 @@ std::optional<Dataset> datasetOf(const ModelDescription& description, const std:
 }
 
 /// Builds the model into a file.
-Status rebuild(const Dataset& dataset, const ModelDescription& description, const Refinement& recipe,
-               const std::filesystem::path& output, const Progress& progress)
+Status buildAgain(const Dataset& dataset, const ModelDescription& description, const Refinement& recipe,
+                  const std::filesystem::path& output, const Progress& progress)
 {
     ModelDescription provenance;
     provenance.builder = description.builder;
@@ -201,7 +201,7 @@ Status rebuild(const Dataset& dataset, const ModelDescription& description, cons
 // Packing.
 
 /// Each level has at most so much of the error of the one before: eight an octave.
-constexpr double fall = 0.917;
+constexpr double levelFall = 0.917;
 
 /// Where levels end: fine enough that little is left to say of the other samples.
 double finestOf(const ReplayMesh& mesh, const ModelDescription& about, const Refinement& recipe)
@@ -229,7 +229,7 @@ private:
     Status packLevel(float limit, const Progress& progress);
     Status packSites(std::span<const std::uint32_t> points, std::span<const double> expected);
     Status packOthers(const Progress& progress);
-    Status closeChunk(ChunkKind kind);
+    Status closeChunk(ReplayChunk kind);
     void writeLevels();
 
     ReplayMesh& mesh_;
@@ -257,7 +257,7 @@ Result<PackReport> ReplayPacker::pack(double finest, const Progress& progress)
     levels_.emplace_back(error, sites_);
     const double first = std::max(static_cast<double>(error), 2 * finest);
     while (static_cast<double>(error) > finest) {
-        const double limit = std::max(finest, fall * static_cast<double>(error));
+        const double limit = std::max(finest, levelFall * static_cast<double>(error));
         if (const Status packed = packLevel(static_cast<float>(limit), progress); !packed)
             return packed.error();
         error = mesh_.error();
@@ -269,7 +269,7 @@ Result<PackReport> ReplayPacker::pack(double finest, const Progress& progress)
             0.9 * std::min(1.0, std::log(first / std::max<double>(error, finest)) / std::log(first / finest)), packing);
     }
     if (pointsInChunk_ > 0)
-        if (const Status closed = closeChunk(ChunkKind::Sites); !closed)
+        if (const Status closed = closeChunk(ReplayChunk::Sites); !closed)
             return closed.error();
     writeLevels();
     if (const Status packed = packOthers(progress); !packed)
@@ -321,7 +321,7 @@ Status ReplayPacker::packSites(std::span<const std::uint32_t> points, std::span<
         pointsInChunk_ += static_cast<std::uint32_t>(part.size());
         sites_ += static_cast<std::uint32_t>(part.size());
         if (coders_.positions.size() + coders_.values.size() >= chunkBytesWanted(writtenSites_))
-            if (const Status closed = closeChunk(ChunkKind::Sites); !closed)
+            if (const Status closed = closeChunk(ReplayChunk::Sites); !closed)
                 return closed;
     }
     return {};
@@ -334,7 +334,7 @@ void ReplayPacker::writeLevels()
         file_.endLevel(levels_[levelsWritten_].first, 0, levels_[levelsWritten_].second);
 }
 
-Status ReplayPacker::closeChunk(ChunkKind kind)
+Status ReplayPacker::closeChunk(ReplayChunk kind)
 {
     const std::vector<std::byte> positions = coders_.positions.finish(), values = coders_.values.finish();
     const SiteChunkHead head{pointsInChunk_, static_cast<std::uint32_t>(positions.size())};
@@ -342,7 +342,7 @@ Status ReplayPacker::closeChunk(ChunkKind kind)
     std::memcpy(bytes.data(), &head, sizeof head);
     bytes.insert(bytes.end(), positions.begin(), positions.end());
     bytes.insert(bytes.end(), values.begin(), values.end());
-    if (kind == ChunkKind::Sites) {
+    if (kind == ReplayChunk::Sites) {
         report_.positions += positions.size();
         report_.values += values.size();
         writtenSites_ += bytes.size();
@@ -352,7 +352,7 @@ Status ReplayPacker::closeChunk(ChunkKind kind)
     pointsInChunk_ = 0;
     if (const Status added = file_.addChunk(static_cast<std::uint32_t>(kind), bytes); !added)
         return added;
-    if (kind == ChunkKind::Sites)
+    if (kind == ReplayChunk::Sites)
         writeLevels();
     return {};
 }
@@ -364,7 +364,7 @@ Status ReplayPacker::packOthers(const Progress& progress)
     bool told = true;
     const Status compared = forEachFree(free_, [&](std::span<const std::uint32_t> points) {
         const Status known = told ? mesh_.expect(points, expected, progress) : Status();
-        told = told && known && agrees(mesh_, points, expected);
+        told = told && known && agreesWith(mesh_, points, expected);
         return known;
     });
     if (!compared || told)
@@ -377,15 +377,15 @@ Status ReplayPacker::packOthers(const Progress& progress)
             values_->encode(coders_.values, part, expected.data() + begin);
             pointsInChunk_ += static_cast<std::uint32_t>(part.size());
             if (coders_.values.size() >= chunkBytesWanted(writtenSites_))
-                if (const Status closed = closeChunk(ChunkKind::Others); !closed)
+                if (const Status closed = closeChunk(ReplayChunk::Others); !closed)
                     return closed;
         }
         return {};
     });
-    return packed && pointsInChunk_ > 0 ? closeChunk(ChunkKind::Others) : packed;
+    return packed && pointsInChunk_ > 0 ? closeChunk(ReplayChunk::Others) : packed;
 }
 
-Status checkModel(const Model& model)
+Status checkReplayed(const Model& model)
 {
     for (const bool intact : {model.check(model.points()), model.check(model.runningKeys()),
                               model.check(model.values()), model.check(model.samples())})
@@ -440,7 +440,7 @@ Result<bool> isReproducible(const Model& model, const Dataset& dataset, const Re
     if (!folder)
         return folder.error();
     const std::filesystem::path again = folder->path() / "again.tan";
-    if (const Status built = rebuild(dataset, model.description(), recipe, again, progress); !built)
+    if (const Status built = buildAgain(dataset, model.description(), recipe, again, progress); !built)
         return built.error();
     const auto mapped = MappedFile::open(again);
     if (!mapped)
@@ -514,11 +514,11 @@ Status ReplayReader::readSites(std::uint32_t count, const Progress& progress, In
         const Result<bool> more = chunks_.next(progress);
         if (!more)
             return more.error();
-        if (!*more || chunks_.kind() != static_cast<std::uint32_t>(ChunkKind::Sites))
+        if (!*more || chunks_.kind() != static_cast<std::uint32_t>(ReplayChunk::Sites))
             return damaged();
         if (const Status read = readChunk(count, progress, watch); !read)
             return read;
-        progress.report(static_cast<double>(siteCount()) / static_cast<double>(count), activity);
+        progress.report(static_cast<double>(siteCount()) / static_cast<double>(count), unpackingSites);
     }
     return leftInStep_ == 0 && siteCount() == count ? Status() : damaged();
 }
@@ -542,7 +542,7 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
                 return begins;
         }
         const bool corners = !begun_;
-        const auto part = static_cast<std::uint32_t>(std::min<std::size_t>({left, leftInStep_, pointsAtOnce}));
+        const auto part = static_cast<std::uint32_t>(std::min<std::size_t>({left, leftInStep_, replayedAtOnce}));
         if (corners) {
             if (part != leftInStep_)
                 return damaged();
@@ -625,7 +625,7 @@ Status ReplayReader::readOthers(const Progress& progress)
                         return damaged();
                 }
                 const Result<SiteChunkHead> head = headOf(chunks_.bytes());
-                if (!head || chunks_.kind() != static_cast<std::uint32_t>(ChunkKind::Others))
+                if (!head || chunks_.kind() != static_cast<std::uint32_t>(ReplayChunk::Others))
                     return damaged();
                 values.emplace(chunks_.bytes().subspan(sizeof *head + head->positionBytes));
                 valueCoder_ = AnyValueCoder::make(mesh_);
@@ -642,7 +642,7 @@ Status ReplayReader::readOthers(const Progress& progress)
     });
 }
 
-Result<std::unique_ptr<ReplayMesh>> meshOf(const PackedFile& file, const Progress& progress)
+Result<std::unique_ptr<ReplayMesh>> replayMeshOf(const PackedFile& file, const Progress& progress)
 {
     const ModelDescription& about = file.description();
     const std::uint64_t points = about.lattice.pointCount();
@@ -655,7 +655,7 @@ Result<std::unique_ptr<ReplayMesh>> meshOf(const PackedFile& file, const Progres
 }
 
 /// The sections of a model that was built again which are not what they were.
-Result<UnpackReport> compare(const PackedFile& file, const std::filesystem::path& model)
+Result<UnpackReport> compareSections(const PackedFile& file, const std::filesystem::path& model)
 {
     const auto mapped = MappedFile::open(model);
     if (!mapped)
@@ -681,7 +681,7 @@ Result<UnpackReport> compare(const PackedFile& file, const std::filesystem::path
 
 // A prefix: a history of its own, in two passes: in the first one shows how long each tetrahedron lives.
 
-class NoSink final : public HistorySink {
+class UnheardSink final : public HistorySink {
 public:
     Status add(const HistoryStep&) override { return {}; }
     Status finish(float) override { return {}; }
@@ -838,7 +838,7 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
 {
     constexpr double builtAt = 0.5;
     const std::optional<PackReport> cannot;
-    if (const Status intact = checkModel(model); !intact)
+    if (const Status intact = checkReplayed(model); !intact)
         return intact.error();
     const ModelDescription& about = model.description();
     const auto notFirst = std::ranges::find_if(model.runningKeys(), [](float key) { return !std::isinf(key); });
@@ -853,10 +853,10 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
     const Result<bool> filled = fillSamples(model, **mesh, progress);
     if (!filled)
         return filled.error();
-    const auto recipe = recipeOf(about, *cells);
+    const auto recipe = replayRecipe(about, *cells);
     if (!*filled || !recipe)
         return cannot;
-    const auto dataset = datasetOf(about, (*mesh)->sharedSamples());
+    const auto dataset = replayedDataset(about, (*mesh)->sharedSamples());
     if (!dataset)
         return cannot;
     const Result<bool> same = isReproducible(model, *dataset, *recipe, file.target(), progress.part(0, builtAt));
@@ -876,11 +876,11 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
                                     const Progress& progress)
 {
     constexpr double readAt = 0.4;
-    auto mesh = meshOf(file, progress);
+    auto mesh = replayMeshOf(file, progress);
     if (!mesh)
         return mesh.error();
     const ModelDescription& about = file.description();
-    const auto recipe = recipeOf(about, file.facts().blockCells);
+    const auto recipe = replayRecipe(about, file.facts().blockCells);
     if (!recipe)
         return file.damaged(Message::say("its text does not tell how it is built"));
     {
@@ -890,20 +890,20 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
         if (const Status read = reader.readOthers(progress); !read)
             return read.error();
     }
-    const auto dataset = datasetOf(about, (*mesh)->sharedSamples());
+    const auto dataset = replayedDataset(about, (*mesh)->sharedSamples());
     if (!dataset)
         return file.damaged(Message::say("its samples are not those that it was packed with"));
     mesh->reset();
-    if (const Status built = rebuild(*dataset, about, *recipe, output, progress.part(readAt, 1)); !built)
+    if (const Status built = buildAgain(*dataset, about, *recipe, output, progress.part(readAt, 1)); !built)
         return built.error();
-    return compare(file, output);
+    return compareSections(file, output);
 }
 
 Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const std::filesystem::path& output,
                               const Progress& progress)
 {
     constexpr double readAt = 0.5;
-    const auto mesh = meshOf(file, progress);
+    const auto mesh = replayMeshOf(file, progress);
     if (!mesh)
         return mesh.error();
     ReplayMesh& replayed = **mesh;
@@ -915,7 +915,7 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
     std::vector<StartTetrahedron> start;
     for (const std::array<std::uint32_t, 4>& sites : replayed.start())
         start.push_back({sites, 0, 0});
-    NoSink none;
+    UnheardSink none;
     const auto numbers = addStart(corners, start, none);
     if (!numbers)
         return numbers.error();
@@ -941,8 +941,8 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
     if (const auto added = addStart(corners, start, **writer); !added)
         return added.error();
     const std::span<const std::uint32_t> sites = reader.sites();
-    for (std::size_t first = 0; first < sites.size(); first += pointsAtOnce) {
-        const auto part = sites.subspan(first, std::min(pointsAtOnce, sites.size() - first));
+    for (std::size_t first = 0; first < sites.size(); first += replayedAtOnce) {
+        const auto part = sites.subspan(first, std::min(replayedAtOnce, sites.size() - first));
         if (const Status added = replayed.add(part, progress, &history); !added)
             return added;
         if (!history.status())

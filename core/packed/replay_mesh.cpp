@@ -18,11 +18,11 @@ namespace tetra {
 
 namespace {
 
-constexpr MarkedText activity = Message::marked("Replaying the insertions");
+constexpr MarkedText replaying = Message::marked("Replaying the insertions");
 
-using Offset = std::array<std::int64_t, 3>;
+using ReplayOffset = std::array<std::int64_t, 3>;
 
-std::int64_t determinantOf(const Offset& a, const Offset& b, const Offset& c)
+std::int64_t replayDeterminant(const ReplayOffset& a, const ReplayOffset& b, const ReplayOffset& c)
 {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
@@ -30,17 +30,18 @@ std::int64_t determinantOf(const Offset& a, const Offset& b, const Offset& c)
 /// The linear interpolation at a point of a tetrahedron. Of integers of up to 16 bits it is one division of exact
 /// integers; of others the weights are reduced fractions, and only vertices of a weight count, in the lattice's order:
 /// so a point on a face gets the same from both sides.
-template <class T> double interpolate(const PackedLattice& lattice, const T* samples, PackedPoint point,
-                                      std::array<PackedPoint, 4> vertices)
+template <class T> double interpolatedAt(const PackedLattice& lattice, const T* samples, PackedPoint point,
+                                         std::array<PackedPoint, 4> vertices)
 {
     std::ranges::sort(vertices);
-    const auto from = [&](PackedPoint other) -> Offset {
+    const auto from = [&](PackedPoint other) -> ReplayOffset {
         return {lattice.x(other) - lattice.x(vertices[0]), lattice.y(other) - lattice.y(vertices[0]),
                 lattice.z(other) - lattice.z(vertices[0])};
     };
-    const Offset a = from(vertices[1]), b = from(vertices[2]), c = from(vertices[3]), q = from(point);
-    std::int64_t whole = determinantOf(a, b, c);
-    std::array<std::int64_t, 4> weights{0, determinantOf(q, b, c), determinantOf(a, q, c), determinantOf(a, b, q)};
+    const ReplayOffset a = from(vertices[1]), b = from(vertices[2]), c = from(vertices[3]), q = from(point);
+    std::int64_t whole = replayDeterminant(a, b, c);
+    std::array<std::int64_t, 4> weights{0, replayDeterminant(q, b, c), replayDeterminant(a, q, c),
+                                        replayDeterminant(a, b, q)};
     weights[0] = whole - weights[1] - weights[2] - weights[3];
     if (whole == 0) // no mesh has it
         return 0;
@@ -119,7 +120,7 @@ Status ReplayMesh::prepare(const Lattice& lattice, const Progress& progress)
         return prepared;
     const MeshLoading loaded = delaunay_.load(start_, vertices, progress);
     if (loaded == MeshLoading::Cancelled)
-        return cancelledError(activity);
+        return cancelledError(replaying);
     if (loaded != MeshLoading::Done)
         return Error{ErrorKind::OutOfResource, Message::say("The lattice is too large to be packed as a whole.")};
     auto samples = allocateSamples(type_, pointCount_);
@@ -149,12 +150,12 @@ Status ReplayMesh::expect(std::span<const std::uint32_t> points, std::vector<dou
                     lost = true;
                     return;
                 }
-                expected[i] = interpolate(lattice, samples, point, delaunay_.mesh()[slot].vertices);
+                expected[i] = interpolatedAt(lattice, samples, point, delaunay_.mesh()[slot].vertices);
             }
         });
     });
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(replaying);
     if (lost)
         return Error{ErrorKind::BadInput, Message::say("A point lies in no tetrahedron of the mesh.")};
     return {};
@@ -166,7 +167,7 @@ Status ReplayMesh::add(std::span<const std::uint32_t> points, const Progress& pr
     std::vector<PackedPoint> packed;
     for (std::size_t first = 0; first < points.size(); first += atOnce) {
         if (progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(replaying);
         const auto part = points.subspan(first, std::min(atOnce, points.size() - first));
         packed.clear();
         for (const std::uint32_t point : part)
@@ -215,7 +216,7 @@ Status ReplayMesh::measure(const Progress& progress)
         });
     });
     if (progress.cancelled())
-        return cancelledError(activity);
+        return cancelledError(replaying);
     delaunay_.acceptChanges();
     return {};
 }
@@ -251,14 +252,14 @@ Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Pr
     visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
         for (Candidate& one : candidates)
-            one.expected = interpolate(lattice, samples, one.point, one.vertices);
+            one.expected = interpolatedAt(lattice, samples, one.point, one.vertices);
     });
     round.points.clear();
     round.expected.clear();
     constexpr std::size_t between = 4096;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (i % between == 0 && progress.cancelled())
-            return cancelledError(activity);
+            return cancelledError(replaying);
         const Candidate& one = candidates[i];
         const DelaunayTetrahedron& now = delaunay_.mesh()[one.slot];
         if (!(now.determinant() > 0) || now.vertices != one.vertices || delaunay_.isVertex(one.point))
