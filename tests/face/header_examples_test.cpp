@@ -54,6 +54,17 @@ private slots:
         QVERIFY(!describe(path("none.tan")).ok());
     }
 
+    /// R16.
+    void modelsArePackedAndLookedAt()
+    {
+        const auto text = packed(path("ball.tan"), path("ball.packed.tan"));
+        QVERIFY2(text.ok(), text ? "" : text.error().text().c_str());
+        QVERIFY(text->ends_with(" bytes in place of " + std::to_string(model_->fileSize())));
+        QVERIFY(preview(path("ball.packed.tan"), 10, path("coarse.tan")).ok());
+        const auto coarse = Model::open(path("coarse.tan"));
+        QVERIFY(coarse.ok() && (*coarse)->siteCount() < model_->siteCount());
+    }
+
     void aMeshFillsTheBox()
     {
         const auto mesh = meshOfOnePercent(model_);
