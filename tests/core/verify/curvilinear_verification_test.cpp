@@ -11,10 +11,13 @@
 #include <tan/query.h>
 #include <tan/verify.h>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <Eigen/Dense>
+
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -310,6 +313,22 @@ private slots:
             QVERIFY(inSpace[level].measured.errorInSpace.largest < 1.1 * inSpace[level].asked.error);
             QVERIFY(inSpace[level].sites > inGrid[level].sites && inSpace[level].sites < 2 * inGrid[level].sites);
         }
+    }
+
+    /// C12: the same model with any number of threads.
+    void theErrorInSpaceIsTheSameOnAnyThreads()
+    {
+        const Dataset dataset = movedAtRandom({9, 12, 8}, 0.6, 0.55, false);
+        const auto built = [&](std::size_t threads) {
+            const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
+            if (!buildModel(dataset, path(), Refinement{.inSpace = true}))
+                qFatal("the grid was not built");
+            QFile file(QString::fromStdString(path().string()));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray one = built(1);
+        QVERIFY(!one.isEmpty());
+        QVERIFY(built(5) == one);
     }
 
     /// What does not go with keeping the error in space is refused.
