@@ -179,6 +179,7 @@ private slots:
         row("decimation", "lattice.nrrd", {"--builder", "decimation"}, 1);
         row("grid", "grid.xyz", {}, 1);
         row("blocks of a grid, C7", "grid.xyz", {"--block", "4"}, 2);
+        row("in space, C12", "grid.xyz", {"--error-in", "space"}, 2);
         row("points", "points.csv", {}, 1);
         row("mesh", "mesh.vtu", {}, 1);
     }

@@ -228,9 +228,11 @@ BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const Parame
     if (!isOnLattice(dataset.domain) || !block)
         return {};
     const auto chosen = [&](const char* id) { return parameterValue<std::string>(parameters(), values, id); };
-    if (dataset.domain == DomainClass::Curvilinear && (chosen("selection") == paper || chosen("error-in") == inSpace ||
-                                                       (dataset.convex && chosen("space") != computational)))
+    if (dataset.domain == DomainClass::Curvilinear &&
+        (chosen("selection") == paper || (dataset.convex && chosen("space") != computational)))
         return {}; // these take no blocks
+    if (dataset.domain == DomainClass::Curvilinear && chosen("error-in") == inSpace)
+        return {.usesThreads = true}; // nor does this, but it measures on all of them
     const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
     const bool inBlocks = cells && *cells > 0;
     return {.usesThreads = inBlocks, .resumes = inBlocks, .keeps = !inBlocks};
