@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The parts of the torture bench. Each is a function of one attempt: it gets a folder of its own and a source of chance, and gives
-what came of it in two or three words and what went wrong, in sentences."""
+what came of it in two or three words, what went wrong, in sentences, and, where it counts something, numbers by name."""
+import json
 import os
 import re
 import resource
 import shutil
 import signal
 import time
+import zlib
 from dataclasses import dataclass
 from typing import Callable
 
@@ -424,6 +426,77 @@ def change_in_use(bench, folder, chance, number):
     return ("answered" if ran.code == DONE else "refused") + ", " + way, ["%s of %s, %s: %s" % (name, kind.name, way, one) for one in failures]
 
 
+# --- Hard shapes -----------------------------------------------------------------------------------------------------------------
+
+EIGHT = "100,30,10,4,2,1,.2,0"
+
+
+def shows_something(picture):
+    """Whether a PNG has more than its background."""
+    data, at, packed = picture.read_bytes(), 8, b""
+    while at < len(data):
+        length = int.from_bytes(data[at:at + 4], "big")
+        if data[at + 4:at + 8] == b"IDAT":
+            packed += data[at + 8:at + 8 + length]
+        at += 12 + length
+    return len(set(zlib.decompress(packed))) > 16
+
+
+def proved_models(bench, folder, opened, ways):
+    """A model of each way to build it, proved at eight accuracies and drawn coarse and fine. What verify says of the last, and failures."""
+    told, failures = None, []
+    for way in ways:
+        def failed(sentences):
+            failures.extend("%s: %s" % (" ".join(way) or "default", one) for one in sentences)
+        built = bench.run(("build", opened, *way, "-o", "model.tan"), folder)
+        failed(unexpected(built, (DONE,)))
+        if built.code != DONE:
+            continue
+        proved = bench.run(("verify", "model.tan", "--against", opened, "--lod", EIGHT, "--json"), folder)
+        failed(unexpected(proved, (DONE,)))
+        if proved.code == DONE:
+            told = json.loads(proved.out)
+            if any(level["inverted"] > level["inverted_in_data"] for level in told["levels"]):
+                failed(["inverted where the data are not"])
+        for mode, error in (("isosurface", "10"), ("volume", "0")):
+            drawn = bench.run(("render", "model.tan", "--mode", mode, "--error", error, "--size", "64x48", "--backend", "cpu",
+                               "-o", "picture.png"), folder)
+            failed(unexpected(drawn, (DONE,)))
+            if drawn.code == DONE and not shows_something(folder / "picture.png"):
+                failed(["nothing is seen in the %s at %s %%" % (mode, error)])
+    return told, failures
+
+
+def make_shape(bench, folder, chance, kind):
+    made = bench.finish(bench.start([str(bench.build / "tests/tan-torture-shapes"), kind, str(chance.randrange(2 ** 31))], folder))
+    assert made.code == DONE, made.said()
+    return made.out.decode().strip()
+
+
+def hard_grid(bench, folder, chance, number):
+    """A curvilinear grid, whole and in blocks, by refinement and by decimation; one with holes has become a mesh that only this keeps."""
+    what = make_shape(bench, folder, chance, "grid")
+    ways = [("--builder", "decimation")]
+    opened = bench.run(("info", "grid.xyz"), folder)
+    if what == "holes" and opened.code == BAD_INPUT:  # cells so bent that no tetrahedra fill them
+        return "with holes, refused", unexpected(opened, (BAD_INPUT,))
+    if what == "whole":
+        ways = [("--builder", "decimation"), ("--block", str(chance.randint(1, 6))), ("--builder", "refinement")]
+    told, failures = proved_models(bench, folder, "grid.xyz", ways)
+    finest = told["levels"][-1] if told else {}
+    counts = {"folded cells": told["folded_cells"] if told else 0, "tetrahedra inverted by the data": finest.get("inverted_in_data", 0),
+              "models": len(ways)}
+    folded = ", folded" if counts["folded cells"] else ""
+    return what.replace("holes", "with holes") + folded, failures, counts
+
+
+def hard_mesh(bench, folder, chance, number):
+    """Tetrahedra of which up to a thousandth are damaged, and of which some only touch."""
+    make_shape(bench, folder, chance, "mesh")
+    told, failures = proved_models(bench, folder, "mesh.vtu", [()])
+    return "proved" if not failures else "went wrong", failures, {"cells taken out": told["faulty_cell_count"] if told else 0}
+
+
 PARTS = (
     Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 1000, 40),
     Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 150),
@@ -436,4 +509,8 @@ PARTS = (
     Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 500, 40),
     Part("races", "two programs write one file", race, 300, 24),
     Part("changes", "a model is changed while it is in use", change_in_use, 500, 40),
+    Part("grids", "a curvilinear grid, even, folded, wrapped or collapsed, some with holes: built by both builders and in blocks, proved at "
+         "eight accuracies, drawn", hard_grid, 100, 6),
+    Part("meshes", "a mesh with overlaps, flips, slivers, doubles, parts that only touch, NaN: built, proved at eight accuracies, drawn",
+         hard_mesh, 200, 4),
 )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Repeats what went wrong with programs of this kind, thousands of times: kills, damage, cut and mutated files, full disks, failed
-allocations and writes, tight limits, signals, races. Nothing may crash, hang, be wrong with exit code 0, be lost, or be left behind.
+allocations and writes, tight limits, signals, races, data of hard shapes. Nothing may crash, hang, be wrong with exit code 0, be
+lost, or be left behind.
 
     torture.py BUILD [--only PART,...] [--seed S] [--count N] [--number I] [--short] [--report FILE]
 
@@ -66,12 +67,12 @@ def attempt(bench, part, seed, number, keep_folder=False):
     folder.mkdir(parents=True)
     chance = random.Random("%s:%d:%d" % (part.name, seed, number))
     try:
-        outcome, failures = part.attempt(bench, folder, chance, number)
+        outcome, failures, *counts = part.attempt(bench, folder, chance, number)
     except Exception as problem:  # a mistake of the bench is no success of the program
-        outcome, failures = "bench failed", ["%s: %s" % (type(problem).__name__, problem)]
+        outcome, failures, counts = "bench failed", ["%s: %s" % (type(problem).__name__, problem)], []
     if not keep_folder:
         shutil.rmtree(folder, ignore_errors=True)
-    return {"number": number, "outcome": outcome, "failures": failures}
+    return {"number": number, "outcome": outcome, "failures": failures, "counts": counts[0] if counts else {}}
 
 
 def run_part(bench, part, seed, count, journal):
@@ -94,6 +95,11 @@ def row(part, entries):
     outcomes = collections.Counter(entry["outcome"] for entry in entries)
     failures = sum(1 for entry in entries if entry["failures"])
     told = ", ".join("%s %s" % (format(n, ","), outcome) for outcome, n in outcomes.most_common())
+    counts = collections.Counter()
+    for entry in entries:
+        counts.update(entry["counts"])
+    if counts:
+        told += "; in all " + ", ".join("%s %s" % (format(n, ","), name) for name, n in counts.items())
     return "| %s | %s | %s | %s | %d |" % (part.name, part.purpose, format(len(entries), ","), told, failures)
 
 

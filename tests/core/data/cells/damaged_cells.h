@@ -37,13 +37,11 @@ public:
             const auto kind = static_cast<Kind>(random(KindCount));
             const std::uint32_t damaged = damage(kind, left);
             left -= std::min(left, damaged);
-            counts_[kind] += damaged > 0 || kind >= NotFinite ? 1 : 0;
         }
     }
 
     const CellComplex& complex() const { return complex_; }
     const ComplexValues& values() const { return values_; }
-    std::uint32_t count(Kind kind) const { return counts_[kind]; }
 
 private:
     using Corners = std::array<std::uint64_t, 4>;
@@ -149,7 +147,6 @@ private:
     CellComplex complex_;
     ComplexValues values_{.values = {}, .perCell = false, .type = SampleType::Float64};
     std::uint32_t whole_ = 0; ///< cells at the beginning
-    std::array<std::uint32_t, KindCount> counts_{};
 };
 
 } // namespace tetra
