@@ -182,6 +182,7 @@ private slots:
         QVERIFY(build("c60", "20", "c60.nrrd", "models/lattice.tan"));
         QVERIFY(build("bent-duct", "9", "duct.xyz", "models/within/grid.tan"));
         QVERIFY(build("part", "6", "part.vtu", "models/part.tan"));
+        QCOMPARE(runTan({"pack", "models/lattice.tan", "-o", "models/within/packed.tan"}, place_.path()).exitCode, 0);
         lattice_ = readFile(folder_ + "/lattice.tan");
         QVERIFY(lattice_.size() > 100'000);
         // What is not to be had.
@@ -207,7 +208,7 @@ private slots:
             QCOMPARE(ask(server.port, model["url"].toString().toUtf8()).header("ETag"),
                      model["tag"].toString().toUtf8());
         }
-        QCOMPARE(files, QStringList({"lattice.tan", "part.tan", "within/grid.tan"}));
+        QCOMPARE(files, QStringList({"lattice.tan", "part.tan", "within/grid.tan", "within/packed.tan"}));
     }
 
     void rangesAreTheFilesBytes_data()
@@ -309,6 +310,7 @@ private slots:
             {"--range=8,2", "--births=2,inf", "--deaths=0,3", "--window=0,0,0,9,9,9"}};
         for (const QStringList& options : lattice)
             QTest::newRow(qPrintable("lattice " + options.join(' '))) << "lattice.tan" << options;
+        QTest::newRow("of a packed model") << "within/packed.tan" << QStringList{"--error=1"};
         for (const QStringList& options :
              {QStringList{"--error=2", "--warping=1"}, QStringList{"--error=none", "--warping=1"},
               QStringList{"--error=1"},
@@ -325,7 +327,8 @@ private slots:
         QVERIFY(!arguments.options.empty());
         const auto query = queryOf(arguments);
         QVERIFY2(query.ok(), query.ok() ? "" : query.error().text().c_str());
-        const auto opened = Model::open((folder_ + "/" + model).toStdString());
+        const QString explicitModel = model == "within/packed.tan" ? "lattice.tan" : model;
+        const auto opened = Model::open((folder_ + "/" + explicitModel).toStdString());
         QVERIFY(opened.ok());
         const auto here = MeshExtractor(*opened).extract(*query);
         QVERIFY2(here.ok(), here.ok() ? "" : here.error().text().c_str());
