@@ -97,7 +97,7 @@ def row(part, entries):
     told = ", ".join("%s %s" % (format(n, ","), outcome) for outcome, n in outcomes.most_common())
     counts = collections.Counter()
     for entry in entries:
-        counts.update(entry["counts"])
+        counts.update(entry.get("counts", {}))
     if counts:
         told += "; in all " + ", ".join("%s %s" % (format(n, ","), name) for name, n in counts.items())
     return "| %s | %s | %s | %s | %d |" % (part.name, part.purpose, format(len(entries), ","), told, failures)
