@@ -10,12 +10,15 @@
 #include "tests/plugins/readers/lattice/volume_files.h"
 #include "tests/plugins/readers/plot3d/plot3d_files.h"
 
+#include <tan/build.h>
+#include <tan/packed.h>
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/transfer.h>
 
 #include <QDir>
 #include <QFile>
+#include <QTemporaryDir>
 
 #include <cstdio>
 
@@ -126,6 +129,25 @@ void addModels(const QString& folder)
     modelOf(seeds.next().toStdString(), part, decimated(part));
 }
 
+void addPacked(const QString& folder)
+{
+    Seeds seeds(folder, "packed");
+    const QTemporaryDir models;
+    const auto addPackedOf = [&](const std::filesystem::path& path) {
+        const auto model = Model::open(path);
+        if (!model || !packModel(**model, seeds.next().toStdString()).ok())
+            qFatal("a seed cannot be packed");
+    };
+    const std::filesystem::path path = models.filePath("model.tan").toStdString();
+    for (const Dataset& dataset : {bumps(SampleType::UInt8, {3, 3, 3}), bumps(SampleType::Float32, {4, 3, 2})}) {
+        if (!buildModel(dataset, path).ok())
+            qFatal("a seed cannot be built");
+        addPackedOf(path);
+    }
+    scatteredModel(path.string(), 20, 5);
+    addPackedOf(path);
+}
+
 void addCells(const QString& folder)
 {
     Seeds seeds(folder, "cells");
@@ -178,6 +200,7 @@ int main(int count, char** words)
     addGrids(folder);
     addPoints(folder);
     addModels(folder);
+    addPacked(folder);
     addCells(folder);
     addTexts(folder);
     return 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packed models of lattices (R16, S19): byte for byte what they were, and every prefix a model that is proved (R2).
-#include "core/base/checksum.h"
 #include "core/packed/packed_file.h"
 #include "core/packed/range_coder.h"
 #include "core/packed/replay_coders.h"
+#include "tests/core/packed/packed_checksums.h"
 
 #include <tan/build.h>
 #include <tan/packed.h>
@@ -166,7 +166,7 @@ private slots:
             const ByteRange chunks = packed->file().chunks();
             changed[chunks.offset + sizeof(format::PackedChunkHead) +
                     random() % (chunks.size - sizeof(format::PackedChunkHead))] ^= static_cast<char>(1 << random() % 8);
-            repair(changed, chunks);
+            repairPackedChecksums(std::as_writable_bytes(std::span(changed)));
             write(path("d.tan"), changed);
             const auto opened = PackedModel::open(path("d.tan"));
             QVERIFY(opened.ok());
@@ -295,31 +295,6 @@ private slots:
     }
 
 private:
-    /// Makes all checksums of a changed file right.
-    static void repair(std::vector<char>& content, const ByteRange& chunks)
-    {
-        const auto bytes = std::as_writable_bytes(std::span(content));
-        for (std::uint64_t place = chunks.offset; place + sizeof(format::PackedChunkHead) <= bytes.size();) {
-            format::PackedChunkHead head;
-            std::memcpy(static_cast<void*>(&head), bytes.data() + place, sizeof head);
-            const std::uint64_t size = std::min<std::uint64_t>(head.bytes, bytes.size() - place - sizeof head);
-            head.checksum = checksum(bytes.subspan(place + 8, sizeof head - 8 + size));
-            std::memcpy(bytes.data() + place, &head, sizeof head);
-            place += sizeof head + size;
-        }
-        format::Header header;
-        std::memcpy(static_cast<void*>(&header), bytes.data(), sizeof header);
-        const auto table = bytes.subspan(sizeof header, header.sectionCount * sizeof(format::Section));
-        for (std::size_t number = 0; number < header.sectionCount; ++number) {
-            format::Section section;
-            std::memcpy(static_cast<void*>(&section), table.data() + number * sizeof section, sizeof section);
-            section.checksum = checksum(bytes.subspan(section.offset, section.bytes));
-            std::memcpy(table.data() + number * sizeof section, &section, sizeof section);
-        }
-        header.checksum = headerChecksum(header, table);
-        std::memcpy(bytes.data(), &header, sizeof header);
-    }
-
     void provePrefixes(const PackedModel& packed, const Dataset& dataset)
     {
         const auto levels = packed.levels();
