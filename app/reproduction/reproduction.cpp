@@ -128,7 +128,8 @@ Result<TimedSurfaces> timeSurfaces(const Model& model, std::uint32_t sites, doub
 /// The three pictures of a row of Table 4.
 Status draw(PluginHost& host, const ReproducedModel& model, ReproducedSurface& row, const Progress& progress)
 {
-    PaperPicture picture{.mode = {}, .query = {}, .isovalues = {Isovalue{row.paper.isovalue}}};
+    PaperPicture picture;
+    picture.isovalues = {Isovalue{row.paper.isovalue}};
     picture.query.error = row.paper.error;
     picture.query.warping = row.paper.warping;
     Picture unused;
@@ -214,7 +215,8 @@ Status drawOtherFigures(PluginHost& host, Reproduction& reproduction, const Prog
         const bool isBucky = model.table == 3 && model.paper.size[0] == 64;
         if (!isSod && !isBucky)
             continue;
-        PaperPicture picture{.mode = isSod ? "isosurface" : "hybrid", .query = {}};
+        PaperPicture picture;
+        picture.mode = isSod ? "isosurface" : "hybrid";
         if (isSod)
             picture.isovalues = {at(0.15, 1, 0.25f), at(0.35, 2, 0.4f), at(0.6, 0, 1)};
         else
