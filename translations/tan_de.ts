@@ -323,6 +323,37 @@
         <source>&amp;Orientation</source>
         <translation>Aus&amp;richtung</translation>
     </message>
+    <message>
+        <source>Ope&amp;n URL…</source>
+        <translation>U&amp;RL öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a model that lies on a server</source>
+        <translation>Ein Modell öffnen, das auf einem Server liegt</translation>
+    </message>
+    <message>
+        <source>Model Cac&amp;he…</source>
+        <translation>Modell-Z&amp;wischenspeicher …</translation>
+    </message>
+    <message>
+        <source>Where models go that are unpacked or fetched</source>
+        <translation>Wohin Modelle kommen, die entpackt oder geholt werden</translation>
+    </message>
+</context>
+<context>
+    <name>AddressDialog</name>
+    <message>
+        <source>Open URL</source>
+        <translation>URL öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a model on a server:</source>
+        <translation>&amp;Adresse eines Modells auf einem Server:</translation>
+    </message>
+    <message>
+        <source>Where the model lies, packed or not: http:// or https://</source>
+        <translation>Wo das Modell liegt, gepackt oder nicht: http:// oder https://</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -459,6 +490,10 @@
     <message>
         <source>Change Warping</source>
         <translation>Verwerfung ändern</translation>
+    </message>
+    <message>
+        <source>Change Lens</source>
+        <translation>Lupe ändern</translation>
     </message>
 </context>
 <context>
@@ -1059,6 +1094,14 @@
         <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
         <translation>zerschnittene Tetraeder: %1; überlappende Gruppen, nach Entfernung gezeichnet: %2</translation>
     </message>
+    <message>
+        <source>in the grid and in space</source>
+        <translation>im Gitter und im Raum</translation>
+    </message>
+    <message>
+        <source>in the grid; in space it may be larger</source>
+        <translation>im Gitter; im Raum kann er größer sein</translation>
+    </message>
 </context>
 <context>
     <name>ValueReadOut</name>
@@ -1551,6 +1594,57 @@ beliebige Verwerfung</translation>
     <message>
         <source>rectilinear grid of %1 points, %2 cells</source>
         <translation>rechtwinkliges Gitter mit %1 Punkten, %2 Zellen</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CacheDialog</name>
+    <message>
+        <source>C&amp;lear Now</source>
+        <translation>Jetzt &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Model Cache</source>
+        <translation>Modell-Zwischenspeicher</translation>
+    </message>
+    <message>
+        <source>Models that are packed or lie on a server are unpacked or fetched into this folder, and opened from there the next time. What was unused for longest is removed when room is needed.</source>
+        <translation>Modelle, die gepackt sind oder auf einem Server liegen, werden in diesen Ordner entpackt oder geholt und das nächste Mal von dort geöffnet. Wird Platz gebraucht, so wird entfernt, was am längsten nicht verwendet wurde.</translation>
+    </message>
+    <message>
+        <source>The folder; empty for the usual one</source>
+        <translation>Der Ordner; leer für den üblichen</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>A&amp;uswählen …</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Einen anderen Ordner auswählen</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>How much of the disk it may take</source>
+        <translation>Wie viel Platz er höchstens belegen darf</translation>
+    </message>
+    <message>
+        <source>Remove all models of the folder that are not open</source>
+        <translation>Alle Modelle des Ordners entfernen, die nicht geöffnet sind</translation>
+    </message>
+    <message>
+        <source>&amp;Folder:</source>
+        <translation>&amp;Ordner:</translation>
+    </message>
+    <message>
+        <source>At &amp;most:</source>
+        <translation>&amp;Höchstens:</translation>
+    </message>
+    <message>
+        <source>In use:</source>
+        <translation>Belegt:</translation>
     </message>
 </context>
 <context>
@@ -2542,6 +2636,84 @@ beliebige Verwerfung</translation>
     </message>
 </context>
 <context>
+    <name>tetra::LensInputs</name>
+    <message>
+        <source>Lens over the picture</source>
+        <translation>Lupe über dem Bild</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>No lens</source>
+        <translation>Keine Lupe</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>A round lens, with its own error (L). Drag it; the wheel over it changes the magnification.</source>
+        <translation>Eine runde Lupe mit eigenem Fehler (L). Zum Verschieben ziehen; das Mausrad über ihr ändert die Vergrößerung.</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>A square lens, with its own error</source>
+        <translation>Eine quadratische Lupe mit eigenem Fehler</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>How much larger the lens shows what lies under its middle</source>
+        <translation>Wievielmal größer die Lupe zeigt, was unter ihrer Mitte liegt</translation>
+    </message>
+    <message>
+        <source>Size of the lens</source>
+        <translation>Größe der Lupe</translation>
+    </message>
+    <message>
+        <source>Half the width of the lens, in percent of the picture&apos;s shorter side</source>
+        <translation>Halbe Breite der Lupe, in Prozent der kürzeren Bildseite</translation>
+    </message>
+    <message>
+        <source>Error in the lens</source>
+        <translation>Fehler in der Lupe</translation>
+    </message>
+    <message>
+        <source>Error of the mesh in the lens, in percent of the value range; it is never coarser than the mesh of the picture</source>
+        <translation>Fehler des Netzes in der Lupe, in Prozent des Wertebereichs; es ist nie gröber als das Netz des Bildes</translation>
+    </message>
+    <message>
+        <source>Magnificati&amp;on</source>
+        <translation>&amp;Vergrößerung</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Gr&amp;öße</translation>
+    </message>
+    <message>
+        <source>E&amp;rror inside</source>
+        <translation>Fehler inne&amp;rhalb</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::LensTool</name>
+    <message>
+        <source>Lens</source>
+        <translation>Lupe</translation>
+    </message>
+    <message>
+        <source>Enlarged %1 times</source>
+        <translation>%1-fach vergrößert</translation>
+    </message>
+</context>
+<context>
     <name>tetra::LostOffers</name>
     <message>
         <source>Sessions to restore</source>
@@ -2669,6 +2841,22 @@ beliebige Verwerfung</translation>
     <message>
         <source>The picture does not show the current settings, which could not be drawn.</source>
         <translation>Das Bild zeigt nicht die jetzigen Einstellungen: Sie konnten nicht gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Showing %L1 of %L2 vertices, more is coming</source>
+        <translation>Zeigt %L1 von %L2 Punkten, weitere kommen</translation>
+    </message>
+    <message>
+        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
+        <translation>%1 wird mit %L2 seiner %L3 Punkte gezeigt: %4 von %5 wurden geholt.</translation>
+    </message>
+    <message>
+        <source>&amp;Fetch All</source>
+        <translation>Alles &amp;holen</translation>
     </message>
 </context>
 <context>
@@ -7717,6 +7905,338 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
         <translation>Ein Bereich von Genauigkeiten hat Tetraeder, die übereinander liegen, daher kann ihr Volumen nicht gezeichnet werden. Wählen Sie Isoflächen, oder Grenzen, die ein Netz übrig lassen.</translation>
     </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lesen des Modells</translation>
+    </message>
+    <message>
+        <source>Set XDG_CACHE_HOME to a folder that can be written in.</source>
+        <translation>Setzen Sie XDG_CACHE_HOME auf einen beschreibbaren Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot use the cache folder &apos;%1&apos;: %2. %3</source>
+        <translation>Der Zwischenspeicher „%1“ ist nicht benutzbar: %2. %3</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>im Gitter</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>im Raum</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was read. Copy the file again.</source>
+        <translation>„%1“ wurde abgeschnitten oder geändert, während es gelesen wurde. Kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The error in space is kept in whole grids only, as a point may lie in a tetrahedron of another block. Set the block to &quot;none&quot;.</source>
+        <translation>Der Fehler im Raum wird nur in ganzen Gittern eingehalten, da ein Punkt in einem Tetraeder eines anderen Blocks liegen kann. Setzen Sie den Block auf „none“.</translation>
+    </message>
+    <message>
+        <source>To keep the error in space, a build is ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
+        <translation>Um den Fehler im Raum einzuhalten, wird ein Aufbau nach Fehler und Verwerfung geordnet, mit der normierten Auswahl. Lassen Sie die andere Wahl weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is refined in the space where its points lie, so its error is the error in space. Leave this choice out.</source>
+        <translation>„%1“ wird in dem Raum verfeinert, in dem die Punkte liegen; der Fehler ist also der Fehler im Raum. Lassen Sie diese Wahl weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a packed model. Unpack it first, with &apos;tan unpack&apos;.</source>
+        <translation>&apos;%1&apos; ist ein gepacktes Modell. Entpacken Sie es zuerst mit &apos;tan unpack&apos;.</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; makes no sense</source>
+        <translation>der Abschnitt „%1“ ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>Not enough memory to open &apos;%1&apos;. Close other programs.</source>
+        <translation>Der Speicher reicht nicht, um „%1“ zu öffnen. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or pack the model again.</source>
+        <translation>&apos;%1&apos; ist beschädigt: %2. Kopieren Sie die Datei erneut, oder packen Sie das Modell erneut.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is packed by method %2, which this version does not know. Install a later version of TAn.</source>
+        <translation>&apos;%1&apos; ist nach Verfahren %2 gepackt, das diese Version nicht kennt. Installieren Sie eine neuere Version von TAn.</translation>
+    </message>
+    <message>
+        <source>its levels make no sense</source>
+        <translation>seine Stufen ergeben keinen Sinn</translation>
+    </message>
+    <message>
+        <source>Reading a packed model</source>
+        <translation>Ein gepacktes Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>a chunk is cut short</source>
+        <translation>ein Stück ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the checksum of a chunk is wrong</source>
+        <translation>die Prüfsumme eines Stücks ist falsch</translation>
+    </message>
+    <message>
+        <source>This packed mesh is damaged.</source>
+        <translation>Dieses gepackte Netz ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>This mesh cannot be packed: its arrays do not belong together, or it has more than %1 tetrahedra.</source>
+        <translation>Dieses Netz kann nicht gepackt werden: Seine Felder gehören nicht zusammen, oder es hat mehr als %1 Tetraeder.</translation>
+    </message>
+    <message>
+        <source>What was received is no packed mesh of this version, or is damaged.</source>
+        <translation>Was empfangen wurde, ist kein gepacktes Netz dieser Version oder ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 tetrahedra, and at most %2 are taken.</source>
+        <translation>Das Netz hat %1 Tetraeder; höchstens %2 werden angenommen.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a packed mesh. Ask for a larger error or a part of it.</source>
+        <translation>Nicht genug Speicher für ein gepacktes Netz. Verlangen Sie einen größeren Fehler oder einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to unpack &apos;%1&apos;. Close other programs, or unpack it on a larger machine.</source>
+        <translation>Nicht genug Speicher, um &apos;%1&apos; zu entpacken. Schließen Sie andere Programme, oder entpacken Sie es auf einem größeren Rechner.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to pack &apos;%1&apos;. Close other programs, or pack it on a larger machine.</source>
+        <translation>Nicht genug Speicher, um &apos;%1&apos; zu packen. Schließen Sie andere Programme, oder packen Sie es auf einem größeren Rechner.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 levels, and level %3 is none of them.</source>
+        <translation>&apos;%1&apos; hat %2 Stufen; Stufe %3 ist keine davon.</translation>
+    </message>
+    <message>
+        <source>Packing the model</source>
+        <translation>Das Modell wird gepackt</translation>
+    </message>
+    <message>
+        <source>Unpacking the model</source>
+        <translation>Das Modell wird entpackt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be packed: most of it is in sections that this version does not know.</source>
+        <translation>&apos;%1&apos; kann nicht gepackt werden: Das meiste liegt in Abschnitten, die diese Version nicht kennt.</translation>
+    </message>
+    <message>
+        <source>what it holds is no history</source>
+        <translation>was es enthält, ist keine Geschichte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: %2.</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
+        <translation>&apos;%1&apos; kann nicht gepackt werden: Die Geschichte ist nicht die eines Netzes. &apos;tan verify&apos; sagt mehr.</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Packen</translation>
+    </message>
+    <message>
+        <source>its sites make no sense</source>
+        <translation>seine Punkte ergeben keinen Sinn</translation>
+    </message>
+    <message>
+        <source>a lattice of %1 points cannot be replayed</source>
+        <translation>ein Gitter von %1 Punkten kann nicht wiederholt werden</translation>
+    </message>
+    <message>
+        <source>its blocks make no sense</source>
+        <translation>seine Blöcke ergeben keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its text does not tell how it is built</source>
+        <translation>sein Text sagt nicht, wie es gebaut wird</translation>
+    </message>
+    <message>
+        <source>its samples are not those that it was packed with</source>
+        <translation>seine Werte sind nicht die, mit denen es gepackt wurde</translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation>Das Modell wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Replaying the insertions</source>
+        <translation>Die Einfügungen werden wiederholt</translation>
+    </message>
+    <message>
+        <source>The lattice is too large to be packed as a whole.</source>
+        <translation>Das Gitter ist zu groß, um als Ganzes gepackt zu werden.</translation>
+    </message>
+    <message>
+        <source>A point lies in no tetrahedron of the mesh.</source>
+        <translation>Ein Punkt liegt in keinem Tetraeder des Netzes.</translation>
+    </message>
+    <message>
+        <source>TAN_CACHE_MB is &apos;%1&apos;. Give the most megabytes that the cache folder may take.</source>
+        <translation>TAN_CACHE_MB ist „%1“. Geben Sie an, wie viele Megabyte der Zwischenspeicher höchstens belegen darf.</translation>
+    </message>
+    <message>
+        <source>There is no cache folder, as this user has no home. Set XDG_CACHE_HOME to a folder.</source>
+        <translation>Es gibt keinen Zwischenspeicher, da dieser Benutzer kein Benutzerverzeichnis hat. Setzen Sie XDG_CACHE_HOME auf einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Waiting for a file of the cache folder</source>
+        <translation>Warten auf eine Datei des Zwischenspeichers</translation>
+    </message>
+    <message>
+        <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and what is in use stays. Set TAN_CACHE_MB to more megabytes.</source>
+        <translation>Im Zwischenspeicher „%1“ ist kein Platz für weitere %2: Seine Grenze ist %3, und was in Gebrauch ist, bleibt. Setzen Sie TAN_CACHE_MB auf mehr Megabyte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to look into the cache folder &apos;%1&apos;. Close other programs.</source>
+        <translation>Nicht genug Speicher, um den Zwischenspeicher „%1“ durchzusehen. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address of a server. Write it as http://HOST:PORT/NAME.tan.</source>
+        <translation>&apos;%1&apos; ist keine Adresse eines Servers. Schreiben Sie sie als http://HOST:PORT/NAME.tan.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
+        <translation>&apos;%1&apos; sendet mehr als %2; mehr wird nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer (%2). Check the address, and whether the server runs.</source>
+        <translation>&apos;%1&apos; antwortet nicht (%2). Prüfen Sie die Adresse und ob der Server läuft.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for what the server sends. Ask for less.</source>
+        <translation>Nicht genug Speicher für das, was der Server sendet. Verlangen Sie weniger.</translation>
+    </message>
+    <message>
+        <source>the file on the server was changed while it was read. Open it again.</source>
+        <translation>Die Datei auf dem Server wurde geändert, während sie gelesen wurde. Öffnen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the server or a proxy packs what it sends (%1), so that parts of the file cannot be told. Download the file and open the copy.</source>
+        <translation>Der Server oder ein Proxy packt, was er sendet (%1), sodass Teile der Datei nicht zu erkennen sind. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>the server does not say how long the file is. Download the file and open the copy.</source>
+        <translation>Der Server sagt nicht, wie lang die Datei ist. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>the server gives a web page in place of data, perhaps one to log in at. Open the address in a browser and look for the address of the file itself.</source>
+        <translation>Der Server liefert eine Webseite statt Daten, vielleicht eine zum Anmelden. Öffnen Sie die Adresse in einem Browser und suchen Sie die Adresse der Datei selbst.</translation>
+    </message>
+    <message>
+        <source>its server gives files as a whole only, not in parts (range requests). Download the file and open the copy, or put it on a server that knows ranges.</source>
+        <translation>Ihr Server liefert Dateien nur als Ganzes, nicht in Teilen (Bereichsanfragen). Laden Sie die Datei herunter und öffnen Sie die Kopie, oder legen Sie sie auf einen Server, der Bereiche kennt.</translation>
+    </message>
+    <message>
+        <source>the server gives another part of the file than it was asked for. Download the file and open the copy.</source>
+        <translation>Der Server liefert einen anderen Teil der Datei als den verlangten. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>what answers there is no web server. Check the address and its port.</source>
+        <translation>Was dort antwortet, ist kein Webserver. Prüfen Sie die Adresse und ihren Port.</translation>
+    </message>
+    <message>
+        <source>the connection was cut again and again, by the server or by a proxy on the way. Try it later, or download the file and open the copy.</source>
+        <translation>Die Verbindung wurde immer wieder getrennt, vom Server oder von einem Proxy auf dem Weg. Versuchen Sie es später, oder laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>the server wants a name and a password. Give them in the address, https://NAME:PASSWORD@..., or download the file.</source>
+        <translation>Der Server verlangt Namen und Passwort. Geben Sie sie in der Adresse an, https://NAME:PASSWORT@..., oder laden Sie die Datei herunter.</translation>
+    </message>
+    <message>
+        <source>the proxy wants a name and a password. Set https_proxy to an address with both.</source>
+        <translation>Der Proxy verlangt Namen und Passwort. Setzen Sie https_proxy auf eine Adresse mit beiden.</translation>
+    </message>
+    <message>
+        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has had its time.</source>
+        <translation>Der Server erlaubt es nicht (403). Fragen Sie seinen Betreiber, oder prüfen Sie, ob die Adresse abgelaufen ist.</translation>
+    </message>
+    <message>
+        <source>there is no such file on the server (%1). Check the address.</source>
+        <translation>Diese Datei gibt es auf dem Server nicht (%1). Prüfen Sie die Adresse.</translation>
+    </message>
+    <message>
+        <source>the server is busy (%1). Try it later.</source>
+        <translation>Der Server ist ausgelastet (%1). Versuchen Sie es später.</translation>
+    </message>
+    <message>
+        <source>the server fails (%1). Try it later, or tell whoever runs it.</source>
+        <translation>Der Server hat einen Fehler (%1). Versuchen Sie es später, oder sagen Sie es seinem Betreiber.</translation>
+    </message>
+    <message>
+        <source>the server answers with status %1 in place of data. Check the address.</source>
+        <translation>Der Server antwortet mit Status %1 statt mit Daten. Prüfen Sie die Adresse.</translation>
+    </message>
+    <message>
+        <source>it is no address of a file. Write it as https://HOST/PATH.</source>
+        <translation>Das ist keine Adresse einer Datei. Schreiben Sie sie als https://RECHNER/PFAD.</translation>
+    </message>
+    <message>
+        <source>its host is not found. Check the address and the network.</source>
+        <translation>Ihr Rechner wurde nicht gefunden. Prüfen Sie die Adresse und das Netz.</translation>
+    </message>
+    <message>
+        <source>the proxy is not found. Check http_proxy and https_proxy.</source>
+        <translation>Der Proxy wurde nicht gefunden. Prüfen Sie http_proxy und https_proxy.</translation>
+    </message>
+    <message>
+        <source>nothing answers at that host and port. Check the address and the network.</source>
+        <translation>Unter diesem Rechner und Port antwortet nichts. Prüfen Sie die Adresse und das Netz.</translation>
+    </message>
+    <message>
+        <source>the server leads from one address to another and to no file. Check the address.</source>
+        <translation>Der Server führt von einer Adresse zur nächsten und zu keiner Datei. Prüfen Sie die Adresse.</translation>
+    </message>
+    <message>
+        <source>the certificate of its host cannot be trusted (%1). Check the address and this machine&apos;s clock; read nothing from it if you do not know why.</source>
+        <translation>Dem Zertifikat des Rechners ist nicht zu trauen (%1). Prüfen Sie die Adresse und die Uhr dieses Rechners; lesen Sie nichts von dort, wenn Sie den Grund nicht kennen.</translation>
+    </message>
+    <message>
+        <source>there is no safe connection to its host (%1). Check whether the address begins with http:// or https://.</source>
+        <translation>Zu diesem Rechner gibt es keine sichere Verbindung (%1). Prüfen Sie, ob die Adresse mit http:// oder https:// beginnt.</translation>
+    </message>
+    <message>
+        <source>the server leads to an address that is not safe to follow. Give the address of the file itself.</source>
+        <translation>Der Server führt zu einer Adresse, der zu folgen nicht sicher ist. Geben Sie die Adresse der Datei selbst an.</translation>
+    </message>
+    <message>
+        <source>the file is empty. Check the address.</source>
+        <translation>Die Datei ist leer. Prüfen Sie die Adresse.</translation>
+    </message>
+    <message>
+        <source>The cache folder gives other bytes than were written to it. Check its disk, or set XDG_CACHE_HOME to a folder on another one.</source>
+        <translation>Der Zwischenspeicher liefert andere Bytes, als in ihn geschrieben wurden. Prüfen Sie seine Platte, oder setzen Sie XDG_CACHE_HOME auf einen Ordner auf einer anderen.</translation>
+    </message>
+    <message>
+        <source>Reading &apos;%1&apos;</source>
+        <translation>Lesen von „%1“</translation>
+    </message>
+    <message>
+        <source>it ends before what was looked for. It is no whole model: ask whoever put it there.</source>
+        <translation>Sie endet vor dem, was gesucht wurde. Das ist kein ganzes Modell: Fragen Sie, wer es dort abgelegt hat.</translation>
+    </message>
+    <message>
+        <source>Reading from the network</source>
+        <translation>Lesen aus dem Netz</translation>
+    </message>
+    <message>
+        <source>nothing came from the server for %1 seconds, or too slowly. Check the network, or try it later.</source>
+        <translation>Vom Server kam %1 Sekunden lang nichts, oder zu langsam. Prüfen Sie das Netz, oder versuchen Sie es später.</translation>
+    </message>
+    <message>
+        <source>The part of a picture to be drawn must lie within it.</source>
+        <translation>Der Teil eines Bildes, der gezeichnet werden soll, muss in ihm liegen.</translation>
+    </message>
+    <message>
+        <source>Error in</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory.</source>
+        <translation>Bei krummlinigen Daten: „grid“ hält den Fehler an den Indizes der Punkte ein, wie der Aufsatz; „space“ auch den Fehler dort, wo die Punkte liegen, also den, den man sieht. Das kostet mehr Knoten und Zeit, und das ganze Gitter muss in den Speicher.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -8277,6 +8797,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Lens</source>
+        <translation>&amp;Lupe</translation>
+    </message>
+    <message>
+        <source>Enlarge a part of the picture, at its own accuracy</source>
+        <translation>Einen Teil des Bildes vergrößern, mit eigener Genauigkeit</translation>
     </message>
 </context>
 <context>

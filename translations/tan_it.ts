@@ -323,6 +323,37 @@
         <source>&amp;Orientation</source>
         <translation>&amp;Orientamento</translation>
     </message>
+    <message>
+        <source>Ope&amp;n URL…</source>
+        <translation>Apri UR&amp;L…</translation>
+    </message>
+    <message>
+        <source>Open a model that lies on a server</source>
+        <translation>Apre un modello che si trova su un server</translation>
+    </message>
+    <message>
+        <source>Model Cac&amp;he…</source>
+        <translation>Cache &amp;dei modelli…</translation>
+    </message>
+    <message>
+        <source>Where models go that are unpacked or fetched</source>
+        <translation>Dove vanno i modelli che vengono decompressi o scaricati</translation>
+    </message>
+</context>
+<context>
+    <name>AddressDialog</name>
+    <message>
+        <source>Open URL</source>
+        <translation>Apri URL</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a model on a server:</source>
+        <translation>&amp;Indirizzo di un modello su un server:</translation>
+    </message>
+    <message>
+        <source>Where the model lies, packed or not: http:// or https://</source>
+        <translation>Dove si trova il modello, compresso o no: http:// o https://</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -459,6 +490,10 @@
     <message>
         <source>Change Warping</source>
         <translation>Cambia deformazione</translation>
+    </message>
+    <message>
+        <source>Change Lens</source>
+        <translation>Modifica lente</translation>
     </message>
 </context>
 <context>
@@ -1059,6 +1094,14 @@
         <source>tetrahedra cut: %1; groups that overlap, drawn by distance: %2</source>
         <translation>tetraedri tagliati: %1; gruppi sovrapposti, disegnati per distanza: %2</translation>
     </message>
+    <message>
+        <source>in the grid and in space</source>
+        <translation>nella griglia e nello spazio</translation>
+    </message>
+    <message>
+        <source>in the grid; in space it may be larger</source>
+        <translation>nella griglia; nello spazio può essere maggiore</translation>
+    </message>
 </context>
 <context>
     <name>ValueReadOut</name>
@@ -1551,6 +1594,57 @@ deformazione qualsiasi</translation>
     <message>
         <source>rectilinear grid of %1 points, %2 cells</source>
         <translation>griglia rettilinea di %1 punti, %2 celle</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::CacheDialog</name>
+    <message>
+        <source>C&amp;lear Now</source>
+        <translation>S&amp;vuota ora</translation>
+    </message>
+    <message>
+        <source>Model Cache</source>
+        <translation>Cache dei modelli</translation>
+    </message>
+    <message>
+        <source>Models that are packed or lie on a server are unpacked or fetched into this folder, and opened from there the next time. What was unused for longest is removed when room is needed.</source>
+        <translation>I modelli compressi o che si trovano su un server vengono decompressi o scaricati in questa cartella, e la volta successiva aperti da lì. Quando serve spazio si elimina ciò che non è stato usato da più tempo.</translation>
+    </message>
+    <message>
+        <source>The folder; empty for the usual one</source>
+        <translation>La cartella; vuoto per quella consueta</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>Sceg&amp;li…</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Scegliere un&apos;altra cartella</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>How much of the disk it may take</source>
+        <translation>Quanto spazio su disco può occupare</translation>
+    </message>
+    <message>
+        <source>Remove all models of the folder that are not open</source>
+        <translation>Elimina tutti i modelli della cartella che non sono aperti</translation>
+    </message>
+    <message>
+        <source>&amp;Folder:</source>
+        <translation>&amp;Cartella:</translation>
+    </message>
+    <message>
+        <source>At &amp;most:</source>
+        <translation>Al &amp;massimo:</translation>
+    </message>
+    <message>
+        <source>In use:</source>
+        <translation>Occupato:</translation>
     </message>
 </context>
 <context>
@@ -2542,6 +2636,84 @@ deformazione qualsiasi</translation>
     </message>
 </context>
 <context>
+    <name>tetra::LensInputs</name>
+    <message>
+        <source>Lens over the picture</source>
+        <translation>Lente sull&apos;immagine</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nessuno</translation>
+    </message>
+    <message>
+        <source>No lens</source>
+        <translation>Nessuna lente</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cerchio</translation>
+    </message>
+    <message>
+        <source>A round lens, with its own error (L). Drag it; the wheel over it changes the magnification.</source>
+        <translation>Una lente rotonda con un proprio errore (L). Trascinarla per spostarla; la rotella su di essa cambia l&apos;ingrandimento.</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrato</translation>
+    </message>
+    <message>
+        <source>A square lens, with its own error</source>
+        <translation>Una lente quadrata con un proprio errore</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <translation>Ingrandimento</translation>
+    </message>
+    <message>
+        <source>How much larger the lens shows what lies under its middle</source>
+        <translation>Quante volte più grande la lente mostra ciò che si trova sotto il suo centro</translation>
+    </message>
+    <message>
+        <source>Size of the lens</source>
+        <translation>Dimensione della lente</translation>
+    </message>
+    <message>
+        <source>Half the width of the lens, in percent of the picture&apos;s shorter side</source>
+        <translation>Metà della larghezza della lente, in percentuale del lato minore dell&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Error in the lens</source>
+        <translation>Errore nella lente</translation>
+    </message>
+    <message>
+        <source>Error of the mesh in the lens, in percent of the value range; it is never coarser than the mesh of the picture</source>
+        <translation>Errore della mesh nella lente, in percentuale dell&apos;intervallo dei valori; non è mai più grossolana della mesh dell&apos;immagine</translation>
+    </message>
+    <message>
+        <source>Magnificati&amp;on</source>
+        <translation>Ingr&amp;andimento</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Dimen&amp;sione</translation>
+    </message>
+    <message>
+        <source>E&amp;rror inside</source>
+        <translation>E&amp;rrore all&apos;interno</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::LensTool</name>
+    <message>
+        <source>Lens</source>
+        <translation>Lente</translation>
+    </message>
+    <message>
+        <source>Enlarged %1 times</source>
+        <translation>Ingrandito %1 volte</translation>
+    </message>
+</context>
+<context>
     <name>tetra::LostOffers</name>
     <message>
         <source>Sessions to restore</source>
@@ -2669,6 +2841,22 @@ deformazione qualsiasi</translation>
     <message>
         <source>The picture does not show the current settings, which could not be drawn.</source>
         <translation>L&apos;immagine non mostra le impostazioni attuali, che non è stato possibile disegnare.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Showing %L1 of %L2 vertices, more is coming</source>
+        <translation>Mostra %L1 di %L2 vertici, altri stanno arrivando</translation>
+    </message>
+    <message>
+        <source>%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.</source>
+        <translation>%1 è mostrato con %L2 dei suoi %L3 vertici: %4 di %5 sono stati scaricati.</translation>
+    </message>
+    <message>
+        <source>&amp;Fetch All</source>
+        <translation>Scarica &amp;tutto</translation>
     </message>
 </context>
 <context>
@@ -7717,6 +7905,338 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>A range of accuracies has tetrahedra that lie over each other, so their volume cannot be drawn. Choose isosurfaces, or births and deaths that leave one mesh.</source>
         <translation>Un intervallo di accuratezze ha tetraedri sovrapposti, quindi il loro volume non si può disegnare. Scegliete le isosuperfici, o limiti che lascino una sola griglia.</translation>
     </message>
+    <message>
+        <source>Reading the model</source>
+        <translation>Lettura del modello</translation>
+    </message>
+    <message>
+        <source>Set XDG_CACHE_HOME to a folder that can be written in.</source>
+        <translation>Impostare XDG_CACHE_HOME su una cartella scrivibile.</translation>
+    </message>
+    <message>
+        <source>Cannot use the cache folder &apos;%1&apos;: %2. %3</source>
+        <translation>Impossibile usare la cartella cache &apos;%1&apos;: %2. %3</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>nella griglia</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>nello spazio</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was cut short or changed while it was read. Copy the file again.</source>
+        <translation>&apos;%1&apos; è stato troncato o modificato durante la lettura. Copiare di nuovo il file.</translation>
+    </message>
+    <message>
+        <source>The error in space is kept in whole grids only, as a point may lie in a tetrahedron of another block. Set the block to &quot;none&quot;.</source>
+        <translation>L&apos;errore nello spazio è mantenuto solo in griglie intere, perché un punto può trovarsi in un tetraedro di un altro blocco. Impostate il blocco su «none».</translation>
+    </message>
+    <message>
+        <source>To keep the error in space, a build is ordered by error and warping, with the normalised selection. Leave out the other choice.</source>
+        <translation>Per mantenere l&apos;errore nello spazio, una costruzione è ordinata in base a errore e deformazione, con la selezione normalizzata. Tralasciate l&apos;altra scelta.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is refined in the space where its points lie, so its error is the error in space. Leave this choice out.</source>
+        <translation>«%1» viene raffinato nello spazio in cui si trovano i suoi punti, quindi il suo errore è l&apos;errore nello spazio. Tralasciate questa scelta.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a packed model. Unpack it first, with &apos;tan unpack&apos;.</source>
+        <translation>&apos;%1&apos; è un modello compresso. Espanderlo prima con &apos;tan unpack&apos;.</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; makes no sense</source>
+        <translation>la sezione &apos;%1&apos; non ha senso</translation>
+    </message>
+    <message>
+        <source>Not enough memory to open &apos;%1&apos;. Close other programs.</source>
+        <translation>La memoria non basta per aprire &apos;%1&apos;. Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is damaged: %2. Copy the file again, or pack the model again.</source>
+        <translation>&apos;%1&apos; è danneggiato: %2. Copiare di nuovo il file o comprimere di nuovo il modello.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is packed by method %2, which this version does not know. Install a later version of TAn.</source>
+        <translation>&apos;%1&apos; è compresso con il metodo %2, che questa versione non conosce. Installare una versione più recente di TAn.</translation>
+    </message>
+    <message>
+        <source>its levels make no sense</source>
+        <translation>i suoi livelli non hanno senso</translation>
+    </message>
+    <message>
+        <source>Reading a packed model</source>
+        <translation>Lettura di un modello compresso</translation>
+    </message>
+    <message>
+        <source>a chunk is cut short</source>
+        <translation>un blocco è troncato</translation>
+    </message>
+    <message>
+        <source>the checksum of a chunk is wrong</source>
+        <translation>la somma di controllo di un blocco è errata</translation>
+    </message>
+    <message>
+        <source>This packed mesh is damaged.</source>
+        <translation>Questa mesh compressa è danneggiata.</translation>
+    </message>
+    <message>
+        <source>This mesh cannot be packed: its arrays do not belong together, or it has more than %1 tetrahedra.</source>
+        <translation>Questa mesh non può essere compressa: i suoi array non vanno insieme, o ha più di %1 tetraedri.</translation>
+    </message>
+    <message>
+        <source>What was received is no packed mesh of this version, or is damaged.</source>
+        <translation>Ciò che è stato ricevuto non è una mesh compressa di questa versione, o è danneggiato.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 tetrahedra, and at most %2 are taken.</source>
+        <translation>La mesh ha %1 tetraedri, e se ne accettano al massimo %2.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for a packed mesh. Ask for a larger error or a part of it.</source>
+        <translation>Memoria insufficiente per una mesh compressa. Chiedere un errore maggiore o una sua parte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to unpack &apos;%1&apos;. Close other programs, or unpack it on a larger machine.</source>
+        <translation>Memoria insufficiente per espandere &apos;%1&apos;. Chiudere altri programmi o espanderlo su una macchina più grande.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to pack &apos;%1&apos;. Close other programs, or pack it on a larger machine.</source>
+        <translation>Memoria insufficiente per comprimere &apos;%1&apos;. Chiudere altri programmi o comprimerlo su una macchina più grande.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 levels, and level %3 is none of them.</source>
+        <translation>&apos;%1&apos; ha %2 livelli, e il livello %3 non è tra questi.</translation>
+    </message>
+    <message>
+        <source>Packing the model</source>
+        <translation>Compressione del modello</translation>
+    </message>
+    <message>
+        <source>Unpacking the model</source>
+        <translation>Espansione del modello</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be packed: most of it is in sections that this version does not know.</source>
+        <translation>&apos;%1&apos; non può essere compresso: gran parte è in sezioni che questa versione non conosce.</translation>
+    </message>
+    <message>
+        <source>what it holds is no history</source>
+        <translation>ciò che contiene non è una storia</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written: %2.</source>
+        <translation>Impossibile scrivere &apos;%1&apos;: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
+        <translation>&apos;%1&apos; non può essere compresso: la sua storia non è quella di una mesh. &apos;tan verify&apos; dice di più.</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Compressione</translation>
+    </message>
+    <message>
+        <source>its sites make no sense</source>
+        <translation>i suoi siti non hanno senso</translation>
+    </message>
+    <message>
+        <source>a lattice of %1 points cannot be replayed</source>
+        <translation>un reticolo di %1 punti non può essere ripetuto</translation>
+    </message>
+    <message>
+        <source>its blocks make no sense</source>
+        <translation>i suoi blocchi non hanno senso</translation>
+    </message>
+    <message>
+        <source>its text does not tell how it is built</source>
+        <translation>il suo testo non dice come è costruito</translation>
+    </message>
+    <message>
+        <source>its samples are not those that it was packed with</source>
+        <translation>i suoi campioni non sono quelli con cui è stato compresso</translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation>Scrittura del modello</translation>
+    </message>
+    <message>
+        <source>Replaying the insertions</source>
+        <translation>Ripetizione degli inserimenti</translation>
+    </message>
+    <message>
+        <source>The lattice is too large to be packed as a whole.</source>
+        <translation>Il reticolo è troppo grande per essere compresso per intero.</translation>
+    </message>
+    <message>
+        <source>A point lies in no tetrahedron of the mesh.</source>
+        <translation>Un punto non si trova in alcun tetraedro della mesh.</translation>
+    </message>
+    <message>
+        <source>TAN_CACHE_MB is &apos;%1&apos;. Give the most megabytes that the cache folder may take.</source>
+        <translation>TAN_CACHE_MB è &apos;%1&apos;. Indicare quanti megabyte può occupare al massimo la cartella cache.</translation>
+    </message>
+    <message>
+        <source>There is no cache folder, as this user has no home. Set XDG_CACHE_HOME to a folder.</source>
+        <translation>Non c&apos;è una cartella cache, perché questo utente non ha una cartella personale. Impostare XDG_CACHE_HOME su una cartella.</translation>
+    </message>
+    <message>
+        <source>Waiting for a file of the cache folder</source>
+        <translation>Attesa di un file della cartella cache</translation>
+    </message>
+    <message>
+        <source>The cache folder &apos;%1&apos; has no room for %2 more: its limit is %3, and what is in use stays. Set TAN_CACHE_MB to more megabytes.</source>
+        <translation>Nella cartella cache &apos;%1&apos; non c&apos;è posto per altri %2: il limite è %3, e ciò che è in uso resta. Impostare TAN_CACHE_MB su più megabyte.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to look into the cache folder &apos;%1&apos;. Close other programs.</source>
+        <translation>Memoria insufficiente per esaminare la cartella cache &apos;%1&apos;. Chiudere altri programmi.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no address of a server. Write it as http://HOST:PORT/NAME.tan.</source>
+        <translation>&apos;%1&apos; non è l&apos;indirizzo di un server. Scriverlo come http://HOST:PORT/NAME.tan.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
+        <translation>&apos;%1&apos; invia più di %2, il massimo accettato.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer (%2). Check the address, and whether the server runs.</source>
+        <translation>&apos;%1&apos; non risponde (%2). Controllare l&apos;indirizzo e che il server sia attivo.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for what the server sends. Ask for less.</source>
+        <translation>Memoria insufficiente per ciò che invia il server. Chiedere di meno.</translation>
+    </message>
+    <message>
+        <source>the file on the server was changed while it was read. Open it again.</source>
+        <translation>il file sul server è stato modificato durante la lettura. Aprirlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>the server or a proxy packs what it sends (%1), so that parts of the file cannot be told. Download the file and open the copy.</source>
+        <translation>il server o un proxy comprime ciò che invia (%1), e le parti del file non si riconoscono. Scaricare il file e aprire la copia.</translation>
+    </message>
+    <message>
+        <source>the server does not say how long the file is. Download the file and open the copy.</source>
+        <translation>il server non dice quanto è lungo il file. Scaricare il file e aprire la copia.</translation>
+    </message>
+    <message>
+        <source>the server gives a web page in place of data, perhaps one to log in at. Open the address in a browser and look for the address of the file itself.</source>
+        <translation>il server dà una pagina web al posto dei dati, forse una pagina di accesso. Aprire l&apos;indirizzo in un browser e cercare l&apos;indirizzo del file stesso.</translation>
+    </message>
+    <message>
+        <source>its server gives files as a whole only, not in parts (range requests). Download the file and open the copy, or put it on a server that knows ranges.</source>
+        <translation>il suo server dà i file solo interi, non in parti (range request). Scaricare il file e aprire la copia, oppure metterlo su un server che conosca i range.</translation>
+    </message>
+    <message>
+        <source>the server gives another part of the file than it was asked for. Download the file and open the copy.</source>
+        <translation>il server dà una parte del file diversa da quella richiesta. Scaricare il file e aprire la copia.</translation>
+    </message>
+    <message>
+        <source>what answers there is no web server. Check the address and its port.</source>
+        <translation>ciò che risponde non è un server web. Controllare l&apos;indirizzo e la porta.</translation>
+    </message>
+    <message>
+        <source>the connection was cut again and again, by the server or by a proxy on the way. Try it later, or download the file and open the copy.</source>
+        <translation>la connessione è stata interrotta più volte, dal server o da un proxy intermedio. Riprovare più tardi, o scaricare il file e aprire la copia.</translation>
+    </message>
+    <message>
+        <source>the server wants a name and a password. Give them in the address, https://NAME:PASSWORD@..., or download the file.</source>
+        <translation>il server chiede un nome e una password. Indicarli nell&apos;indirizzo, https://NOME:PASSWORD@..., o scaricare il file.</translation>
+    </message>
+    <message>
+        <source>the proxy wants a name and a password. Set https_proxy to an address with both.</source>
+        <translation>il proxy chiede un nome e una password. Impostare https_proxy su un indirizzo che li contenga.</translation>
+    </message>
+    <message>
+        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has had its time.</source>
+        <translation>il server non lo permette (403). Chiedere a chi lo gestisce, o controllare se l&apos;indirizzo è scaduto.</translation>
+    </message>
+    <message>
+        <source>there is no such file on the server (%1). Check the address.</source>
+        <translation>sul server non c&apos;è questo file (%1). Controllare l&apos;indirizzo.</translation>
+    </message>
+    <message>
+        <source>the server is busy (%1). Try it later.</source>
+        <translation>il server è occupato (%1). Riprovare più tardi.</translation>
+    </message>
+    <message>
+        <source>the server fails (%1). Try it later, or tell whoever runs it.</source>
+        <translation>il server ha un errore (%1). Riprovare più tardi, o avvisare chi lo gestisce.</translation>
+    </message>
+    <message>
+        <source>the server answers with status %1 in place of data. Check the address.</source>
+        <translation>il server risponde con lo stato %1 invece che con i dati. Controllare l&apos;indirizzo.</translation>
+    </message>
+    <message>
+        <source>it is no address of a file. Write it as https://HOST/PATH.</source>
+        <translation>non è l&apos;indirizzo di un file. Scriverlo come https://HOST/PERCORSO.</translation>
+    </message>
+    <message>
+        <source>its host is not found. Check the address and the network.</source>
+        <translation>il suo host non è stato trovato. Controllare l&apos;indirizzo e la rete.</translation>
+    </message>
+    <message>
+        <source>the proxy is not found. Check http_proxy and https_proxy.</source>
+        <translation>il proxy non è stato trovato. Controllare http_proxy e https_proxy.</translation>
+    </message>
+    <message>
+        <source>nothing answers at that host and port. Check the address and the network.</source>
+        <translation>a quell&apos;host e a quella porta non risponde nulla. Controllare l&apos;indirizzo e la rete.</translation>
+    </message>
+    <message>
+        <source>the server leads from one address to another and to no file. Check the address.</source>
+        <translation>il server rimanda da un indirizzo all&apos;altro e a nessun file. Controllare l&apos;indirizzo.</translation>
+    </message>
+    <message>
+        <source>the certificate of its host cannot be trusted (%1). Check the address and this machine&apos;s clock; read nothing from it if you do not know why.</source>
+        <translation>il certificato dell&apos;host non è affidabile (%1). Controllare l&apos;indirizzo e l&apos;orologio di questo computer; non leggere nulla da lì se il motivo non è noto.</translation>
+    </message>
+    <message>
+        <source>there is no safe connection to its host (%1). Check whether the address begins with http:// or https://.</source>
+        <translation>non c&apos;è una connessione sicura con l&apos;host (%1). Controllare se l&apos;indirizzo inizia con http:// o https://.</translation>
+    </message>
+    <message>
+        <source>the server leads to an address that is not safe to follow. Give the address of the file itself.</source>
+        <translation>il server rimanda a un indirizzo che non è sicuro seguire. Indicare l&apos;indirizzo del file stesso.</translation>
+    </message>
+    <message>
+        <source>the file is empty. Check the address.</source>
+        <translation>il file è vuoto. Controllare l&apos;indirizzo.</translation>
+    </message>
+    <message>
+        <source>The cache folder gives other bytes than were written to it. Check its disk, or set XDG_CACHE_HOME to a folder on another one.</source>
+        <translation>La cartella cache dà byte diversi da quelli che vi sono stati scritti. Controllare il disco, o impostare XDG_CACHE_HOME su una cartella di un altro disco.</translation>
+    </message>
+    <message>
+        <source>Reading &apos;%1&apos;</source>
+        <translation>Lettura di &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it ends before what was looked for. It is no whole model: ask whoever put it there.</source>
+        <translation>finisce prima di ciò che si cercava. Non è un modello intero: chiedere a chi l&apos;ha messo lì.</translation>
+    </message>
+    <message>
+        <source>Reading from the network</source>
+        <translation>Lettura dalla rete</translation>
+    </message>
+    <message>
+        <source>nothing came from the server for %1 seconds, or too slowly. Check the network, or try it later.</source>
+        <translation>dal server non è arrivato nulla per %1 secondi, o troppo lentamente. Controllare la rete, o riprovare più tardi.</translation>
+    </message>
+    <message>
+        <source>The part of a picture to be drawn must lie within it.</source>
+        <translation>La parte di un&apos;immagine da disegnare deve trovarsi al suo interno.</translation>
+    </message>
+    <message>
+        <source>Error in</source>
+        <translation>Errore</translation>
+    </message>
+    <message>
+        <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory.</source>
+        <translation>Per dati curvilinei: &apos;grid&apos; mantiene l&apos;errore agli indici dei punti, come faceva l&apos;articolo; &apos;space&apos; anche l&apos;errore dove i punti si trovano, cioè quello che si vede. Richiede più vertici e più tempo, e l&apos;intera griglia in memoria.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -8277,6 +8797,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>&amp;Lens</source>
+        <translation>&amp;Lente</translation>
+    </message>
+    <message>
+        <source>Enlarge a part of the picture, at its own accuracy</source>
+        <translation>Ingrandire una parte dell&apos;immagine, con una precisione propria</translation>
     </message>
 </context>
 <context>
