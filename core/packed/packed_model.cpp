@@ -126,7 +126,8 @@ Result<PackReport> packInto(const Model& model, const std::filesystem::path& out
             return written.error();
         return report;
     };
-    if (mayBeReplayed(model)) {
+    const bool tried = mayBeReplayed(model);
+    if (tried) {
         const auto file = PackedFileWriter::create(output, model, PackMethod::Replayed);
         if (!file)
             return file.error();
@@ -139,7 +140,7 @@ Result<PackReport> packInto(const Model& model, const std::filesystem::path& out
     const auto file = PackedFileWriter::create(output, model, PackMethod::StoredByParts);
     if (!file)
         return file.error();
-    const auto report = packParts(model, **file, progress);
+    const auto report = packParts(model, **file, progress.part(tried ? triedAt : 0, 1));
     if (!report)
         return report.error();
     return finished(**file, *report);

@@ -836,7 +836,6 @@ bool mayBeReplayed(const Model& model)
 
 Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWriter& file, const Progress& progress)
 {
-    constexpr double builtAt = 0.5;
     const std::optional<PackReport> cannot;
     if (const Status intact = checkReplayed(model); !intact)
         return intact.error();
@@ -846,6 +845,8 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
         about.lattice.size, model.points().first(static_cast<std::size_t>(notFirst - model.runningKeys().begin())));
     if (!cells || !isReplayableSize(about.lattice, *cells) ||
         !std::ranges::is_sorted(model.runningKeys(), std::ranges::greater()))
+        return cannot;
+    if (!latticeMetric(BlockDivision(about.lattice.size, *cells).box(0).size, about.lattice.spacing))
         return cannot;
     auto mesh = ReplayMesh::make(about.lattice, about.sampleType, *cells, progress);
     if (!mesh)
@@ -859,14 +860,14 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
     const auto dataset = replayedDataset(about, (*mesh)->sharedSamples());
     if (!dataset)
         return cannot;
-    const Result<bool> same = isReproducible(model, *dataset, *recipe, file.target(), progress.part(0, builtAt));
+    const Result<bool> same = isReproducible(model, *dataset, *recipe, file.target(), progress.part(0, triedAt));
     if (!same)
         return same.error();
     if (!*same)
         return cannot;
     file.setBlockCells(*cells);
     const Result<PackReport> report =
-        ReplayPacker(**mesh, file).pack(finestOf(**mesh, about, *recipe), progress.part(builtAt, 1));
+        ReplayPacker(**mesh, file).pack(finestOf(**mesh, about, *recipe), progress.part(triedAt, 1));
     if (!report)
         return report.error();
     return std::optional(*report);

@@ -15,6 +15,9 @@ namespace tetra {
 /// Whether a model may be packed so, as far as its description tells: a lattice by refinement.
 bool mayBeReplayed(const Model& model);
 
+/// What of the progress it takes to find out.
+constexpr double triedAt = 0.5;
+
 /// Writes chunks and levels into `file`, which was created with the model; the caller finishes it. Nothing if the model
 /// is not what its samples and its text make: then `file` is of no further use.
 Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWriter& file, const Progress& progress);

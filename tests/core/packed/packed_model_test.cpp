@@ -208,6 +208,31 @@ private slots:
         }
     }
 
+    /// C16: a model that its text and its samples do not make again is stored by parts, and comes back all the same.
+    void whatCannotBeReplayedIsStoredByParts()
+    {
+        const Dataset dataset = wavesOf(SampleType::UInt8, {9, 8, 7}, 0.3, 3);
+        const auto build = [&](HistorySink& history) {
+            BuildTarget target{.history = history};
+            const auto built = buildInto(dataset, Refinement{.error = 20, .block = 0u}, target, {});
+            return built ? Status() : built.error();
+        };
+        QVERIFY(writeModel(dataset, path("a.tan"), "refinement", build).ok()); // without saying at which error it ends
+        double last = 0;
+        bool falls = false;
+        const Progress progress({}, [&](double fraction, const Message&) {
+            falls |= fraction < last;
+            last = fraction;
+        });
+        const auto report = packModel(**Model::open(path("a.tan")), path("a.packed.tan"), progress);
+        QVERIFY2(report.ok(), textOf(report));
+        QCOMPARE(report->method, PackMethod::StoredByParts);
+        QVERIFY(!falls);
+        const auto unpacked = unpackModel(**PackedModel::open(path("a.packed.tan")), path("b.tan"));
+        QVERIFY2(unpacked.ok(), textOf(unpacked));
+        QVERIFY(contentOf(path("a.tan")) == contentOf(path("b.tan")));
+    }
+
     /// Other files are not overwritten, and a level that is not there is not unpacked.
     void wrongUsageIsRefused()
     {
