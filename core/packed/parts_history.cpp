@@ -282,7 +282,7 @@ struct PartModels {
         : std::array<Bits<counts...>, count> {
     };
 
-    NumberModel groupSize, key, point, pointDelta;
+    NumberModel groupSize, key, pointDelta, ownerStep, apexStep;
     Bits<2> freshKey, seedIsHot, hostIsSeed, hostIsFirst, hostOwned, otherIsInCavity, otherIsInGroup;
     Bits<4> moreSeeds;
     Bits<2, 3, 4, 4> dies;
@@ -447,6 +447,7 @@ private:
     bool walkFrom(std::uint32_t seed);
     bool addDying(std::uint32_t t, std::uint32_t parent);
     std::uint32_t codeOwner(std::uint32_t t, std::uint32_t parent);
+    std::uint32_t codeLocal(NumberModel& model, std::uint32_t truth, std::uint32_t near);
     bool fillCavity();
     bool readTruth();
     bool codeFace(std::uint32_t face);
@@ -756,7 +757,18 @@ template <class Coder> std::uint32_t GroupCoder<Coder>::codeOwner(std::uint32_t 
         truth = truth_.model->destroyers()[t] - first_;
     if (parent != nowhere && bit(models_.owner[0], at_.owners[parent] == truth))
         return at_.owners[parent];
-    return static_cast<std::uint32_t>(oneOf(truth, count_));
+    return codeLocal(models_.ownerStep, truth, parent != nowhere ? at_.owners[parent] : 0);
+}
+
+/// One of the group's sites, `near` being another one: they are in the order of their points, so that of many the
+/// number is not far off.
+template <class Coder>
+std::uint32_t GroupCoder<Coder>::codeLocal(NumberModel& model, std::uint32_t truth, std::uint32_t near)
+{
+    constexpr std::uint32_t few = 16;
+    if (count_ <= few)
+        return static_cast<std::uint32_t>(oneOf(truth, count_));
+    return static_cast<std::uint32_t>(unzigzag(number(model, zigzag(truth, near, 32)), near, 32));
 }
 
 // What fills the cavity.
@@ -769,7 +781,7 @@ template <class Coder> bool GroupCoder<Coder>::readTruth()
         const std::uint64_t begin = model.starOffsets()[first_], end = model.starOffsets()[first_ + count_];
         if (begin != base_ || end < begin || end > model.tetrahedronCount())
             return false;
-        at_.truthNumbers.clear();
+        at_.truthNumbers.clear(2 * (end - begin) + 8);
         at_.truthFaces.clear();
         at_.truthUsed.assign(end - begin, 0);
         used_ = 0;
@@ -802,7 +814,7 @@ template <class Coder> bool GroupCoder<Coder>::fillCavity()
     if (!readTruth())
         return false;
     at_.faces.clear();
-    at_.faceNumbers.clear(at_.outers.size());
+    at_.faceNumbers.clear(3 * at_.outers.size());
     at_.edgeNumbers.clear();
     at_.edgeHeads.clear();
     at_.edgeLinks.clear();
@@ -936,9 +948,14 @@ template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face
         apex = at_.cavity.keys()[oneOf(place, at_.cavity.size())];
         return true;
     }
-    if (first_ == 0 || bit(models_.otherIsInGroup[type == 2 ? 1 : 0], truth >= first_))
-        apex = first_ + static_cast<std::uint32_t>(oneOf(truth - first_, count_));
-    else
+    if (first_ == 0 || bit(models_.otherIsInGroup[type == 2 ? 1 : 0], truth >= first_)) {
+        const std::uint32_t latest = std::ranges::max(face.corners);
+        const std::uint32_t near = latest >= first_ ? latest - first_ : face.hint != nowhere ? face.hint - first_ : 0;
+        const std::uint32_t local = codeLocal(models_.apexStep, truth - first_, near);
+        if (local >= count_)
+            return false;
+        apex = first_ + local;
+    } else
         apex = static_cast<std::uint32_t>(oneOf(truth, first_));
     return true;
 }
