@@ -32,7 +32,7 @@ Syntax serveSyntax(PluginHost&)
         .explanation =
             "A server for the models of a folder and of those within it: '/' lists them, '/NAME.tan' gives a file or "
             "ranges of it, and '/NAME.tan?error=1&window=...', with the options of 'tan extract' as the query, a "
-            "mesh, packed. 'tan extract --at-server' and the window ask for these. It answers this machine only, "
+            "mesh, packed, for which 'tan extract --at-server' asks. It answers this machine only, "
             "unless it is given another address and a token. Each request is a line on standard error; Ctrl+C ends "
             "it.",
         .positionals = {{"FOLDER", "Where the models are."}},
