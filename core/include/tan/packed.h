@@ -59,8 +59,8 @@ enum class PackMethod : std::uint32_t {
     StoredByParts = 2
 };
 
-/// A mesh that the beginning of a packed file makes. Its bounds are measured, or claimed by the model; errors are
-/// weighted if the model's are.
+/// A mesh that the beginning of a packed file makes. Its bounds are claimed by the model (StoredByParts), or measured
+/// (Replayed): without weights then, which are at most 1, so that the weighted error is no larger.
 struct PackedLevel {
     double error = 0;        ///< bound, % of the value range
     double warping = 0;      ///< bound, % of the diagonal; 0 where there is none
