@@ -162,7 +162,13 @@ public:
         facts.tetrahedra = packed_->tetrahedronCount();
         for (const PackedLevel& level : packed_->levels())
             facts.levels.push_back({level.error, level.warping, level.sites, level.bytes});
-        facts.levels.back().bytes = facts.fileBytes;
+        // The last one stands for the whole, which may be finer than what is known of its levels.
+        LevelInFile& whole = facts.levels.back();
+        const double extent = facts.description.range.extent();
+        const auto key = static_cast<double>(packed_->file().header().finalKey);
+        whole.bytes = facts.fileBytes;
+        whole.sites = facts.sites;
+        whole.error = std::min(whole.error, extent > 0 ? 100 * key / extent : 0);
         return facts;
     }
     std::uint64_t checksum() const override { return packed_->file().header().checksum; }
