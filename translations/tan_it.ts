@@ -7943,7 +7943,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a packed model. Unpack it first, with &apos;tan unpack&apos;.</source>
-        <translation>&apos;%1&apos; è un modello compresso. Espanderlo prima con &apos;tan unpack&apos;.</translation>
+        <translation>&apos;%1&apos; è un modello compresso. Decomprimerlo prima con &apos;tan unpack&apos;.</translation>
     </message>
     <message>
         <source>section &apos;%1&apos; makes no sense</source>
@@ -7999,7 +7999,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Not enough memory to unpack &apos;%1&apos;. Close other programs, or unpack it on a larger machine.</source>
-        <translation>Memoria insufficiente per espandere &apos;%1&apos;. Chiudere altri programmi o espanderlo su una macchina più grande.</translation>
+        <translation>Memoria insufficiente per decomprimere &apos;%1&apos;. Chiudere altri programmi o decomprimerlo su una macchina più grande.</translation>
     </message>
     <message>
         <source>Not enough memory to pack &apos;%1&apos;. Close other programs, or pack it on a larger machine.</source>
@@ -8015,7 +8015,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>Unpacking the model</source>
-        <translation>Espansione del modello</translation>
+        <translation>Decompressione del modello</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be packed: most of it is in sections that this version does not know.</source>
