@@ -845,7 +845,7 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
     std::filesystem::rename(made, behindLinks(output), failure);
     if (failure)
         return Error{ErrorKind::CannotWrite,
-                     Message::say("'%1' cannot be written: %2.", output.string(), failure.message())};
+                     Message::say("'%1' cannot be written: %2.", output.string(), systemErrorText(failure.value()))};
     progress.report(1, unpackingParts);
     return UnpackReport{};
 }

@@ -51,7 +51,7 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.openWithOptions =
         addAction(*menu, "openWithOptions", ActionTexts::tr("Import with Op&tions…"), QKeySequence("Ctrl+Shift+O"),
                   ActionTexts::tr("Open a part of a dataset, or choose how its file is read"));
-    actions.openAddress = addAction(*menu, "openAddress", ActionTexts::tr("Ope&n URL…"), QKeySequence("Ctrl+U"),
+    actions.openAddress = addAction(*menu, "openAddress", ActionTexts::tr("Ope&n URL…"), QKeySequence("Ctrl+Alt+O"),
                                     ActionTexts::tr("Open a model that lies on a server"));
     actions.recent = menu->addMenu(ActionTexts::tr("Open &Recent"));
     actions.recent->setObjectName("menu.recent");
