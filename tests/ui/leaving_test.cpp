@@ -470,9 +470,13 @@ void LeavingTest::quittingWaitsForFilesBeingWritten()
     const Viewport& viewport = window_->viewport();
     const std::filesystem::path picture = window_->folderPath() + "/large.png";
     for (int i = 0; i < 2; ++i)
-        window_->workbench.exporting().savePicture({viewport.scene(), viewport.camera(), viewport.background(), 1600,
-                                                    1200,
-                                                    i == 0 ? picture : std::filesystem::path("/no/such/folder/a.png")});
+        window_->workbench.exporting().savePicture(
+            {.scene = viewport.scene(),
+             .camera = viewport.camera(),
+             .background = viewport.background(),
+             .width = 1600,
+             .height = 1200,
+             .target = i == 0 ? picture : std::filesystem::path("/no/such/folder/a.png")});
     window_->window.close();
     QTRY_COMPARE_WITH_TIMEOUT(window_->messages().size(), 1, 60'000); // it failed, so that it has to be told
     QVERIFY(window_->window.isVisible());
@@ -481,8 +485,12 @@ void LeavingTest::quittingWaitsForFilesBeingWritten()
 
     window_->window.show();
     const std::filesystem::path second = window_->folderPath() + "/second.png";
-    window_->workbench.exporting().savePicture(
-        {viewport.scene(), viewport.camera(), viewport.background(), 1600, 1200, second});
+    window_->workbench.exporting().savePicture({.scene = viewport.scene(),
+                                                .camera = viewport.camera(),
+                                                .background = viewport.background(),
+                                                .width = 1600,
+                                                .height = 1200,
+                                                .target = second});
     window_->window.close();
     QTRY_VERIFY_WITH_TIMEOUT(!window_->window.isVisible(), 60'000);
     QCOMPARE(QImage(pathText(second)).size(), QSize(1600, 1200));

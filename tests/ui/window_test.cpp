@@ -382,12 +382,20 @@ void WindowTest::aPictureIsSaved()
     const Viewport& viewport = window_->viewport();
     const QString path = window_->folder.filePath("picture.png");
     QSignalSpy saved(&window_->workbench.exporting(), &Exporting::pictureSaved);
-    window_->workbench.exporting().savePicture(
-        {viewport.scene(), viewport.camera(), viewport.background(), 320, 200, path.toStdString()});
+    window_->workbench.exporting().savePicture({.scene = viewport.scene(),
+                                                .camera = viewport.camera(),
+                                                .background = viewport.background(),
+                                                .width = 320,
+                                                .height = 200,
+                                                .target = path.toStdString()});
     QTRY_COMPARE(saved.count(), 1);
     QCOMPARE(QImage(path).size(), QSize(320, 200));
-    window_->workbench.exporting().savePicture(
-        {viewport.scene(), viewport.camera(), viewport.background(), 320, 200, "/no/such/folder/picture.png"});
+    window_->workbench.exporting().savePicture({.scene = viewport.scene(),
+                                                .camera = viewport.camera(),
+                                                .background = viewport.background(),
+                                                .width = 320,
+                                                .height = 200,
+                                                .target = "/no/such/folder/picture.png"});
     QTRY_COMPARE(window_->messages().size(), 1);
 }
 
