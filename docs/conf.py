@@ -26,7 +26,7 @@ nitpicky = True
 
 if tags.has("developers"):  # noqa: F821 (Sphinx has it)
     root_doc = "README"
-    include_patterns = ["*.md", "docs/*.md", "core/*.md", "core/history/*.md", "ui/*.md", "packaging/recipes/*.md"]
+    include_patterns = ["*.md", "docs/*.md", "core/*.md", "core/history/*.md", "core/packed/*.md", "ui/*.md", "packaging/recipes/*.md"]
     exclude_patterns = ["build", ".git", "tests", "shared"]
     pages = sorted(str(page.relative_to(HERE.parent).with_suffix("")) for pattern in include_patterns for page in HERE.parent.glob(pattern))
 else:

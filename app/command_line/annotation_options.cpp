@@ -49,9 +49,9 @@ bool askForAnnotations(std::span<const std::string> words)
             return true;
     return std::ranges::any_of(words, [](const std::string& word) {
         const std::string given = word.substr(0, word.find('='));
-        return given == "--lens" ||
-               std::ranges::any_of(kindOptions(),
-                                   [&](const KindOption& entry) { return given == "--" + entry.option.name; });
+        return given == "--lens" || std::ranges::any_of(kindOptions(), [&](const KindOption& entry) {
+                   return given == "--" + entry.option.name;
+               });
     });
 }
 
