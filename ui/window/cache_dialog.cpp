@@ -35,6 +35,7 @@ CacheDialog::CacheDialog(QWidget* parent)
     folder_->setText(pathText(choice.folder));
     folder_->setPlaceholderText(pathText(usual.folder));
     folder_->setToolTip(tr("The folder; empty for the usual one"));
+    folder_->setMinimumWidth(folder_->fontMetrics().averageCharWidth() * 40);
     auto* choose = new QPushButton(tr("C&hoose…"));
     choose->setObjectName("cache.choose");
     choose->setToolTip(tr("Choose another folder"));
