@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/pack.h"
+
 #include "app/command_line/model_input.h"
 #include "app/command_line/option_values.h"
-#include "app/command_line/packing.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/build/model_build.h"

@@ -7,15 +7,14 @@
 #include "core/remote/remote_file.h"
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <new>
-
-#include <curl/curl.h>
 
 namespace tetra {
 namespace {
 
-constexpr long connectSeconds = 15;
+constexpr std::chrono::seconds mostForConnectingOnce{15};
 
 /// A question on its way.
 struct Fetching {
@@ -72,7 +71,7 @@ Result<FetchedAnswer> fetched(const std::string& address, const std::string& tok
     if (!isRemoteAddress(address))
         return Error{ErrorKind::WrongUsage,
                      Message::say("'%1' is no address of a server. Write it as http://HOST:PORT/NAME.tan.", shown)};
-    const std::unique_ptr<CURL, decltype(&::curl_easy_cleanup)> handle(isCurlReady() ? ::curl_easy_init() : nullptr,
+    const std::unique_ptr<CURL, decltype(&::curl_easy_cleanup)> handle(newCurlHandle(address, mostForConnectingOnce),
                                                                        &::curl_easy_cleanup);
     std::unique_ptr<curl_slist, decltype(&::curl_slist_free_all)> headers(nullptr, &::curl_slist_free_all);
     if (!token.empty())
@@ -82,15 +81,8 @@ Result<FetchedAnswer> fetched(const std::string& address, const std::string& tok
     Fetching fetching{progress, mostBytes};
     std::array<char, CURL_ERROR_SIZE> detail{};
     CURL* const curl = handle.get();
-    ::curl_easy_setopt(curl, CURLOPT_URL, address.c_str());
-    ::curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
     ::curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
-    if (const std::string certificates = trustedCertificates(); !certificates.empty())
-        ::curl_easy_setopt(curl, CURLOPT_CAINFO, certificates.c_str());
-    ::curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
-    ::curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, connectSeconds);
     ::curl_easy_setopt(curl, CURLOPT_TCP_KEEPALIVE, 1L);
-    ::curl_easy_setopt(curl, CURLOPT_USERAGENT, "TAn");
     ::curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, detail.data());
     ::curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, &takeFetchedHead);
     ::curl_easy_setopt(curl, CURLOPT_HEADERDATA, &fetching);

@@ -5,16 +5,12 @@
 #include <filesystem>
 #include <system_error>
 
-#include <curl/curl.h>
-
 namespace tetra {
 
-bool isCurlReady()
-{
-    static const bool ready = ::curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
-    return ready;
-}
+namespace {
 
+/// The file of the certificates that are trusted: what SSL_CERT_FILE names; nothing where libcurl knows one that is
+/// there; otherwise where other systems than that of its build keep theirs.
 std::string trustedCertificates()
 {
     if (const char* const given = std::getenv("SSL_CERT_FILE"); given != nullptr && *given != '\0')
@@ -28,6 +24,34 @@ std::string trustedCertificates()
         if (std::filesystem::exists(path, problem))
             return path;
     return {};
+}
+
+} // namespace
+
+bool isCurlReady()
+{
+    static const bool ready = ::curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
+    return ready;
+}
+
+CURL* newCurlHandle(const std::string& address, std::chrono::milliseconds mostForConnecting)
+{
+    CURL* const handle = isCurlReady() ? ::curl_easy_init() : nullptr;
+    if (handle == nullptr)
+        return nullptr;
+    const auto set = [handle](CURLoption option, auto value) {
+        return ::curl_easy_setopt(handle, option, value) == CURLE_OK;
+    };
+    const std::string certificates = trustedCertificates();
+    // Copies are made of all texts.
+    const bool isSet = set(CURLOPT_URL, address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
+                       (certificates.empty() || set(CURLOPT_CAINFO, certificates.c_str())) &&
+                       set(CURLOPT_NOSIGNAL, 1L) && set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION) &&
+                       set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(mostForConnecting.count()));
+    if (isSet)
+        return handle;
+    ::curl_easy_cleanup(handle);
+    return nullptr;
 }
 
 } // namespace tetra

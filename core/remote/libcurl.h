@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <string>
+
+#include <curl/curl.h>
 
 namespace tetra {
 
 /// Sets libcurl's own data up, once in a process; false if that fails.
 bool isCurlReady();
 
-/// The file of the certificates that are trusted: what SSL_CERT_FILE names; nothing where libcurl knows one that is
-/// there; otherwise where other systems than that of its build keep theirs.
-std::string trustedCertificates();
+/// A handle that asks for an address as all of TAn's requests do: by HTTP alone, with certificates that this machine
+/// trusts, without signals. The caller cleans it up. nullptr without memory.
+CURL* newCurlHandle(const std::string& address, std::chrono::milliseconds mostForConnecting);
 
 } // namespace tetra

@@ -623,7 +623,7 @@ private:
         request.piece.clear();
         request.refusal.reset();
         request.detail[0] = '\0';
-        CURL* const handle = ::curl_easy_init();
+        CURL* const handle = newCurlHandle(request.address, std::min(mostForConnecting, options.silence));
         if (handle == nullptr)
             return false;
         request.handle = handle;
@@ -637,17 +637,12 @@ private:
             if (request.headers == nullptr)
                 return false;
         }
-        const long connecting = static_cast<long>(std::min(mostForConnecting, options.silence).count());
-        if (!certificates_.empty() && !set(CURLOPT_CAINFO, certificates_.c_str()))
-            return false;
         // Copies are made of all texts but the buffer for errors.
         const bool isSet =
-            set(CURLOPT_URL, request.address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
             set(CURLOPT_REDIR_PROTOCOLS_STR, startsWithSmall(address, "https:") ? "https" : "http,https") &&
-            set(CURLOPT_FOLLOWLOCATION, 1L) && set(CURLOPT_MAXREDIRS, mostRedirections) && set(CURLOPT_NOSIGNAL, 1L) &&
-            set(CURLOPT_QUICK_EXIT, 1L) && set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION) &&
-            set(CURLOPT_RANGE, range.c_str()) && set(CURLOPT_HTTPHEADER, request.headers) &&
-            set(CURLOPT_CONNECTTIMEOUT_MS, connecting) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
+            set(CURLOPT_FOLLOWLOCATION, 1L) && set(CURLOPT_MAXREDIRS, mostRedirections) &&
+            set(CURLOPT_QUICK_EXIT, 1L) && set(CURLOPT_RANGE, range.c_str()) &&
+            set(CURLOPT_HTTPHEADER, request.headers) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
             set(CURLOPT_HEADERFUNCTION, &takeHead) && set(CURLOPT_HEADERDATA, &request) &&
             set(CURLOPT_WRITEFUNCTION, &takeContent) && set(CURLOPT_WRITEDATA, &request) &&
             set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
@@ -716,7 +711,6 @@ private:
         return {};
     }
 
-    const std::string certificates_ = trustedCertificates();
     std::timed_mutex network_; ///< guards all of these but the last two
     std::optional<Connections> connections_;
     RateLimit rate_;

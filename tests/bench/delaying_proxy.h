@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/loopback.h"
+
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
-
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace tetra {
 
@@ -33,30 +26,12 @@ public:
         std::uint64_t bytes = 0;      ///< of answers, heads and all
     };
 
-    DelayingProxy(std::uint16_t serverPort, std::chrono::milliseconds delay)
-        : serverPort_(serverPort), delay_(delay), listener_(::socket(AF_INET, SOCK_STREAM, 0))
-    {
-        sockaddr_in address = loopback(0);
-        socklen_t size = sizeof address;
-        isUp_ = ::bind(listener_, reinterpret_cast<sockaddr*>(&address), size) == 0 && ::listen(listener_, 64) == 0 &&
-                ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-        port_ = ntohs(address.sin_port);
-        acceptor_ = std::jthread([this] { acceptAll(); });
-    }
-    ~DelayingProxy()
-    {
-        isStopped_ = true;
-        acceptor_ = {};
-        connections_.clear();
-        ::close(listener_);
-    }
-    DelayingProxy(const DelayingProxy&) = delete;
-    DelayingProxy& operator=(const DelayingProxy&) = delete;
+    DelayingProxy(std::uint16_t serverPort, std::chrono::milliseconds delay) : serverPort_(serverPort), delay_(delay) {}
 
-    bool isUp() const { return isUp_; }
+    bool isUp() const { return listener_.isUp(); }
     std::string address(const std::string& path) const
     {
-        return "http://127.0.0.1:" + std::to_string(port_) + "/" + path;
+        return "http://127.0.0.1:" + std::to_string(listener_.port()) + "/" + path;
     }
     Counts counts() const
     {
@@ -68,15 +43,6 @@ public:
         const std::lock_guard lock(mutex_);
         counts_ = {};
         isAnswered_ = true;
-    }
-
-    static sockaddr_in loopback(std::uint16_t port)
-    {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        address.sin_port = htons(port);
-        return address;
     }
 
 private:
@@ -91,23 +57,10 @@ private:
     };
     static constexpr std::size_t mostOnTheWay = 8 << 20;
 
-    void acceptAll()
-    {
-        while (!isStopped_) {
-            pollfd waiting{listener_, POLLIN, 0};
-            if (::poll(&waiting, 1, 20) <= 0)
-                continue;
-            const int client = ::accept(listener_, nullptr, nullptr);
-            if (client >= 0)
-                connections_.emplace_back([this, client] { serve(client); });
-        }
-    }
-
     void serve(int client)
     {
         const int server = ::socket(AF_INET, SOCK_STREAM, 0), one = 1;
-        for (const int end : {client, server})
-            ::setsockopt(end, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+        ::setsockopt(server, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
         const sockaddr_in address = loopback(serverPort_);
         if (::connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
             {
@@ -116,14 +69,11 @@ private:
             }
             std::array<Way, 2> ways = {Way{client, server}, Way{server, client}};
             const Clock::time_point connected = Clock::now() + 2 * delay_;
-            while (!isStopped_ && (ways[0].isOpen || !ways[0].bytes.empty()) &&
+            while (!listener_.isStopped() && (ways[0].isOpen || !ways[0].bytes.empty()) &&
                    (ways[1].isOpen || !ways[1].bytes.empty()))
                 pass(ways, connected);
         }
-        for (const int end : {client, server}) {
-            ::shutdown(end, SHUT_RDWR);
-            ::close(end);
-        }
+        ::close(server);
     }
 
     void pass(std::array<Way, 2>& ways, Clock::time_point connected)
@@ -191,12 +141,7 @@ private:
     mutable std::mutex mutex_;
     Counts counts_;
     bool isAnswered_ = true;
-    std::atomic<bool> isStopped_ = false;
-    bool isUp_ = false;
-    int listener_ = -1;
-    std::uint16_t port_ = 0;
-    std::vector<std::jthread> connections_; ///< of the acceptor, until that has ended
-    std::jthread acceptor_;
+    LoopbackListener listener_{[this](int client) { serve(client); }};
 };
 
 } // namespace tetra

@@ -29,13 +29,7 @@ namespace {
 /// A port that nobody listens at.
 std::uint16_t freePort()
 {
-    const int probe = ::socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address = DelayingProxy::loopback(0);
-    socklen_t size = sizeof address;
-    ::bind(probe, reinterpret_cast<sockaddr*>(&address), size);
-    ::getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
-    ::close(probe);
-    return ntohs(address.sin_port);
+    return LoopbackListener([](int) {}).port();
 }
 
 /// nginx with the files of one folder, ended with this.
@@ -63,7 +57,7 @@ public:
         for (int look = 0; look < 100 && process_.state() != QProcess::NotRunning && !isUp_; ++look) {
             process_.waitForFinished(20);
             const int probe = ::socket(AF_INET, SOCK_STREAM, 0);
-            const sockaddr_in address = DelayingProxy::loopback(port_);
+            const sockaddr_in address = loopback(port_);
             isUp_ = ::connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
             ::close(probe);
         }

@@ -21,6 +21,10 @@ Dataset bumps(SampleType type, std::array<std::uint32_t, 3> size);
 /// positions that floats hold or, `precise`, that they do not; `mirrored` makes it left-handed.
 Dataset bentBumps(SampleType type, std::array<std::uint32_t, 3> size, bool precise = false, bool mirrored = false);
 
+/// A bent grid of floats with a point that is pulled through its neighbours, so that cells are folded, and a cell
+/// without volume.
+Dataset faultyGrid();
+
 /// A history in memory, as it was handed over.
 struct RecordedHistory final : HistorySink {
     struct Step {

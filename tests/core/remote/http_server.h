@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/loopback.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -13,13 +15,6 @@
 #include <thread>
 #include <utility>
 #include <vector>
-
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace tetra {
 
@@ -66,33 +61,13 @@ public:
     /// Changes the reply to the request with this number, from 0; called from many threads.
     using Change = std::function<void(const Request& request, std::size_t number, Reply& reply)>;
 
-    HttpServer(std::string content, Change change = {})
-        : content_(std::move(content)), change_(std::move(change)), listener_(::socket(AF_INET, SOCK_STREAM, 0))
-    {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        isUp_ = ::bind(listener_, reinterpret_cast<sockaddr*>(&address), size) == 0 && ::listen(listener_, 128) == 0 &&
-                ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-        port_ = ntohs(address.sin_port);
-        acceptor_ = std::jthread([this] { acceptAll(); });
-    }
-    ~HttpServer()
-    {
-        isStopped_ = true;
-        acceptor_ = {};
-        connections_.clear();
-        ::close(listener_);
-    }
-    HttpServer(const HttpServer&) = delete;
-    HttpServer& operator=(const HttpServer&) = delete;
+    HttpServer(std::string content, Change change = {}) : content_(std::move(content)), change_(std::move(change)) {}
 
-    bool isUp() const { return isUp_; }
-    std::uint16_t port() const { return port_; }
+    bool isUp() const { return listener_.isUp(); }
+    std::uint16_t port() const { return listener_.port(); }
     std::string address(const std::string& path = "/model.tan", const std::string& scheme = "http://") const
     {
-        return scheme + "127.0.0.1:" + std::to_string(port_) + path;
+        return scheme + "127.0.0.1:" + std::to_string(port()) + path;
     }
     std::vector<Request> requests() const
     {
@@ -117,24 +92,6 @@ public:
     static constexpr const char* date = "Wed, 01 Oct 2025 10:00:00 GMT";
 
 private:
-    void acceptAll()
-    {
-        while (!isStopped_) {
-            pollfd waiting{listener_, POLLIN, 0};
-            if (::poll(&waiting, 1, 20) <= 0)
-                continue;
-            const int connection = ::accept(listener_, nullptr, nullptr);
-            if (connection >= 0)
-                connections_.emplace_back([this, connection] {
-                    const int one = 1;
-                    ::setsockopt(connection, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
-                    serve(connection);
-                    ::shutdown(connection, SHUT_RDWR);
-                    ::close(connection);
-                });
-        }
-    }
-
     void serve(int connection)
     {
         std::string waiting;
@@ -143,7 +100,7 @@ private:
             while ((end = waiting.find("\r\n\r\n")) == std::string::npos) {
                 pollfd ready{connection, POLLIN, 0};
                 const int polled = ::poll(&ready, 1, 20);
-                if (isStopped_)
+                if (listener_.isStopped())
                     return;
                 if (polled <= 0)
                     continue;
@@ -235,7 +192,7 @@ private:
     {
         if (!wait(reply.before))
             return false;
-        while (reply.isSilent && !isStopped_) {
+        while (reply.isSilent && !listener_.isStopped()) {
             pollfd gone{connection, POLLRDHUP, 0};
             if (::poll(&gone, 1, 20) > 0)
                 return false;
@@ -270,9 +227,9 @@ private:
     bool wait(std::chrono::milliseconds time) const
     {
         const auto end = std::chrono::steady_clock::now() + time;
-        while (std::chrono::steady_clock::now() < end && !isStopped_)
+        while (std::chrono::steady_clock::now() < end && !listener_.isStopped())
             std::this_thread::sleep_for(std::min(time, std::chrono::milliseconds(10)));
-        return !isStopped_;
+        return !listener_.isStopped();
     }
 
     mutable std::mutex mutex_;
@@ -281,12 +238,7 @@ private:
     Change change_;
     std::vector<Request> requests_;
     std::atomic<int> atOnce_ = 0, mostAtOnce_ = 0;
-    std::atomic<bool> isStopped_ = false;
-    bool isUp_ = false;
-    int listener_ = -1;
-    std::uint16_t port_ = 0;
-    std::vector<std::jthread> connections_; ///< of the acceptor, until that has ended
-    std::jthread acceptor_;
+    LoopbackListener listener_{[this](int connection) { serve(connection); }};
 };
 
 } // namespace tetra

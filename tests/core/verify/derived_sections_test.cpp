@@ -20,23 +20,6 @@ using format::SectionId;
 
 namespace {
 
-/// A bent grid with a point that is pulled through its neighbours, so that cells are folded, and a cell without volume.
-Dataset faultyGrid()
-{
-    Dataset dataset = bentBumps(SampleType::Float32, {5, 4, 5});
-    auto positions = std::make_shared<std::vector<Eigen::Vector3d>>(*dataset.positions);
-    const auto at = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) -> Eigen::Vector3d& {
-        return (*positions)[dataset.lattice.index(i, j, k)];
-    };
-    at(2, 1, 2) += Eigen::Vector3d(0, 0, -4);
-    for (const std::uint32_t i : {0u, 1u})
-        for (const std::uint32_t k : {3u, 4u})
-            at(i, 3, k) = at(i, 2, k); // the cell (0, 2, 3) is flat
-    dataset.positions = positions;
-    dataset.source.hash = contentHash(dataset.values, dataset.positions);
-    return dataset;
-}
-
 struct Kind {
     const char* name;
     Dataset dataset;
