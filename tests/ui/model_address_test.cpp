@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models by URL in the window (R28, B5): shown while they come, cancelled, found again, dropped, saved with a session;
-// and the settings of the cache.
+// packed models (R16) opened and saved; and the settings of the cache.
 #include "tests/core/remote/http_server.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
@@ -13,6 +13,7 @@
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
@@ -35,6 +36,7 @@ private slots:
     void cleanup();
     void aModelIsShownWhileItComes();
     void aPackedModelIsShownWhileItIsUnpacked();
+    void aModelIsPacked();
     void whatHasComeStaysWhenTheRestIsCancelled();
     void whatCannotBeFetchedIsTold();
     void anAddressIsAskedForAndDropped();
@@ -142,6 +144,46 @@ void ModelAddressTest::aPackedModelIsShownWhileItIsUnpacked()
         window_->find<QAction>("action.close").trigger();
         QVERIFY(!model());
     }
+}
+
+/// C16: the file that the window packs gives the model back; it never takes the model's own place, and a part of a
+/// model is not packed as if it were the whole.
+void ModelAddressTest::aModelIsPacked()
+{
+    const QAction& save = window_->find<QAction>("action.savePacked");
+    QVERIFY(!save.isEnabled());
+    const std::filesystem::path file = window_->folderPath() + "/sample.tan", again = window_->folderPath() + "/a.tan";
+    std::ofstream(file, std::ios::binary) << model_;
+    window_->window.open(pathText(file));
+    QTRY_VERIFY(model() && save.isEnabled());
+    window_->find<QAction>("action.savePacked").trigger();
+    auto& dialog = window_->find<QFileDialog>("packedDialog");
+    const QString target = dialog.selectedFiles().value(0);
+    QCOMPARE(target, window_->folder.filePath("sample.packed.tan"));
+    const QSignalSpy saved(&window_->workbench.exporting(), &Exporting::packedSaved);
+    emit dialog.fileSelected(target);
+    dialog.reject();
+    QTRY_COMPARE(saved.size(), 1);
+    QCOMPARE(saved.at(0).at(1).toULongLong(), quint64(std::filesystem::file_size(filePath(target))));
+    QCOMPARE(saved.at(0).at(2).toULongLong(), quint64(model_.size()));
+    const auto packed = PackedModel::open(filePath(target));
+    QVERIFY(packed.ok() && unpackModel(**packed, again).ok());
+    std::ostringstream bytes;
+    bytes << std::ifstream(again, std::ios::binary).rdbuf();
+    QVERIFY(bytes.str() == model_);
+
+    const QSignalSpy refused(&window_->workbench.exporting(), &Exporting::saveFailed);
+    window_->workbench.exporting().savePacked(file);
+    QTRY_COMPARE(refused.size(), 1);
+    QCOMPARE(std::filesystem::file_size(file), model_.size());
+
+    const auto server = this->server();
+    bool waits = false;
+    connect(&opening(), &Opening::shownPartChanged, &window_->window,
+            [&] { waits |= opening().modelComes() && !save.isEnabled(); });
+    window_->window.open(addressOf(*server));
+    QTRY_VERIFY(model() && model()->siteCount() == sites_ && !opening().modelComes());
+    QVERIFY(waits && save.isEnabled());
 }
 
 void ModelAddressTest::whatHasComeStaysWhenTheRestIsCancelled()

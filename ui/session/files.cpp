@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 #include <QStandardPaths>
 
 #include <span>
@@ -34,6 +35,11 @@ QString shownPlace(const std::filesystem::path& place)
 {
     const std::string text = place.string();
     return isAddress(text) ? QString::fromStdString(shownAddress(text)) : pathText(place);
+}
+
+QString sizeText(std::uint64_t bytes)
+{
+    return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
 QString documentFolder()

@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ std::filesystem::path filePath(const QString& path);
 QString pathText(const std::filesystem::path& path);
 /// For people: of an address without what may be a password or a key.
 QString shownPlace(const std::filesystem::path& place);
+
+/// "4.7 MB", in the user's language.
+QString sizeText(std::uint64_t bytes);
 
 /// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);

@@ -76,6 +76,9 @@ void addFileMenu(QMainWindow& window, Actions& actions)
                   ActionTexts::tr("Save the isosurfaces shown, for 3D printers, Blender, ParaView and others"));
     actions.saveStatistics = addAction(*menu, "saveStatistics", ActionTexts::tr("Save Stat&istics…"), {},
                                        ActionTexts::tr("Save the mesh size at each accuracy as a table"));
+    actions.savePacked =
+        addAction(*menu, "savePacked", ActionTexts::tr("Save Pac&ked Model…"), {},
+                  ActionTexts::tr("Save the model in a small part of the size, for archives and for servers"));
     menu->addSeparator();
     actions.modelCache = addAction(*menu, "modelCache", ActionTexts::tr("Model Cac&he…"), {},
                                    ActionTexts::tr("Where models go that are unpacked or fetched"));
@@ -231,6 +234,7 @@ void addNeeds(const Actions& actions)
                                            actions.addIsovalue, actions.fit, actions.resetView} +
                                actions.namedViews)
         setNeed(*action, ActionTexts::tr("Open a model first"));
+    setNeed(*actions.savePacked, ActionTexts::tr("Open a model first, and wait until all of it is there"));
     setNeed(*actions.close, ActionTexts::tr("There is nothing to close"));
     setNeed(*actions.undo, ActionTexts::tr("There is nothing to undo"));
     setNeed(*actions.redo, ActionTexts::tr("There is nothing to redo"));

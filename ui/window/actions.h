@@ -23,6 +23,7 @@ struct Actions {
     QAction* copyPicture = nullptr;
     QAction* saveFilm = nullptr;
     QAction* saveMesh = nullptr;
+    QAction* savePacked = nullptr;
     QAction* saveSurfaces = nullptr;
     QAction* saveStatistics = nullptr;
     QAction* quit = nullptr;

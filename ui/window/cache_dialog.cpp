@@ -11,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -99,8 +98,7 @@ void CacheDialog::clear()
 void CacheDialog::showUsed()
 {
     const auto bytes = cachedBytes();
-    used_->setText(bytes ? QLocale().formattedDataSize(static_cast<qint64>(*bytes), 1, QLocale::DataSizeSIFormat)
-                         : translatedMessage(bytes.error().message));
+    used_->setText(bytes ? sizeText(*bytes) : translatedMessage(bytes.error().message));
 }
 
 } // namespace tetra

@@ -132,8 +132,8 @@ Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
     connect(&workbench.building(), &Building::buildEnded, this, &Leaving::next);
     // Not before their outcome is told.
     Exporting& files = workbench.exporting();
-    for (LongTask* task : {&files.savingFilm(), &files.savingPicture(), &files.savingMesh(), &files.savingText(),
-                           &workbench.opening().savingSession()})
+    for (LongTask* task : {&files.savingFilm(), &files.savingPicture(), &files.savingMesh(), &files.savingPacked(),
+                           &files.savingText(), &workbench.opening().savingSession()})
         connect(task, &LongTask::finished, this, &Leaving::next, Qt::QueuedConnection);
     connect(&workbench, &Workbench::saveFailed, this, &Leaving::stay);
     patience_.setSingleShot(true);

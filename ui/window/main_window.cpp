@@ -48,7 +48,6 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -250,6 +249,7 @@ void MainWindow::connectActions()
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
     connect(actions_.saveStatistics, &QAction::triggered, this, &MainWindow::saveStatistics);
+    connect(actions_.savePacked, &QAction::triggered, this, &MainWindow::savePacked);
     connect(docks_.statisticsPanel, &StatisticsPanel::saveWanted, actions_.saveStatistics, &QAction::trigger);
     connect(actions_.close, &QAction::triggered, this, [this] {
         leaving_->ask(LeavingWay::Close, [this] {
@@ -347,6 +347,12 @@ void MainWindow::connectWorkbench()
     connect(&workbench_.exporting(), &Exporting::meshSaved, this, tellSaved);
     connect(&workbench_.exporting(), &Exporting::textSaved, this, tellSaved);
     connect(&workbench_.opening(), &Opening::sessionSaved, this, tellSaved);
+    connect(&workbench_.exporting(), &Exporting::packedSaved, this,
+            [this](const QString& path, quint64 bytes, quint64 unpackedBytes) {
+                statusBar()->showMessage(
+                    tr("Saved %1: %2 instead of %3").arg(path, sizeText(bytes), sizeText(unpackedBytes)),
+                    statusMessageTime);
+            });
     readingLine_ = new TaskLine("status.reading", tr("Reading"), workbench_.opening().reading());
     statusBar()->addPermanentWidget(readingLine_);
     connect(&workbench_.opening(), &Opening::aboutToRead, this, [this] { readingLine_->setActivity(tr("Reading")); });
@@ -355,8 +361,12 @@ void MainWindow::connectWorkbench()
     statusBar()->addPermanentWidget(
         new TaskLine("status.sampling", tr("Making the sample"), workbench_.opening().sampling()));
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.exporting().savingMesh()));
+    statusBar()->addPermanentWidget(
+        new TaskLine("status.packing", tr("Packing"), workbench_.exporting().savingPacked()));
+    connect(&workbench_.opening(), &Opening::shownPartChanged, this, &MainWindow::showWhatCanBePacked);
     connect(&workbench_.session(), &Session::modelChanged, this, &MainWindow::showModel);
     connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showFile);
+    connect(&workbench_.session(), &Session::modelGrown, this, &MainWindow::showWhatCanBePacked);
     connect(&workbench_.opening(), &Opening::sessionFileChanged, this, &MainWindow::showFile);
     connect(&workbench_.session().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showFile);
     connect(&workbench_.building().task(), &LongTask::started, this, &MainWindow::showWhatCanBeClosed);
@@ -477,6 +487,13 @@ void MainWindow::saveStatistics()
                          [this](const QString& path) { workbench_.exporting().saveStatistics(filePath(path)); });
 }
 
+void MainWindow::savePacked()
+{
+    askForTargetFile(this, "packedDialog", tr("Save Packed Model"), {tr("Packed models (*.tan)")},
+                     workbench_.opening().proposedPath(".packed.tan"),
+                     [this](const QString& path) { workbench_.exporting().savePacked(filePath(path)); });
+}
+
 void MainWindow::fillRecent()
 {
     actions_.recent->clear();
@@ -540,17 +557,21 @@ void MainWindow::showPart()
 /// Of a model on a server, of which so much was fetched that it takes no more than a moment.
 void MainWindow::offerRest(const OpenedModel& part)
 {
-    const QLocale locale;
-    const auto size = [&locale](std::uint64_t bytes) {
-        return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
-    };
     messages_->ask(
         tr("%1 is shown with %L2 of its %L3 vertices: %4 of %5 were fetched.")
             .arg(shownName(part.model->path()))
             .arg(part.model->siteCount())
             .arg(part.sitesOfWhole)
-            .arg(size(part.bytesRead), size(part.bytesOfWhole)),
+            .arg(sizeText(part.bytesRead), sizeText(part.bytesOfWhole)),
         tr("&Fetch All"), [this] { workbench_.opening().readWhole(); }, [] {});
+}
+
+/// The whole model, and no look at one that is being built.
+void MainWindow::showWhatCanBePacked()
+{
+    const Opening& opening = workbench_.opening();
+    actions_.savePacked->setEnabled(workbench_.session().model() && opening.sitesOfWhole() == 0 &&
+                                    !opening.modelComes() && !workbench_.building().showsBuild());
 }
 
 void MainWindow::showWhatCanBeClosed()
@@ -570,6 +591,7 @@ void MainWindow::showModel()
                          actions_.addIsovalue, actions_.fit, actions_.resetView} +
              actions_.namedViews)
         action->setEnabled(model != nullptr);
+    showWhatCanBePacked();
     viewport_->setScene(nullptr);
     status_->clearScene();
     isOutdated_ = false;

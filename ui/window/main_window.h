@@ -56,6 +56,7 @@ private:
     void copyPicture();
     void saveFilm();
     void saveMesh();
+    void savePacked();
     void showBackend();
     void saveSurfaces();
     void saveStatistics();
@@ -66,6 +67,7 @@ private:
     void showPart();
     void offerRest(const OpenedModel& part);
     void showWhatCanBeClosed();
+    void showWhatCanBePacked();
     void showModel();
     void showScene(const BuiltScene& scene);
     void showNotice();

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/exporting.h"
 
+#include "plugins/host/output_check.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
 
+#include <tan/packed.h>
 #include <tan/query.h>
+
+#include <array>
 
 namespace tetra {
 
@@ -125,6 +129,20 @@ void Exporting::saveStatistics(const std::filesystem::path& target)
         });
 }
 
+void Exporting::savePacked(const std::filesystem::path& target)
+{
+    if (!tellModel())
+        return;
+    savingPacked_.enqueue([this, target, model = session_.model()](const Progress& progress) -> std::function<void()> {
+        const Status distinct = checkOutput(target, std::array{model->path()});
+        const auto report = distinct ? packModel(*model, target, progress) : Result<PackReport>(distinct.error());
+        return [this, target, report, unpackedBytes = model->fileSize()] {
+            if (tellSave(report ? Status() : Status(report.error())))
+                emit packedSaved(pathText(target), report->fileBytes, unpackedBytes);
+        };
+    });
+}
+
 void Exporting::saveText(const std::filesystem::path& target, const std::string& text)
 {
     savingText_.enqueue([this, target, text](const Progress&) -> std::function<void()> {
@@ -149,7 +167,7 @@ void Exporting::loadText(const std::filesystem::path& path, std::function<Status
 
 bool Exporting::saving() const noexcept
 {
-    return savingText_.running() || savingMesh_.running() || savingPicture_.running();
+    return savingText_.running() || savingMesh_.running() || savingPacked_.running() || savingPicture_.running();
 }
 
 /// The model may have been closed while the user chose a file.

@@ -31,6 +31,8 @@ public:
     void saveSurfaces(const std::filesystem::path& target);
     /// Saves the sizes of the model's meshes at the usual accuracies, as .csv or .json.
     void saveStatistics(const std::filesystem::path& target);
+    /// Packs the model, which must be a whole one; not into its own file.
+    void savePacked(const std::filesystem::path& target);
     /// Writes a small text: a transfer function, a camera.
     void saveText(const std::filesystem::path& target, const std::string& text);
     /// Reads one and gives it to `use`, in this thread; an error of `use` is told with the file's name, by failed().
@@ -39,6 +41,7 @@ public:
     LongTask& savingPicture() noexcept { return savingPicture_; }
     LongTask& savingFilm() noexcept { return savingFilm_; }
     LongTask& savingMesh() noexcept { return savingMesh_; }
+    LongTask& savingPacked() noexcept { return savingPacked_; }
     LongTask& savingText() noexcept { return savingText_; }
     /// Whether a file is being written that is no film.
     bool saving() const noexcept;
@@ -50,6 +53,7 @@ signals:
     void pictureDrawn(const QImage& picture); ///< one that was ordered without a target
     void filmSaved(const QString& path);
     void meshSaved(const QString& path);
+    void packedSaved(const QString& path, quint64 bytes, quint64 unpackedBytes);
     void textSaved(const QString& path);
 
 private:
@@ -68,6 +72,7 @@ private:
     LongTask savingPicture_;
     LongTask savingFilm_;
     LongTask savingMesh_;
+    LongTask savingPacked_;
     LongTask savingText_;
     LongTask loadingText_;
 };

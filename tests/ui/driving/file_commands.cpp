@@ -87,6 +87,7 @@ Drivers savingCommands()
         opening("action.saveSessionAs", "sessionDialog"), opening("action.savePicture", "pictureOptions"),
         opening("action.saveFilm", "filmOptions"),        opening("action.saveMesh", "meshDialog"),
         opening("action.saveSurfaces", "surfaceDialog"),  opening("action.saveStatistics", "statisticsDialog"),
+        opening("action.savePacked", "packedDialog"),
     };
 }
 
