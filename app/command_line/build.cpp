@@ -32,7 +32,8 @@ Status checkOutputs(const std::filesystem::path& input, const std::filesystem::p
     return checkModelOutput(output);
 }
 
-Outcome describe(const ModelBuild& build, const std::string& output)
+/// One that is packed afterwards has another size.
+Outcome describe(const ModelBuild& build, const std::string& output, bool isPacked)
 {
     const BuildReport& report = build.report;
     Outcome outcome;
@@ -47,8 +48,9 @@ Outcome describe(const ModelBuild& build, const std::string& output)
                        {"bytes", static_cast<qint64>(build.fileBytes)},
                        {"stopped_early", build.stoppedEarly}};
     outcome.text = output + ": " + std::to_string(report.sites) + " sites, " + std::to_string(report.tetrahedra) +
-                   " tetrahedra in the history, " + byteText(build.fileBytes) + "\nbuilt by " + build.builder + " in " +
-                   rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) + " of memory\n";
+                   " tetrahedra in the history" + (isPacked ? "" : ", " + byteText(build.fileBytes)) + "\nbuilt by " +
+                   build.builder + " in " + rounded(build.seconds, 3) + " s, using at most " +
+                   byteText(build.peakBytes) + " of memory\n";
     if (build.stoppedEarly)
         outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
     if (report.inverted > 0)
@@ -70,6 +72,7 @@ Status pack(const std::filesystem::path& built, const std::filesystem::path& out
     if (!report)
         return report.error();
     addPacking(*report, (*model)->fileSize(), outcome);
+    outcome.figures["bytes"] = static_cast<qint64>(report->fileBytes);
     return {};
 }
 
@@ -251,7 +254,7 @@ Result<Outcome> runBuild(const Invocation& invocation)
             packing->keep(); // with what the build left in it
         return build.error();
     }
-    Outcome outcome = describe(*build, output);
+    Outcome outcome = describe(*build, output, isPacked);
     if (isPacked)
         if (const Status packed = pack(target, output, invocation.progress.part(builtEnd, 1), outcome); !packed)
             return packed.error();

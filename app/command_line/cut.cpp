@@ -52,20 +52,20 @@ Result<Outcome> copyInput(const Invocation& invocation, const std::optional<Accu
 }
 
 /// --error and --warping, if either is given.
-Result<std::optional<Accuracy>> limitsOf(const Arguments& arguments, const std::filesystem::path& input,
-                                         const Progress& progress)
+Result<std::optional<Accuracy>> limitsOf(const Arguments& arguments, const std::string& input, const Progress& progress)
 {
     if (!arguments.has("error") && !arguments.has("warping"))
         return std::optional<Accuracy>();
     const auto accuracy = accuracyOption(arguments);
     if (!accuracy)
         return accuracy.error();
-    const auto facts = modelFacts(input.string(), progress);
+    if (!arguments.has("warping"))
+        return std::optional(*accuracy);
+    const auto facts = modelFacts(input, progress);
     if (!facts)
         return facts.error();
-    if (arguments.has("warping") && !(facts->description.warpingWeight > 0))
-        return Error{ErrorKind::WrongUsage,
-                     "'--warping' is of data that warp, and those of '" + input.string() + "' cannot. Leave it out."};
+    if (const Status warps = checkWarpingOption(arguments, facts->description, input); !warps)
+        return warps.error();
     return std::optional(*accuracy);
 }
 

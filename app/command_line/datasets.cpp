@@ -31,7 +31,8 @@ std::string placeText(const Eigen::Vector3d& place)
     return "(" + rounded(place[0]) + ", " + rounded(place[1]) + ", " + rounded(place[2]) + ")";
 }
 
-std::uint64_t cellsOf(DomainClass domain, const Lattice& lattice, std::uint64_t tetrahedra)
+std::optional<std::uint64_t> cellsOf(DomainClass domain, const Lattice& lattice,
+                                     std::optional<std::uint64_t> tetrahedra)
 {
     if (domain == DomainClass::Irregular)
         return tetrahedra;
@@ -142,7 +143,7 @@ DatasetSummary summaryOf(const Model& model)
 DatasetSummary summaryOf(const ModelDescription& description)
 {
     return {description.domain,     description.lattice, description.bounds,
-            description.sampleType, description.range,   cellsOf(description.domain, description.lattice, 0)};
+            description.sampleType, description.range,   cellsOf(description.domain, description.lattice, {})};
 }
 
 QJsonObject datasetFigures(const DatasetSummary& summary)
@@ -150,10 +151,11 @@ QJsonObject datasetFigures(const DatasetSummary& summary)
     const Lattice& lattice = summary.lattice;
     QJsonObject figures = {{"kind", QString::fromStdString(std::string(domainClassName(summary.domain)))},
                            {"points", static_cast<qint64>(lattice.pointCount())},
-                           {"cells", static_cast<qint64>(summary.cells)},
                            {"range", QJsonArray{summary.range.minimum, summary.range.maximum}},
                            {"type", QString::fromStdString(std::string(sampleTypeName(summary.type)))},
                            {"bounds", QJsonArray{toJson(summary.bounds.min()), toJson(summary.bounds.max())}}};
+    if (summary.cells)
+        figures["cells"] = static_cast<qint64>(*summary.cells);
     if (isOnLattice(summary.domain))
         figures["size"] = QJsonArray{qint64(lattice.size[0]), qint64(lattice.size[1]), qint64(lattice.size[2])};
     if (summary.domain == DomainClass::RegularLattice) {
@@ -172,8 +174,8 @@ std::string datasetText(const DatasetSummary& summary)
     std::string text;
     if (summary.domain == DomainClass::Irregular)
         text = (summary.convex.value_or(false) ? "convex mesh of " : "mesh of ") +
-               std::to_string(lattice.pointCount()) + " points " + type + " in " + std::to_string(summary.cells) +
-               " tetrahedra";
+               std::to_string(lattice.pointCount()) + " points " + type +
+               (summary.cells ? " in " + std::to_string(*summary.cells) + " tetrahedra" : "");
     else if (summary.domain == DomainClass::Scattered)
         text = "set of " + std::to_string(lattice.pointCount()) + " scattered points " + type;
     else if (summary.domain == DomainClass::Curvilinear)

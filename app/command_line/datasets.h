@@ -27,17 +27,17 @@ struct DatasetSummary {
     Eigen::AlignedBox3d bounds;
     SampleType type = SampleType::UInt8;
     ValueRange range;
-    std::uint64_t cells = 0;      ///< of grids their cells, of irregular data the tetrahedra
-    std::optional<bool> convex{}; ///< Dataset::convex, of a dataset that is a grid or a mesh
+    std::optional<std::uint64_t> cells{}; ///< of grids their cells, of irregular data the tetrahedra if they are known
+    std::optional<bool> convex{};         ///< Dataset::convex, of a dataset that is a grid or a mesh
 };
 
 DatasetSummary summaryOf(const Dataset& dataset);
 DatasetSummary summaryOf(const Model& model);
-/// Of a model that is not there: its cells may be unknown, 0.
+/// Of a model of which no more is read: the tetrahedra of irregular data are not known.
 DatasetSummary summaryOf(const ModelDescription& description);
 
-/// "kind", "points", "cells", "range", "type" and "bounds"; of grids also "size", of lattices "spacing" and "origin";
-/// of other grids and meshes "convex".
+/// "kind", "points", "range", "type" and "bounds"; "cells" if they are known; of grids also "size", of lattices
+/// "spacing" and "origin"; of other grids and meshes "convex".
 QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);

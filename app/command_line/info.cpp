@@ -47,7 +47,7 @@ std::string provenanceText(const ModelDescription& description)
     std::string text = "built by " + description.builder + " from " + description.sourceName;
     for (const auto& [id, value] : description.parameters)
         if (!value.empty() && !id.starts_with(importPrefix)) // the source's name tells of it
-            text += ", " + id + " " + value;
+            text.append(", ").append(id).append(" ").append(value);
     return text + "\n";
 }
 
@@ -195,10 +195,9 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     if (!facts)
         return facts.error();
     const ModelDescription& description = facts->description;
+    if (const Status fits = checkWarpingOption(invocation.arguments, description, path); !fits)
+        return fits.error();
     const bool warps = description.warpingWeight > 0;
-    if (invocation.arguments.has("warping") && !warps)
-        return Error{ErrorKind::WrongUsage,
-                     "'--warping' is of data that warp, and those of '" + path + "' cannot. Leave it out."};
     const bool isPacked = facts->form == ModelForm::Packed;
     const DatasetSummary summary = summaryOf(description);
     QJsonArray list;

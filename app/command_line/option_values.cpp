@@ -124,13 +124,18 @@ Option warpingOption()
             .byDefault = "the same number as the error"};
 }
 
-Status checkWarpingOption(const Arguments& arguments, const Model& model)
+Status checkWarpingOption(const Arguments& arguments, const ModelDescription& model, const std::string& place)
 {
-    if (!arguments.has("warping") || model.description().warpingWeight > 0)
+    if (!arguments.has("warping") || model.warpingWeight > 0)
         return {};
     return Error{ErrorKind::WrongUsage,
-                 "'--warping' is for models of curvilinear or irregular data only, and the data of '" +
-                     model.path().string() + "' cannot warp. Leave it out."};
+                 "'--warping' is for models of curvilinear or irregular data only, and the data of '" + place +
+                     "' cannot warp. Leave it out."};
+}
+
+Status checkWarpingOption(const Arguments& arguments, const Model& model)
+{
+    return checkWarpingOption(arguments, model.description(), model.path().string());
 }
 
 Result<Accuracy> accuracyOption(const Arguments& arguments)

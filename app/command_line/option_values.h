@@ -35,6 +35,7 @@ Option errorOption();
 Option warpingOption();
 /// An error (WrongUsage) if --warping is given and the model's data cannot warp.
 Status checkWarpingOption(const Arguments& arguments, const Model& model);
+Status checkWarpingOption(const Arguments& arguments, const ModelDescription& model, const std::string& place);
 Result<Accuracy> accuracyOption(const Arguments& arguments);
 
 /// --lod, the levels of detail to tell of: errors, or pairs; with --warping all errors have that one.

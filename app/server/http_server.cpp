@@ -2,6 +2,7 @@
 #include "app/server/http_server.h"
 
 #include "core/base/system_error.h"
+#include "core/base/text.h"
 
 #include <httplib.h>
 
@@ -90,14 +91,6 @@ bool isNameCharacter(char c)
            std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
 }
 
-std::string lower(std::string_view text)
-{
-    std::string small(text);
-    std::ranges::transform(small, small.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return small;
-}
-
 /// A request's line and headers, checked: as they are handed to the library, or the status that refuses them.
 struct CheckedHead {
     int refused = 0;
@@ -118,7 +111,7 @@ std::optional<std::pair<std::string, std::string>> headerOf(std::string_view lin
     const auto isControl = [](char c) { return (c >= 0 && c < ' ' && c != '\t') || c == 0x7f; };
     if (std::ranges::any_of(value, isControl))
         return {};
-    return std::pair(lower(line.substr(0, colon)), std::string(value));
+    return std::pair(smallLetters(line.substr(0, colon)), std::string(value));
 }
 
 /// What a status says, of those that refuse a request unread.
@@ -165,7 +158,7 @@ CheckedHead checkedHead(std::string_view head, const HttpLimits& limits)
         const std::size_t begin = place + 2;
         place = head.find("\r\n", begin);
         const auto header = headerOf(head.substr(begin, place == std::string_view::npos ? place : place - begin));
-        // None of those that count for anything may come twice: whoever stands between might take the other one.
+        // No header may come twice: whoever stands between might take the other one.
         if (!header || !headers.insert(*header).second)
             return {.refused = 400};
         if (headers.size() > limits.headers)
@@ -186,7 +179,7 @@ CheckedHead checkedHead(std::string_view head, const HttpLimits& limits)
     pass("range", rangeHeader);
     for (const char* name : {"host", "if-range", "if-none-match", "authorization"})
         pass(name, name);
-    const std::string wish = lower(headers.contains("connection") ? headers["connection"] : "");
+    const std::string wish = smallLetters(headers.contains("connection") ? headers["connection"] : "");
     if (wish == "close" || (version == "HTTP/1.0" && wish != "keep-alive"))
         checked.text += "Connection: close\r\n";
     else if (version == "HTTP/1.0")

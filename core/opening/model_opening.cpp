@@ -257,11 +257,26 @@ Result<std::unique_ptr<const ModelSource>> sourceAtServer(const std::string& add
     });
 }
 
+/// Tells of "ftp://host/x.tan" and "host:8080/x.tan" more than that there is no such file.
+Status checkPlace(const std::string& place)
+{
+    std::error_code problem;
+    const bool looksLikeAddress =
+        std::string_view(place).substr(0, place.find('/')).find(':') != std::string_view::npos;
+    if (isAddress(place) || !looksLikeAddress || std::filesystem::exists(place, problem))
+        return {};
+    return Error{ErrorKind::BadInput, Message::say("There is no file '%1'. An address on a server begins with http:// "
+                                                   "or https://.",
+                                                   printable(place))};
+}
+
 Result<std::unique_ptr<const ModelSource>> sourceAt(const std::string& place, const OpenOptions& options,
                                                     const Progress& progress)
 {
     if (isAddress(place))
         return sourceAtServer(place, options, progress);
+    if (const Status found = checkPlace(place); !found)
+        return found.error();
     auto file = fileSource(place);
     return file ? sourceOf(*std::move(file), place, progress, [](const Error&) {}) : file.error();
 }
@@ -431,6 +446,8 @@ Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress
 
 Result<FoundModel> openModel(const std::string& place, const OpenOptions& options, const Progress& progress)
 {
+    if (const Status found = checkPlace(place); !found)
+        return found.error();
     if (!isAddress(place) && !isPacked(place)) {
         const auto model = Model::open(place);
         if (!model)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remote/http_answer.h"
 
+#include "core/base/text.h"
+
 #include <tan/base.h>
 
 #include <algorithm>
+#include <array>
 
 namespace tetra {
 
@@ -11,18 +14,6 @@ namespace {
 
 constexpr std::size_t longestText = 1024;
 constexpr std::uint64_t mostBytes = std::uint64_t(1) << 60;
-
-char smallLetter(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-std::string smallLetters(std::string_view text)
-{
-    std::string small(text);
-    std::ranges::transform(small, small.begin(), smallLetter);
-    return small;
-}
 
 std::string_view trimmed(std::string_view text)
 {
@@ -172,7 +163,10 @@ AnswerUse useOfAnswer(const HttpAnswer& answer, const Asked& asked, std::span<co
 
 bool isWebPage(const HttpAnswer& answer, std::span<const std::byte> start)
 {
-    if (answer.contentType == "text/html" || answer.contentType == "application/xhtml+xml")
+    // Object stores list what they have as XML, 'tan serve' as JSON.
+    constexpr std::array<std::string_view, 5> types = {"text/html", "application/xhtml+xml", "application/json",
+                                                       "application/xml", "text/xml"};
+    if (std::ranges::find(types, answer.contentType) != types.end())
         return true;
     const std::string_view text(reinterpret_cast<const char*>(start.data()), std::min<std::size_t>(start.size(), 512));
     const std::string begin = smallLetters(trimmed(text).substr(0, 16));

@@ -47,8 +47,8 @@ struct HttpAnswer {
 /// redirection, or one that says to go on; what comes after an empty line and is none is left out.
 void takeHeaderLine(HttpAnswer& answer, std::string_view line);
 
-/// Whether an answer is a page for people, such as one to log in at, in place of data; `start` is where its content
-/// begins.
+/// Whether an answer is a text in place of data: a page for people, such as one to log in at, or a list of files.
+/// `start` is where its content begins.
 bool isWebPage(const HttpAnswer& answer, std::span<const std::byte> start);
 
 /// What an answer is good for.

@@ -2,6 +2,7 @@
 #include "core/remote/remote_file.h"
 
 #include "core/base/guarded.h"
+#include "core/base/text.h"
 #include "core/remote/http_answer.h"
 #include "core/remote/libcurl.h"
 #include "core/remote/piece_store.h"
@@ -36,11 +37,6 @@ constexpr std::size_t longestAddress = 16 << 10;
 constexpr std::size_t longestHead = 256 << 10; ///< of an answer with all redirections
 constexpr long mostRedirections = 5;
 constexpr MarkedText notEnoughMemory = Message::marked("Not enough memory to read '%1'. Close other programs.");
-
-char smallLetter(char c)
-{
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 bool startsWithSmall(std::string_view text, std::string_view start)
 {

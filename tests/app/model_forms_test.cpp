@@ -123,10 +123,21 @@ private slots:
     {
         const QStringList before = QDir(folder_.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
         const Run run = make({"build", "c60.nrrd", "--packed", "-o", "built.tan", "--json"});
-        QVERIFY(run.json()["packed"].toObject()["bytes"].toInteger() > 0);
+        QCOMPARE(run.json()["bytes"].toInteger(), QFile(path("built.tan")).size());
+        QCOMPARE(run.json()["packed"].toObject()["bytes"].toInteger(), run.json()["bytes"].toInteger());
         QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), before.size() + 1);
         make({"unpack", "built.tan", "-o", "unpacked.tan"});
         QVERIFY(readFile(path("unpacked.tan")) == readFile(path("c60.tan")));
+    }
+
+    /// The front of a packed model does not tell how many cells the data have; that they have none is not said.
+    void cellsThatAreNotKnown()
+    {
+        make({"sample", "part", "--size", "8", "-o", "part.vtu"});
+        make({"build", "part.vtu", "--packed", "-o", "part.tan"});
+        QVERIFY(!make({"info", "part.tan", "--json"}).json().contains("cells"));
+        QVERIFY(!make({"info", "part.tan"}).output.contains("in 0 tetrahedra"));
+        QVERIFY(make({"info", "part.vtu", "--json"}).json()["cells"].toInteger() > 0);
     }
 
     /// R28, B5: of a model on a server no more is fetched than a mesh needs.
@@ -188,6 +199,11 @@ private slots:
             const Run run = runIn({"info", QString::fromStdString(server.address(file))});
             QCOMPARE(run.exitCode, 3);
             QVERIFY2(run.messages.count('.') >= 2, run.messages);
+        }
+        for (const char* place : {"ftp://127.0.0.1/x.tan", "127.0.0.1:9/x.tan"}) {
+            const Run none = runIn({"extract", place, "-o", "nothing.ply"});
+            QCOMPARE(none.exitCode, 3);
+            QVERIFY2(none.messages.contains("begins with http:// or https://"), none.messages);
         }
         const Run nowhere = runIn({"extract", "http://127.0.0.1:9/x.tan", "-o", "nothing.ply"});
         QCOMPARE(nowhere.exitCode, 3);

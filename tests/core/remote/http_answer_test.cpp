@@ -81,6 +81,8 @@ private slots:
     void pagesInPlaceOfData()
     {
         QVERIFY(isPage("text/html", "TAN"));
+        QVERIFY(isPage("application/json", "{\"models\": []}"));
+        QVERIFY(isPage("application/xml", "<ListBucketResult>"));
         QVERIFY(isPage("application/octet-stream", "\n\n<!DOCTYPE html><title>Log in</title>"));
         QVERIFY(isPage("", "<HTML lang=de>"));
         QVERIFY(!isPage("application/octet-stream", "TAN <html>"));
