@@ -7,6 +7,7 @@
 #include "app/command_line/query_options.h"
 #include "core/base/checksum.h"
 #include "core/history/format.h"
+#include "core/opening/served_model.h"
 #include "core/packed/packed_mesh.h"
 
 #include <tan/open.h>
@@ -138,6 +139,16 @@ std::uint64_t expectedTetrahedra(const Model& model, const MeshQuery& query)
     return meshSizeAt(model, {query.error.bounds().minimum, query.warping.bounds().minimum}).tetrahedra;
 }
 
+Error beingChanged()
+{
+    return {ErrorKind::OutOfResource, Message::say("The file is being changed. Ask again.")};
+}
+
+Error notAModel(const ServedFile& file)
+{
+    return {ErrorKind::BadInput, Message::say("'%1' cannot be opened as a model.", printable(file.name))};
+}
+
 Error tooLarge(std::uint64_t most)
 {
     return {
@@ -147,7 +158,33 @@ Error tooLarge(std::uint64_t most)
                      most)};
 }
 
-/// What the receiver is told besides the mesh: the figures of `tan extract`, and the facts that it writes into files.
+/// What else a program may ask than the command line offers, beside queryOptions().
+std::vector<Option> furtherOptions()
+{
+    return {{.name = "warping-field",
+             .placeholder = "TEXT",
+             .explanation = "In place of --warping, the largest one at each place, as --field."},
+            {.name = "empty",
+             .placeholder = "ANSWER",
+             .explanation = "With 'yes' a mesh without tetrahedra is an answer and no refusal."}};
+}
+
+Result<MeshQuery> questionIn(const Arguments& arguments)
+{
+    auto query = queryOf(arguments);
+    const auto warping = arguments.value("warping-field");
+    if (!query || !warping)
+        return query;
+    const auto field = parseErrorField(*warping);
+    if (!field || arguments.has("warping"))
+        return Error{ErrorKind::WrongUsage,
+                     "'--warping-field': " + (field ? "'--warping' does not go with it." : field.error().text())};
+    query->warping = *field;
+    return query;
+}
+
+/// What the receiver is told besides the mesh: the figures of `tan extract`, the facts that it writes into files, and
+/// what ExtractedMesh says.
 std::string factsText(const ServedFile& file, const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
     QJsonArray facts;
@@ -160,8 +197,17 @@ std::string factsText(const ServedFile& file, const Model& model, const MeshQuer
         else
             facts.append(QJsonArray{key, std::get<double>(value)});
     }
-    return QJsonDocument(
-               QJsonObject{{"figures", figuresOf(model, query, mesh)}, {"facts", facts}, {"overlaps", mesh.overlaps}})
+    const QJsonObject ofMesh{{"whole_sites", static_cast<qint64>(mesh.wholeSites)},
+                             {"whole_tetrahedra", static_cast<qint64>(mesh.wholeTetrahedra)},
+                             {"kept_sites", static_cast<qint64>(mesh.keptSites)},
+                             {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
+                             {"scale", mesh.scale},
+                             {"method", QString::fromStdString(std::string(methodName(mesh.method)))}};
+    return QJsonDocument(QJsonObject{{"figures", figuresOf(model, query, mesh)},
+                                     {"facts", facts},
+                                     {"mesh", ofMesh},
+                                     {"overlaps", mesh.overlaps},
+                                     {"tag", QString::fromStdString(file.tag)}})
         .toJson(QJsonDocument::Compact)
         .toStdString();
 }
@@ -262,8 +308,12 @@ try {
     const auto file = name ? folder_.find(*name) : std::nullopt;
     if (!file)
         return errorAnswer(404, "There is no such model here. '/' lists those that there are.");
-    return mark == std::string::npos ? fileAnswer(request, *file)
-                                     : meshAnswer(request, *file, std::string_view(request.target).substr(mark + 1));
+    if (mark == std::string::npos)
+        return fileAnswer(request, *file);
+    const std::string_view query = std::string_view(request.target).substr(mark + 1);
+    return query == aboutQuestion   ? aboutAnswer(request, *file)
+           : query == sizesQuestion ? sizesAnswer(request, *file)
+                                    : meshAnswer(request, *file, query);
 } catch (const std::exception&) {
     return errorAnswer(503, "Not enough memory for this answer.");
 }
@@ -336,26 +386,82 @@ Result<std::shared_ptr<const Model>> ModelServer::modelOf(const ServedFile& file
         if (found != models_.end())
             models_.erase(found);
     }
-    const Error changing{ErrorKind::OutOfResource, Message::say("The file is being changed. Ask again.")};
     const auto path = file.path();
     if (!path)
-        return changing;
+        return beingChanged();
     const auto found = openModel(path->string(), {}, progress); // one that is packed is unpacked into the cache
     if (!found) {
         const ErrorKind kind = found.error().kind;
         const bool isTold = kind == ErrorKind::Cancelled || kind == ErrorKind::OutOfResource;
-        return Error{isTold ? kind : ErrorKind::BadInput, // where it lies is nobody's business
-                     Message::say("'%1' cannot be opened as a model.", printable(file.name))};
+        return Error{isTold ? kind : ErrorKind::BadInput,
+                     notAModel(file).message}; // where it lies is nobody's business
     }
     const std::shared_ptr<const Model>& model = found->model;
     if (file.path() != path) // another file may have come there meanwhile
-        return changing;
+        return beingChanged();
     const std::lock_guard lock(mutex_);
     if (std::ranges::find(models_, file.name, &OpenModel::name) == models_.end())
         models_.push_front({file.name, file.tag, model});
     while (models_.size() > limits_.models)
         models_.pop_back();
     return model;
+}
+
+/// Without opening it: what the front of its file tells.
+ServedAnswer ModelServer::aboutAnswer(const ServedRequest& request, const ServedFile& file) const
+{
+    const auto path = file.path();
+    const auto facts = path ? modelFacts(path->string(), Progress(request.gone, {})) : beingChanged();
+    if (!facts)
+        return errorAnswer(500, notAModel(file).text()); // where it lies is nobody's business
+    return jsonAnswer({{"form", facts->form == ModelForm::Packed ? "packed" : "explicit"},
+                       {"bytes", static_cast<qint64>(facts->fileBytes)},
+                       {"unpacked_bytes", static_cast<qint64>(facts->unpackedBytes)},
+                       {"sites", static_cast<qint64>(facts->sites)},
+                       {"tetrahedra", static_cast<qint64>(facts->tetrahedra)},
+                       {"tag", QString::fromStdString(file.tag)}});
+}
+
+ServedAnswer ModelServer::sizesAnswer(const ServedRequest& request, const ServedFile& file)
+{
+    return inTurn(request, [&](const Progress& progress) -> Result<ServedAnswer> {
+        const auto model = modelOf(file, progress);
+        if (!model)
+            return model.error();
+        const WholeSizes sizes = sizesOfWhole(**model);
+        if (const Status intact = (*model)->checkIntact(); !intact)
+            return notAModel(file);
+        QJsonArray meshes;
+        for (const MeshSize& size : sizes.meshes)
+            meshes.append(QJsonArray{static_cast<qint64>(size.sites), static_cast<qint64>(size.tetrahedra), size.error,
+                                     size.warping});
+        return jsonAnswer({{"sites", static_cast<qint64>(sizes.sites)},
+                           {"bytes", static_cast<qint64>(file.size)},
+                           {"warps", (*model)->description().warpingWeight > 0},
+                           {"meshes", meshes},
+                           {"tag", QString::fromStdString(file.tag)}});
+    });
+}
+
+/// What is worked on when it is its turn, for as long as that may take and somebody waits for it.
+ServedAnswer ModelServer::inTurn(const ServedRequest& request,
+                                 const std::function<Result<ServedAnswer>(const Progress& progress)>& work)
+{
+    const Turn turn(*this, request.gone);
+    if (!turn.isTaken()) {
+        ServedAnswer busy = errorAnswer(503, "Too many meshes are asked for at once. Ask again.");
+        busy.headers.emplace_back("Retry-After", "2");
+        return busy;
+    }
+    const TimeLimit limit(limits_.time);
+    const auto answer = work(Progress(request.gone, {}).alsoCancelledBy(limit.over()));
+    if (answer)
+        return *answer;
+    if (answer.error().kind != ErrorKind::Cancelled)
+        return refusal(answer.error());
+    return errorAnswer(504, limit.over().stop_requested()
+                                ? "This mesh takes longer than the server may work on one. Ask for a larger error."
+                                : "Nobody waits for this mesh any more.");
 }
 
 ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedFile& file, std::string_view query)
@@ -365,10 +471,11 @@ ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedF
         return errorAnswer(400, "The query is not encoded as it should be: '%' and two digits.");
     Syntax syntax;
     syntax.options = queryOptions();
+    std::ranges::move(furtherOptions(), std::back_inserter(syntax.options));
     const auto arguments = parseArguments(syntax, *words);
     if (!arguments)
         return refusal(arguments.error());
-    const auto asked = queryOf(*arguments);
+    const auto asked = questionIn(*arguments);
     if (!asked)
         return refusal(asked.error());
 
@@ -384,49 +491,38 @@ ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedF
         return answer;
     }
 
-    const Turn turn(*this, request.gone);
-    if (!turn.isTaken()) {
-        ServedAnswer busy = errorAnswer(503, "Too many meshes are asked for at once. Ask again.");
-        busy.headers.emplace_back("Retry-After", "2");
-        return busy;
-    }
-    const TimeLimit limit(limits_.time);
-    const Progress progress = Progress(request.gone, {}).alsoCancelledBy(limit.over());
-    const auto failed = [&](const Error& error) {
-        if (error.kind != ErrorKind::Cancelled)
-            return refusal(error);
-        return errorAnswer(504, limit.over().stop_requested()
-                                    ? "This mesh takes longer than the server may work on one. Ask for a larger error."
-                                    : "Nobody waits for this mesh any more.");
-    };
-    const auto model = modelOf(file, progress);
-    if (!model)
-        return failed(model.error());
-    if (const Status warps = checkWarpingOption(*arguments, **model); !warps)
-        return refusal(warps.error());
-    if (const Status sound = checkQuery(**model, *asked); !sound)
-        return refusal(sound.error());
-    if (expectedTetrahedra(**model, *asked) > limits_.tetrahedra || asked->budget.value_or(0) > limits_.tetrahedra)
-        return errorAnswer(413, tooLarge(limits_.tetrahedra).text());
-    const auto mesh = confirmed(**model, MeshExtractor(*model).extract(*asked, progress), progress);
-    if (!mesh)
-        return failed(mesh.error());
-    if ((*mesh)->wholeTetrahedra > limits_.tetrahedra || (*mesh)->mesh.tetrahedra.size() > limits_.tetrahedra)
-        return errorAnswer(413, tooLarge(limits_.tetrahedra).text());
-    if (const Status some = checkNotEmpty(*arguments, **model, (*mesh)->mesh); !some)
-        return refusal(some.error());
-    auto packed = packMesh((*mesh)->mesh, (*mesh)->birthErrors, (*mesh)->deathErrors,
-                           factsText(file, **model, *asked, **mesh), progress);
-    if (!packed)
-        return failed(packed.error());
-    answer.note = std::to_string((*mesh)->mesh.tetrahedra.size()) + " tetrahedra";
-    answer.size = packed->size();
-    answer.read = [bytes = std::make_shared<const std::vector<std::byte>>(std::move(*packed))](std::uint64_t offset,
-                                                                                               std::span<char> to) {
-        std::memcpy(to.data(), bytes->data() + offset, to.size());
-        return true;
-    };
-    return answer;
+    return inTurn(request, [&](const Progress& progress) -> Result<ServedAnswer> {
+        const auto model = modelOf(file, progress);
+        if (!model)
+            return model.error();
+        if (const Status warps = checkWarpingOption(*arguments, **model); !warps)
+            return warps.error();
+        if (const Status sound = checkQuery(**model, *asked); !sound)
+            return sound.error();
+        const auto isTooLarge = [this](std::uint64_t tetrahedra) { return tetrahedra > limits_.tetrahedra; };
+        if (isTooLarge(expectedTetrahedra(**model, *asked)) || isTooLarge(asked->budget.value_or(0)))
+            return errorAnswer(413, tooLarge(limits_.tetrahedra).text());
+        const auto mesh = confirmed(**model, MeshExtractor(*model).extract(*asked, progress), progress);
+        if (!mesh)
+            return mesh.error();
+        if (isTooLarge((*mesh)->wholeTetrahedra) || isTooLarge((*mesh)->mesh.tetrahedra.size()))
+            return errorAnswer(413, tooLarge(limits_.tetrahedra).text());
+        if (const Status some = checkNotEmpty(*arguments, **model, (*mesh)->mesh);
+            !some && arguments->value("empty") != "yes")
+            return some.error();
+        auto packed = packMesh((*mesh)->mesh, (*mesh)->birthErrors, (*mesh)->deathErrors,
+                               factsText(file, **model, *asked, **mesh), progress);
+        if (!packed)
+            return packed.error();
+        answer.note = std::to_string((*mesh)->mesh.tetrahedra.size()) + " tetrahedra";
+        answer.size = packed->size();
+        answer.read = [bytes = std::make_shared<const std::vector<std::byte>>(std::move(*packed))](std::uint64_t offset,
+                                                                                                   std::span<char> to) {
+            std::memcpy(to.data(), bytes->data() + offset, to.size());
+            return true;
+        };
+        return answer;
+    });
 }
 
 } // namespace tetra

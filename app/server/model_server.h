@@ -28,7 +28,8 @@ struct ModelServerLimits {
 bool isLoopback(std::string_view address);
 
 /// What `tan serve` answers (R28; docs/command-line.md): `/` is a list of the folder's models, `/NAME.tan` a file or a
-/// range of it, `/NAME.tan?error=1&...` a mesh of it, packed (core/packed/PACKED_MESH.md). From any number of threads.
+/// range of it, `/NAME.tan?error=1&...` a mesh of it, packed (core/packed/PACKED_MESH.md), `/NAME.tan?about` and
+/// `/NAME.tan?sizes` what whoever leaves a model here wants to know of it. From any number of threads.
 class ModelServer {
 public:
     /// With a token every request must bring it (Authorization: Bearer ...); without one, the host that it asks for
@@ -48,6 +49,10 @@ private:
     bool isAllowed(const ServedRequest& request) const;
     ServedAnswer list() const;
     ServedAnswer fileAnswer(const ServedRequest& request, const ServedFile& file) const;
+    ServedAnswer aboutAnswer(const ServedRequest& request, const ServedFile& file) const;
+    ServedAnswer sizesAnswer(const ServedRequest& request, const ServedFile& file);
+    ServedAnswer inTurn(const ServedRequest& request,
+                        const std::function<Result<ServedAnswer>(const Progress& progress)>& work);
     ServedAnswer meshAnswer(const ServedRequest& request, const ServedFile& file, std::string_view query);
     Result<std::shared_ptr<const Model>> modelOf(const ServedFile& file, const Progress& progress);
 

@@ -4,6 +4,7 @@
 #include "core/history/pair_limits.h"
 #include "core/history/site_positions.h"
 #include "core/history/walk.h"
+#include "core/history/whole_elsewhere.h"
 #include "core/mesh/topology.h"
 
 #include <tan/query.h>
@@ -181,6 +182,14 @@ bool isInRatio(const Model& model, const UnitLimits& limits, double tolerance)
 
 MeshSize meshSizeAt(const Model& model, const Accuracy& accuracy)
 {
+    if (model.elsewhere() != nullptr) {
+        const std::vector<MeshSize>& meshes = model.elsewhere()->sizes().meshes;
+        const auto keeps = [&](const MeshSize& size) {
+            return size.error <= accuracy.error && size.warping <= accuracy.warping;
+        };
+        const auto found = std::ranges::find_if(meshes, keeps);
+        return found != meshes.end() ? *found : meshes.back();
+    }
     const std::span<const float> keys = model.runningKeys();
     const UnitLimits limits = unitLimits(model, accuracy);
     const double weight = model.description().warpingWeight;
@@ -196,6 +205,11 @@ MeshSize meshSizeOf(const Model& model, std::uint32_t sites)
 {
     if (sites == 0) // only in a damaged file: the initial sites have no error
         return {};
+    if (model.elsewhere() != nullptr) {
+        const std::vector<MeshSize>& meshes = model.elsewhere()->sizes().meshes;
+        const auto found = std::ranges::lower_bound(meshes, sites, {}, &MeshSize::sites);
+        return found != meshes.end() ? *found : meshes.back();
+    }
     const double extent = model.description().range.extent();
     const double weight = model.description().warpingWeight;
     const std::span<const float> keys = model.runningKeys();

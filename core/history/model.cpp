@@ -59,8 +59,9 @@ struct Model::File {
     std::unique_ptr<const SectionChecks> checks;
 };
 
-Model::Model(File file, ModelDescription description, std::filesystem::path place)
-    : file_(std::make_unique<const File>(std::move(file))), path_(std::move(place)),
+Model::Model(File file, ModelDescription description, std::filesystem::path place,
+             std::shared_ptr<const WholeElsewhere> whole)
+    : file_(std::make_unique<const File>(std::move(file))), whole_(std::move(whole)), path_(std::move(place)),
       description_(std::move(description)), fileSize_(file_->mapped->bytes().size()),
       finalKey_(file_->layout.header.finalKey)
 {
@@ -109,7 +110,8 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     return open(path, path);
 }
 
-Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path, std::filesystem::path place)
+Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& path, std::filesystem::path place,
+                                                 std::shared_ptr<const WholeElsewhere> whole)
 {
     const Result<std::shared_ptr<const MappedFile>> file = MappedFile::open(path);
     if (!file)
@@ -134,8 +136,8 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
     auto checks = SectionChecks::make(file.value(), *layout);
     if (!checks)
         return checks.error();
-    const std::shared_ptr<const Model> model(
-        new Model({file.value(), *layout, *std::move(checks)}, std::move(description), std::move(place)));
+    const std::shared_ptr<const Model> model(new Model({file.value(), *layout, *std::move(checks)},
+                                                       std::move(description), std::move(place), std::move(whole)));
     if (const Status unchanged = model->checkUnchanged(); !unchanged) // of damage checkIntact() tells
         return unchanged.error();
     return model;

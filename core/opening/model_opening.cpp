@@ -2,6 +2,7 @@
 #include "core/base/guarded.h"
 #include "core/history/derived_sections.h"
 #include "core/history/prefix_copy.h"
+#include "core/opening/served_model.h"
 #include "core/packed/packed_file.h"
 #include "core/remote/cache_folder.h"
 #include "core/remote/remote_file.h"
@@ -26,6 +27,16 @@ using format::LevelEntry;
 constexpr std::uint32_t sitesShownFirst = 4'000;
 constexpr std::uint32_t growthShown = 4;
 constexpr std::uint32_t sitesShownLast = 500'000;
+/// Of a model that is left at its server so much is fetched, if a mesh that is as small is in its file ...
+constexpr std::uint64_t beginningBytes = 1 << 20;
+/// ... and no more than this.
+constexpr std::uint64_t mostBeginningBytes = 64 << 20;
+constexpr std::string_view leftThere = "tan+";
+
+std::string_view placeAtServer(std::string_view place) noexcept
+{
+    return place.starts_with(leftThere) ? place.substr(leftThere.size()) : place;
+}
 
 /// Whether a file is a packed model, by its table.
 Result<bool> holdsPacked(const ByteSource& source, const Progress& progress)
@@ -236,7 +247,7 @@ Result<std::unique_ptr<const ModelSource>> sourceAtServer(const std::string& add
     const auto cache = cacheOf(options);
     if (!cache)
         return cache.error();
-    const auto file = RemoteFile::open(address, *cache, {}, progress);
+    const auto file = RemoteFile::open(address, *cache, {.token = options.token}, progress);
     if (!file)
         return file.error();
     const auto unread = std::make_shared<std::atomic<bool>>(false);
@@ -274,7 +285,7 @@ Result<std::unique_ptr<const ModelSource>> sourceAt(const std::string& place, co
                                                     const Progress& progress)
 {
     if (isAddress(place))
-        return sourceAtServer(place, options, progress);
+        return sourceAtServer(placeOf(place, false), options, progress);
     if (const Status found = checkPlace(place); !found)
         return found.error();
     auto file = fileSource(place);
@@ -306,7 +317,9 @@ public:
 
     const ModelFacts& facts() const noexcept { return facts_; }
     bool has(std::size_t level) const { return folder_.find(keyOf(level)).has_value(); }
-    Result<FoundModel> take(std::size_t level, const Progress& progress) const;
+    /// With `whole` as the beginning of a model that stays where it is.
+    Result<FoundModel> take(std::size_t level, const Progress& progress,
+                            const std::shared_ptr<const WholeElsewhere>& whole = {}) const;
 
 private:
     bool isWhole(std::size_t level) const { return level + 1 == facts_.levels.size(); }
@@ -314,7 +327,7 @@ private:
     /// address has models of its own.
     std::string keyOf(std::size_t level) const
     {
-        return "model " + (isAddress(place_.native()) ? place_.native() + ' ' : std::string()) +
+        return "model " + (isAddress(place_.native()) ? placeOf(place_.native(), false) + ' ' : std::string()) +
                std::to_string(source_.checksum()) +
                (isWhole(level) ? "" : " up to site " + std::to_string(facts_.levels[level].sites));
     }
@@ -325,7 +338,8 @@ private:
     const std::filesystem::path place_;
 };
 
-Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress) const
+Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
+                                    const std::shared_ptr<const WholeElsewhere>& whole) const
 {
     struct Held {
         CachedFile file;
@@ -339,7 +353,7 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress)
         auto file = folder_.take(keyOf(level), source_.expectedBytes(level), make, progress);
         if (!file)
             return file.error();
-        auto model = Model::open(file->path(), place_);
+        auto model = Model::open(file->path(), place_, whole);
         if (!model && !isAgain) { // somebody damaged it
             std::error_code ignored;
             std::filesystem::remove(file->path(), ignored);
@@ -349,7 +363,7 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress)
             return model.error();
         const auto held = std::make_shared<const Held>(*std::move(file), *std::move(model));
         return FoundModel{.model = {held, held->model.get()},
-                          .isWhole = isWhole(level),
+                          .isWhole = whole || isWhole(level),
                           .sitesOfWhole = facts_.sites,
                           .readBytes = facts_.levels[level].bytes,
                           .fileBytes = facts_.fileBytes};
@@ -393,6 +407,30 @@ Result<FoundModel> openFrom(const std::string& place, const OpenOptions& options
     return levels.take(target, progress.part(done, 1));
 }
 
+/// Of a model that is left at its server.
+Result<FoundModel> openLeft(const std::string& place, const OpenOptions& options, const Progress& progress)
+{
+    constexpr double askedAt = 0.3, frontEnd = 0.5;
+    const auto whole = ServedModel::ask(placeOf(place, false), options.token, progress.part(0, askedAt));
+    if (!whole)
+        return whole.error();
+    const auto source = sourceAt(place, options, progress.part(askedAt, frontEnd));
+    if (!source)
+        return source.error();
+    auto folder = cacheOf(options);
+    if (!folder)
+        return folder.error();
+    const LevelCache levels(**source, *std::move(folder), place);
+    const std::size_t first = levelFor(levels.facts().levels, {}, beginningBytes);
+    if (levels.facts().levels[first].bytes > mostBeginningBytes)
+        return Error{ErrorKind::BadInput,
+                     Message::say("The file of '%1' is of a version of TAn that did not write where its coarse meshes "
+                                  "end, so it cannot be left at the server. Build it again, or copy it there with "
+                                  "'tan pack' and 'tan unpack'.",
+                                  shownAddress(place))};
+    return levels.take(first, progress.part(frontEnd, 1), *whole);
+}
+
 /// Of a file on this disk the beginning to a batch.
 Status cutOnDisk(const std::string& place, const Accuracy& accuracy, const std::filesystem::path& output,
                  const Progress& progress)
@@ -432,7 +470,18 @@ Result<UnpackReport> copyFrom(const std::string& place, const std::optional<Accu
 
 bool isAddress(std::string_view place) noexcept
 {
-    return isRemoteAddress(place);
+    return isRemoteAddress(placeAtServer(place));
+}
+
+bool isLeftAtServer(std::string_view place) noexcept
+{
+    return place.starts_with(leftThere) && isAddress(place);
+}
+
+std::string placeOf(std::string_view place, bool leftAtServer)
+{
+    return (leftAtServer && isAddress(place) ? std::string(leftThere) : std::string()) +
+           std::string(isAddress(place) ? placeAtServer(place) : place);
 }
 
 Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress)
@@ -456,7 +505,8 @@ Result<FoundModel> openModel(const std::string& place, const OpenOptions& option
     }
     return guarded(
         Message::marked("Not enough memory to open '%1'. Close other programs."),
-        [&] { return openFrom(place, options, progress); }, place);
+        [&] { return isLeftAtServer(place) ? openLeft(place, options, progress) : openFrom(place, options, progress); },
+        place);
 }
 
 Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,

@@ -628,15 +628,19 @@ private:
         };
         const std::string range = std::to_string(request.offset) + '-' + std::to_string(request.end - 1);
         const std::string_view validator = request.first ? request.first->validator() : std::string_view();
-        if (!validator.empty()) {
-            request.headers = ::curl_slist_append(nullptr, std::string("If-Range: ").append(validator).c_str());
-            if (request.headers == nullptr)
-                return false;
-        }
+        const auto addHeader = [&request](const char* name, std::string_view value) {
+            curl_slist* const longer =
+                value.empty() ? request.headers
+                              : ::curl_slist_append(request.headers, std::string(name).append(value).c_str());
+            request.headers = longer != nullptr ? longer : request.headers;
+            return value.empty() || longer != nullptr;
+        };
+        if (!addHeader("If-Range: ", validator) || !addHeader("Authorization: Bearer ", options.token))
+            return false;
         // Copies are made of all texts but the buffer for errors.
         const bool isSet =
             set(CURLOPT_REDIR_PROTOCOLS_STR, startsWithSmall(address, "https:") ? "https" : "http,https") &&
-            set(CURLOPT_FOLLOWLOCATION, 1L) && set(CURLOPT_MAXREDIRS, mostRedirections) &&
+            set(CURLOPT_FOLLOWLOCATION, options.token.empty() ? 1L : 0L) && set(CURLOPT_MAXREDIRS, mostRedirections) &&
             set(CURLOPT_QUICK_EXIT, 1L) && set(CURLOPT_RANGE, range.c_str()) &&
             set(CURLOPT_HTTPHEADER, request.headers) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
             set(CURLOPT_HEADERFUNCTION, &takeHead) && set(CURLOPT_HEADERDATA, &request) &&

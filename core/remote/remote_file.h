@@ -26,6 +26,8 @@ struct RemoteOptions {
     std::chrono::milliseconds firstPause{200};
     /// Bytes a second that are asked of the server, all requests together; 0: no limit.
     std::uint64_t bytesPerSecond = 0;
+    /// Goes along as "Authorization: Bearer"; then redirections are not followed.
+    std::string token{};
 };
 
 /// What reading has cost since the file was opened.

@@ -11,6 +11,7 @@
 #include "core/history/query/region_refiner.h"
 #include "core/history/query/window.h"
 #include "core/history/site_positions.h"
+#include "core/history/whole_elsewhere.h"
 
 #include <tan/query.h>
 
@@ -88,7 +89,20 @@ Result<double> scaleWithin(std::uint64_t budget, double first, double largest, c
 
 Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& asked, std::uint64_t budget)
 {
+    const auto tooMany = [&](std::uint64_t tetrahedra) {
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The coarsest mesh of '%1' has %2 tetrahedra, more than the budget of %3. Allow at "
+                                  "least as many.",
+                                  model.path().string(), tetrahedra, budget)};
+    };
     const MeshSize finest = meshSizeAt(model, asked);
+    if (model.elsewhere() != nullptr) {
+        const std::vector<MeshSize>& meshes = model.elsewhere()->sizes().meshes;
+        std::size_t end = 0;
+        while (end < meshes.size() && meshes[end].sites <= finest.sites && meshes[end].tetrahedra <= budget)
+            ++end;
+        return end > 0 ? Result<MeshSize>(meshes[end - 1]) : tooMany(meshes.front().tetrahedra);
+    }
     const std::span<const float> errors = model.runningKeys();
     const std::span<const std::uint32_t> sizes = model.meshSizes();
     constexpr std::uint32_t checkedAtOnce = 1 << 12;
@@ -103,9 +117,7 @@ Result<MeshSize> meshSizeWithin(const Model& model, const Accuracy& asked, std::
         const bool endsBatch = sites == errors.size() || errors[sites] < errors[sites - 1];
         if (endsBatch && sizes[sites - 1] > budget) {
             if (within == 0)
-                return Error{ErrorKind::WrongUsage, Message::say("The coarsest mesh of '%1' has %2 tetrahedra, more "
-                                                                 "than the budget of %3. Allow at least as many.",
-                                                                 model.path().string(), sizes[sites - 1], budget)};
+                return tooMany(sizes[sites - 1]);
             break;
         }
         if (endsBatch)
@@ -208,6 +220,8 @@ Result<std::shared_ptr<const ExtractedMesh>> MeshExtractor::Work::extract(const 
 {
     if (const Status sensible = checkQuery(*model_, query); !sensible)
         return sensible.error();
+    if (model_->elsewhere() != nullptr)
+        return model_->elsewhere()->extract(query, progress);
     if (query.range)
         return extractRange(query, progress);
     part_.reset();

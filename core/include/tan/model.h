@@ -53,6 +53,8 @@
 
 namespace tetra {
 
+class WholeElsewhere;
+
 /// What a model says of itself: its domain, its values, and how it was made.
 struct ModelDescription {
     DomainClass domain = DomainClass::RegularLattice;
@@ -95,9 +97,10 @@ public:
     /// what is not its own to the handler that was there before. At most 1024 files are mapped at a time.
     static Result<std::shared_ptr<const Model>> open(const std::filesystem::path& path);
     /// The same of a file that stands for another one, which was unpacked or fetched to there: `place` is where that
-    /// lies, a path or an address.
+    /// lies, a path or an address. With `whole` it stays there, and the file is its beginning.
     TAN_INTERNAL static Result<std::shared_ptr<const Model>> open(const std::filesystem::path& path,
-                                                                  std::filesystem::path place);
+                                                                  std::filesystem::path place,
+                                                                  std::shared_ptr<const WholeElsewhere> whole = {});
     ~Model();
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
@@ -106,6 +109,9 @@ public:
     const std::filesystem::path& path() const noexcept { return path_; }
     const ModelDescription& description() const noexcept { return description_; }
     std::uint64_t fileSize() const noexcept { return fileSize_; }
+    /// Of a model that was left at a server (tan/open.h) who answers for it; else null. Then the arrays are those of
+    /// its beginning only, while meshes and their sizes (tan/query.h) are those of the whole, but for extractPrefix().
+    TAN_INTERNAL const WholeElsewhere* elsewhere() const noexcept { return whole_.get(); }
     /// A bound on the key of the mesh of all sites, in units of the values.
     float finalKey() const noexcept { return finalKey_; }
 
@@ -199,11 +205,13 @@ public:
 
 private:
     struct File;
-    Model(File file, ModelDescription description, std::filesystem::path place);
+    Model(File file, ModelDescription description, std::filesystem::path place,
+          std::shared_ptr<const WholeElsewhere> whole);
     bool checkBytes(std::span<const std::byte> bytes) const noexcept;
     Status checkBytes(std::span<const std::byte> bytes, const Progress& progress) const;
 
     std::unique_ptr<const File> file_;
+    std::shared_ptr<const WholeElsewhere> whole_;
     std::filesystem::path path_;
     ModelDescription description_;
     std::uint64_t fileSize_ = 0;

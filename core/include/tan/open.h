@@ -35,8 +35,17 @@
 
 namespace tetra {
 
-/// Whether this is the address of a file on a server: it begins with http:// or https://.
+/// Whether this is the address of a file on a server: it begins with http:// or https://, or with tan+ before these,
+/// which leaves the model there.
 TAN_API bool isAddress(std::string_view place) noexcept;
+
+/// Whether a place is the address of a model that is left at its server (R28; the paper's 5.1): tan+http:// or
+/// tan+https://. openModel() then gives a model of which only the beginning is here: `tan serve`, which has it, is
+/// asked for each mesh that a MeshExtractor extracts, and sends it packed. All else that takes a place reads the file.
+TAN_API bool isLeftAtServer(std::string_view place) noexcept;
+
+/// The address of the same model that is left at its server, or with false fetched from there; a path stays what it is.
+TAN_API std::string placeOf(std::string_view place, bool leftAtServer);
 
 enum class ModelForm { Explicit, Packed };
 
@@ -81,6 +90,9 @@ struct OpenOptions {
     /// in it take no more than that, by default $TAN_CACHE_MB megabytes or else 8 GiB.
     std::filesystem::path cacheFolder{};
     std::uint64_t cacheBytes = 0;
+    /// For a server that answers only who has it: sent to the server of the address, and to no other. It is written
+    /// nowhere; a model that is left at its server keeps it in memory.
+    std::string token{};
     /// Told of each coarser mesh on the way, the first one as soon as can be, each several times as large as the one
     /// before. From the thread that opens; what it does the work waits for.
     std::function<void(const FoundModel&)> grown{};

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/opening/served_model.h"
+
+#include "core/base/json.h"
+#include "core/packed/packed_mesh.h"
+#include "core/remote/fetch.h"
+#include "core/remote/remote_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tetra {
+namespace {
+
+Message tokenWanted(const std::string& shownAddress)
+{
+    return Message::say("The server of '%1' answers only who has its token. Give the one that whoever runs it has set.",
+                        shownAddress);
+}
+
+constexpr std::uint64_t mostFoundBytes = std::uint64_t(8) << 30;
+constexpr std::uint64_t mostFoundTetrahedra = std::uint64_t(1) << 30;
+constexpr std::uint64_t mostToldBytes = 4 << 20;
+constexpr std::uint64_t mostAboutBytes = 64 << 10;
+constexpr std::size_t longestQuestion = 15'000; ///< of the 16,384 bytes that a server takes of a request
+
+constexpr std::array<std::pair<std::string_view, VariableMethod>, 3> methodNames = {
+    {{"automatic", VariableMethod::Automatic},
+     {"closed-set", VariableMethod::ClosedSet},
+     {"insertion", VariableMethod::Insertion}}};
+
+constexpr std::string_view borderName(WindowBorder border)
+{
+    return border == WindowBorder::Contained ? "contained"
+           : border == WindowBorder::Clipped ? "clipped"
+                                             : "intersecting";
+}
+
+/// Puts a question together.
+class Question {
+public:
+    void add(std::string_view name, std::string_view value)
+    {
+        constexpr std::string_view kept = "-._~/,:;()"; // as they may stand in a query
+        constexpr std::string_view digits = "0123456789ABCDEF";
+        text_ += text_.empty() ? "" : "&";
+        text_ += name;
+        text_ += '=';
+        for (const char c : value) {
+            const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+            if (c == ' ')
+                continue; // between words
+            if (isPlain || kept.find(c) != std::string_view::npos)
+                text_ += c;
+            else
+                text_ += {'%', digits[static_cast<unsigned char>(c) / 16], digits[static_cast<unsigned char>(c) % 16]};
+        }
+    }
+    void add(std::string_view name, std::initializer_list<double> numbers)
+    {
+        std::string list;
+        for (const double number : numbers)
+            list += (list.empty() ? "" : ",") + formatNumber(number);
+        add(name, list);
+    }
+    const std::string& text() const noexcept { return text_; }
+
+private:
+    std::string text_;
+};
+
+/// A field that is one number; limits are at most 100.
+std::optional<double> numberOf(const ErrorField& field)
+{
+    if (!field.isConstant())
+        return {};
+    return std::min(field.bounds().minimum, anyError);
+}
+
+Status addRange(const LifeRange& range, bool warps, Question& question)
+{
+    question.add("range", {range.one.error, range.other.error});
+    const bool asError = range.one.warping == range.one.error && range.other.warping == range.other.error;
+    if (warps && !asError && range.one.warping != range.other.warping)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("A server cannot be asked for a range of accuracies whose two ends have warpings of "
+                                  "their own. Give both the same.")};
+    if (warps && !asError)
+        question.add("warping", {std::min(range.one.warping, anyWarping)});
+    constexpr double all = std::numeric_limits<double>::infinity();
+    for (const auto& [name, lives] : {std::pair{"births", range.births}, std::pair{"deaths", range.deaths}})
+        if (lives.minimum != -all || lives.maximum != all)
+            question.add(name, {std::max(lives.minimum, 0.0), std::max(lives.maximum, 0.0)});
+    return {};
+}
+
+/// How accurate one mesh is. What says nothing is left out: a server takes it for a contradiction.
+void addFields(const MeshQuery& query, bool warps, Question& question)
+{
+    const auto error = numberOf(query.error), warping = numberOf(query.warping);
+    if (error)
+        question.add("error", {*error});
+    else
+        question.add("field", toText(query.error));
+    const bool isApart = warps && query.warping != query.error;
+    if (isApart && warping)
+        question.add("warping", {*warping});
+    else if (isApart)
+        question.add("warping-field", toText(query.warping));
+    if (query.budget)
+        question.add("budget", std::to_string(*query.budget));
+    if (query.method != VariableMethod::Automatic && (!error || (isApart && warping)))
+        question.add("method",
+                     std::ranges::find(methodNames, query.method, &decltype(methodNames)::value_type::second)->first);
+}
+
+std::string_view textIn(const FetchedAnswer& answer)
+{
+    return {reinterpret_cast<const char*>(answer.content.data()), answer.content.size()};
+}
+
+template <class Number> std::optional<Number> numberIn(const JsonValue* value)
+{
+    const JsonValue::Number* const number = value != nullptr ? value->number() : nullptr;
+    return number != nullptr ? parseNumber<Number>(number->text) : std::nullopt;
+}
+
+template <class Number> std::optional<Number> numberIn(const JsonValue& object, std::string_view name)
+{
+    return numberIn<Number>(object.find(name));
+}
+
+/// What a server says that does not answer as asked.
+Error saidOtherwise(const std::string& address, const FetchedAnswer& answer)
+{
+    constexpr std::size_t mostSaid = 1000;
+    if (answer.status == 401)
+        return {ErrorKind::WrongUsage, tokenWanted(shownAddress(address))};
+    const auto json = parseJson(textIn(answer));
+    const JsonValue* const said = json ? json->find("error") : nullptr;
+    if (answer.status == 200 || said == nullptr || said->string() == nullptr)
+        return {ErrorKind::BadInput,
+                Message::say("'%1' finds no meshes (status %2): only a server of TAn ('tan serve') of this version "
+                             "does. Let the model be fetched from there.",
+                             shownAddress(address), answer.status)};
+    const ErrorKind kind = answer.status == 400                           ? ErrorKind::WrongUsage
+                           : answer.status == 413 || answer.status >= 503 ? ErrorKind::OutOfResource
+                                                                          : ErrorKind::BadInput;
+    return {kind, Message::say("The server of '%1' says: %2", shownAddress(address),
+                               printable(std::string_view(*said->string()).substr(0, mostSaid)))};
+}
+
+Error saysNonsense(const std::string& address)
+{
+    return {ErrorKind::BadInput,
+            Message::say("What '%1' says of its model cannot be read. It may be a server of another version of TAn.",
+                         shownAddress(address))};
+}
+
+/// An answer in JSON.
+Result<JsonValue> askedFor(const std::string& address, std::string_view question, const std::string& token,
+                           std::uint64_t mostBytes, const Progress& progress)
+{
+    const auto answer = fetchOnce(address + "?" + std::string(question), token, mostBytes, progress);
+    if (!answer)
+        return answer.error();
+    if (answer->status != 200 || answer->contentType != "application/json")
+        return saidOtherwise(address, *answer);
+    auto json = parseJson(textIn(*answer));
+    return json ? std::move(json) : saysNonsense(address);
+}
+
+/// [sites, tetrahedra, error, warping]
+std::optional<MeshSize> sizeIn(const JsonValue& entry)
+{
+    constexpr std::size_t numbers = 4;
+    const JsonArray* const array = entry.array();
+    if (array == nullptr || array->size() != numbers)
+        return {};
+    const auto sites = numberIn<std::uint32_t>(&(*array)[0]);
+    const auto tetrahedra = numberIn<std::uint64_t>(&(*array)[1]);
+    const auto error = numberIn<double>(&(*array)[2]), warping = numberIn<double>(&(*array)[3]);
+    if (!sites || !tetrahedra || !error || !warping || *sites == 0 || !(*error >= 0) || !(*warping >= 0))
+        return {};
+    return MeshSize{*sites, *tetrahedra, *error, *warping};
+}
+
+std::optional<WholeSizes> sizesIn(const JsonValue& told)
+{
+    WholeSizes sizes;
+    const auto sites = numberIn<std::uint32_t>(told, "sites");
+    const auto bytes = numberIn<std::uint64_t>(told, "bytes");
+    const JsonValue* const meshes = told.find("meshes");
+    if (!sites || !bytes || meshes == nullptr || meshes->array() == nullptr || meshes->array()->empty())
+        return {};
+    sizes.sites = *sites;
+    sizes.bytes = *bytes;
+    for (const JsonValue& entry : *meshes->array()) {
+        const auto size = sizeIn(entry);
+        if (!size || size->sites > sizes.sites || (!sizes.meshes.empty() && size->sites <= sizes.meshes.back().sites))
+            return {};
+        sizes.meshes.push_back(*size);
+    }
+    return sizes;
+}
+
+/// What is told of a mesh beside it.
+bool takeFigures(const JsonValue& told, ExtractedMesh& mesh)
+{
+    const JsonValue* const figures = told.find("mesh");
+    if (figures == nullptr)
+        return false;
+    const auto wholeSites = numberIn<std::uint32_t>(*figures, "whole_sites");
+    const auto wholeTetrahedra = numberIn<std::uint64_t>(*figures, "whole_tetrahedra");
+    const auto keptSites = numberIn<std::uint32_t>(*figures, "kept_sites");
+    const auto keptTetrahedra = numberIn<std::uint64_t>(*figures, "kept_tetrahedra");
+    const auto scale = numberIn<double>(*figures, "scale");
+    const JsonValue* const method = figures->find("method");
+    const JsonValue* const overlaps = told.find("overlaps");
+    if (!wholeSites || !wholeTetrahedra || !keptSites || !keptTetrahedra || !scale || !(*scale >= 1) ||
+        method == nullptr || method->string() == nullptr || overlaps == nullptr)
+        return false;
+    const auto known = std::ranges::find(methodNames, *method->string(), &decltype(methodNames)::value_type::first);
+    const bool* const isOver = std::get_if<bool>(&overlaps->content);
+    if (known == methodNames.end() || isOver == nullptr)
+        return false;
+    mesh.wholeSites = *wholeSites;
+    mesh.wholeTetrahedra = *wholeTetrahedra;
+    mesh.keptSites = *keptSites;
+    mesh.keptTetrahedra = *keptTetrahedra;
+    mesh.scale = *scale;
+    mesh.method = known->second;
+    mesh.overlaps = *isOver;
+    return true;
+}
+
+bool isFinite(const TetrahedralMesh& mesh)
+{
+    return std::ranges::all_of(mesh.positions, [](const auto& place) { return place.allFinite(); }) &&
+           std::ranges::all_of(mesh.values, [](float value) { return std::isfinite(value); });
+}
+
+} // namespace
+
+Result<std::string> meshQuestion(const MeshQuery& query, bool warps)
+{
+    Question question;
+    if (query.range) {
+        if (const Status added = addRange(*query.range, warps, question); !added)
+            return added.error();
+    } else {
+        addFields(query, warps, question);
+    }
+    for (const ValueRange& range : query.values)
+        question.add("values", {range.minimum, range.maximum});
+    if (query.window) {
+        const Eigen::Vector3d &least = query.window->box.least, &largest = query.window->box.largest;
+        question.add("window", {least.x(), least.y(), least.z(), largest.x(), largest.y(), largest.z()});
+        question.add("border", borderName(query.window->border));
+    }
+    if (question.text().size() > longestQuestion)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("What says where which error is allowed is too long for a question to a server: %1 "
+                                  "of at most %2 characters. Use fewer regions, isovalues or points of the transfer "
+                                  "function.",
+                                  question.text().size(), longestQuestion)};
+    return question.text();
+}
+
+WholeSizes sizesOfWhole(const Model& model)
+{
+    constexpr double step = 0.98, leastPart = 1e-7;
+    WholeSizes sizes{model.siteCount(), model.fileSize(), {}};
+    const auto add = [&sizes](const MeshSize& size) {
+        if (size.sites > 0 && (sizes.meshes.empty() || size.sites > sizes.meshes.back().sites))
+            sizes.meshes.push_back(size);
+    };
+    const double extent = model.description().range.extent();
+    const double weighted = model.description().warpingWeight * model.diagonal();
+    const auto percent = [](double key, double whole) { return whole > 0 ? 100 * key / whole : 0; };
+    const double largest = std::max(extent, weighted);
+    add(meshSizeAt(model, {anyError, anyWarping}));
+    for (double key = largest; key > leastPart * largest; key *= step)
+        add(meshSizeAt(model, {percent(key, extent), weighted > 0 ? percent(key, weighted) : anyWarping}));
+    add(meshSizeAt(model, {0, weighted > 0 ? 0 : anyWarping}));
+    return sizes;
+}
+
+Result<ServerOffer> askServer(const std::string& address, const std::string& token, const Progress& progress)
+{
+    const std::string place = placeOf(address, false);
+    const auto answer = fetchOnce(place + "?" + std::string(aboutQuestion), token, mostAboutBytes, progress);
+    ServerOffer offer;
+    if (!answer && answer.error().kind == ErrorKind::OutOfResource)
+        return offer; // the file, whatever is asked
+    if (!answer)
+        return answer.error();
+    offer.wantsToken = answer->status == 401;
+    const auto told = parseJson(textIn(*answer));
+    if (told && answer->status == 404 && told->find("error") != nullptr)
+        return saidOtherwise(place, *answer);
+    if (!told || answer->status != 200)
+        return offer;
+    const auto bytes = numberIn<std::uint64_t>(*told, "bytes");
+    const auto unpacked = numberIn<std::uint64_t>(*told, "unpacked_bytes");
+    const auto sites = numberIn<std::uint32_t>(*told, "sites");
+    const JsonValue* const form = told->find("form");
+    if (!bytes || !unpacked || !sites || form == nullptr || form->string() == nullptr)
+        return offer;
+    return ServerOffer{.findsMeshes = true,
+                       .form = *form->string() == "packed" ? ModelForm::Packed : ModelForm::Explicit,
+                       .fileBytes = *bytes,
+                       .unpackedBytes = *unpacked,
+                       .sites = *sites};
+}
+
+ServedModel::ServedModel(std::string address, std::string token, std::string tag, bool warps, WholeSizes sizes)
+    : WholeElsewhere(std::move(sizes)), address_(std::move(address)), token_(std::move(token)), tag_(std::move(tag)),
+      warps_(warps)
+{
+}
+
+Result<std::shared_ptr<const ServedModel>> ServedModel::ask(const std::string& address, const std::string& token,
+                                                            const Progress& progress)
+{
+    const auto told = askedFor(address, sizesQuestion, token, mostToldBytes, progress);
+    if (!told)
+        return told.error();
+    auto sizes = sizesIn(*told);
+    const JsonValue* const tag = told->find("tag");
+    const JsonValue* const warps = told->find("warps");
+    const bool* const isWarping = warps != nullptr ? std::get_if<bool>(&warps->content) : nullptr;
+    if (!sizes || tag == nullptr || tag->string() == nullptr || isWarping == nullptr)
+        return saysNonsense(address);
+    return std::make_shared<const ServedModel>(address, token, *tag->string(), *isWarping, *std::move(sizes));
+}
+
+Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuery& query,
+                                                                  const Progress& progress) const
+{
+    constexpr double fetchedAt = 0.7;
+    const auto question = meshQuestion(query, warps_);
+    if (!question)
+        return question.error();
+    const auto answer =
+        fetchOnce(address_ + "?empty=yes&" + *question, token_, mostFoundBytes, progress.part(0, fetchedAt));
+    if (!answer)
+        return answer.error();
+    if (answer->status != 200 || answer->contentType != "application/vnd.tan.mesh")
+        return saidOtherwise(address_, *answer);
+    auto unpacked = unpackMesh(answer->content, mostFoundTetrahedra, progress.part(fetchedAt, 1));
+    if (!unpacked)
+        return unpacked.error();
+    const auto told = parseJson(unpacked->facts);
+    const JsonValue* const tag = told ? told->find("tag") : nullptr;
+    auto mesh = std::make_shared<ExtractedMesh>();
+    if (tag == nullptr || tag->string() == nullptr || !takeFigures(*told, *mesh) || !isFinite(unpacked->mesh))
+        return saysNonsense(address_);
+    if (*tag->string() != tag_)
+        return Error{ErrorKind::BadInput,
+                     Message::say("The model '%1' was changed on its server. Open it again.", shownAddress(address_))};
+    mesh->mesh = std::move(unpacked->mesh);
+    mesh->sites.resize(mesh->mesh.positions.size());
+    std::ranges::fill(mesh->sites, ExtractedMesh::noSite);
+    mesh->birthErrors = std::move(unpacked->birthErrors);
+    mesh->deathErrors = std::move(unpacked->deathErrors);
+    return std::shared_ptr<const ExtractedMesh>(std::move(mesh));
+}
+
+bool wantsToken(const Error& error)
+{
+    return error.message.sentence() == tokenWanted({}).sentence();
+}
+
+} // namespace tetra

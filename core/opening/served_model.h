@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/history/whole_elsewhere.h"
+
+#include <tan/base.h>
+#include <tan/model.h>
+#include <tan/open.h>
+#include <tan/query.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace tetra {
+
+/// The query of a URL by which a server is asked for a mesh, percent-encoded (docs/command-line.md, `tan serve`). With
+/// `warps` the data warp. Errors: WrongUsage for what cannot be asked: a range of accuracies whose warpings follow no
+/// rule, and more text than a request may have.
+TAN_INTERNAL Result<std::string> meshQuestion(const MeshQuery& query, bool warps);
+
+/// What meshQuestion() asks for the sizes of a model's meshes, and for what askServer() tells.
+inline constexpr std::string_view sizesQuestion = "sizes";
+inline constexpr std::string_view aboutQuestion = "about";
+
+/// Sizes of a model's uniform meshes, for those who do not have it: by keys that fall by a fiftieth or more from one to
+/// the next, so that they are some hundreds, and tell how large the mesh of an error is to a few percent. O(log sites)
+/// each.
+TAN_INTERNAL WholeSizes sizesOfWhole(const Model& model);
+
+/// What a server says of a model that it has.
+struct ServerOffer {
+    bool wantsToken = false;  ///< without one, or with this one, it says nothing more
+    bool findsMeshes = false; ///< it is `tan serve`: the model can be left there
+    ModelForm form = ModelForm::Explicit;
+    std::uint64_t fileBytes = 0;
+    std::uint64_t unpackedBytes = 0;
+    std::uint32_t sites = 0;
+};
+
+/// Asks a server what it offers; `address` as isAddress(), either form. A server that is none of ours finds no meshes.
+/// Errors: it cannot be reached, or has no such model; cancelled.
+TAN_INTERNAL Result<ServerOffer> askServer(const std::string& address, const std::string& token,
+                                           const Progress& progress = {});
+
+/// A model at `tan serve`, which finds its meshes.
+class TAN_INTERNAL ServedModel final : public WholeElsewhere {
+public:
+    /// Asks for its sizes, for which the server opens it. Errors: those of fetchOnce(); what the server says.
+    static Result<std::shared_ptr<const ServedModel>> ask(const std::string& address, const std::string& token,
+                                                          const Progress& progress);
+
+    /// Errors besides: BadInput if the model on the server is another one by now.
+    Result<std::shared_ptr<const ExtractedMesh>> extract(const MeshQuery& query,
+                                                         const Progress& progress) const override;
+
+    /// As it was told.
+    ServedModel(std::string address, std::string token, std::string tag, bool warps, WholeSizes sizes);
+
+private:
+    std::string address_;
+    std::string token_;
+    std::string tag_; ///< of the file's state
+    bool warps_;
+};
+
+/// Whether an error says that a server wants a token, or another one.
+TAN_INTERNAL bool wantsToken(const Error& error);
+
+} // namespace tetra
