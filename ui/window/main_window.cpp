@@ -566,12 +566,9 @@ void MainWindow::offerRest(const OpenedModel& part)
         tr("&Fetch All"), [this] { workbench_.opening().readWhole(); }, [] {});
 }
 
-/// The whole model, and no look at one that is being built.
 void MainWindow::showWhatCanBePacked()
 {
-    const Opening& opening = workbench_.opening();
-    actions_.savePacked->setEnabled(workbench_.session().model() && opening.sitesOfWhole() == 0 &&
-                                    !opening.modelComes() && !workbench_.building().showsBuild());
+    actions_.savePacked->setEnabled(workbench_.opening().showsWhole());
 }
 
 void MainWindow::showWhatCanBeClosed()

@@ -81,6 +81,8 @@ public:
 
     /// How much of the model that is shown there is: 0 if it is whole, or if that is not known yet.
     std::uint32_t sitesOfWhole() const noexcept { return sitesOfWhole_; }
+    /// Whether the model that is shown is all there: not a part of one that is packed, on a server, or being built.
+    bool showsWhole() const { return session_.model() && becomes_.empty() && sitesOfWhole_ == 0; }
     /// Whether more of that model is being read.
     bool modelComes() const { return coming_ && coming_->shown && coming_->shown == session_.model(); }
 
