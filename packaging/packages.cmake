@@ -25,6 +25,8 @@ set(same_version "tan (= ${PROJECT_VERSION})")
 set(core_of_same_version "tan-core (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_CORE_PACKAGE_NAME tan-core)
 set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libs)
+# The version is not seen from its symbols.
+set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libcurl4 (>= 7.87)")
 # Loaded at run time, so that no link says so; the library does without, but for pictures by OpenGL.
 set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "ca-certificates, libegl1, libgl1-mesa-dri, libopengl0")
 set(CPACK_COMPONENT_CORE_DESCRIPTION "the library of TAn, without its programs
