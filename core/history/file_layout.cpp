@@ -410,6 +410,18 @@ std::uint64_t frontBytes(std::span<const std::byte> front) noexcept
     return sizeof header + std::uint64_t(std::min(header.sectionCount, format::mostSections)) * sizeof(Section);
 }
 
+bool isFrontOfPacked(std::span<const std::byte> front) noexcept
+{
+    const std::uint64_t end = std::min<std::uint64_t>(frontBytes(front), front.size());
+    for (std::uint64_t at = sizeof(Header); at + sizeof(Section) <= end; at += sizeof(Section)) {
+        Section section;
+        std::memcpy(static_cast<void*>(&section), front.data() + at, sizeof section);
+        if (section.id == static_cast<std::uint32_t>(SectionId::PackedFacts))
+            return true;
+    }
+    return false;
+}
+
 std::uint64_t headerChecksum(const Header& header, std::span<const std::byte> table)
 {
     Checksum checksum;

@@ -40,6 +40,8 @@ std::uint64_t frontBytes(std::span<const std::byte> front) noexcept;
 /// and table at least.
 Result<FileLayout> readPackedLayout(std::span<const std::byte> front, std::uint64_t fileBytes,
                                     const std::filesystem::path& path);
+/// Whether the table of a file that begins like this, as far as it is there, is that of a packed model.
+bool isFrontOfPacked(std::span<const std::byte> front) noexcept;
 
 /// The checksum that Header::checksum should have. `table` is the section table as it stands in the file.
 std::uint64_t headerChecksum(const format::Header& header, std::span<const std::byte> table);

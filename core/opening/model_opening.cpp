@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <functional>
 #include <utility>
 
@@ -45,15 +44,7 @@ Result<bool> holdsPacked(const ByteSource& source, const Progress& progress)
     Buffer<std::byte> front(std::min(source.size, atOnce));
     if (const Status read = source.read(0, front, progress); !read)
         return read.error();
-    const std::uint64_t end = std::min<std::uint64_t>(frontBytes(front), front.size());
-    for (std::uint64_t at = sizeof(format::Header); at + sizeof(format::Section) <= end;
-         at += sizeof(format::Section)) {
-        std::uint32_t id = 0;
-        std::memcpy(&id, front.data() + at, sizeof id);
-        if (id == static_cast<std::uint32_t>(format::SectionId::PackedFacts))
-            return true;
-    }
-    return false;
+    return isFrontOfPacked(front);
 }
 
 /// Told of what goes wrong with a file.

@@ -7,9 +7,7 @@
 #include "core/packed/parts.h"
 #include "core/packed/replay.h"
 
-#include <algorithm>
 #include <array>
-#include <cstring>
 #include <fstream>
 #include <utility>
 
@@ -95,20 +93,7 @@ bool isPacked(const std::filesystem::path& path)
     std::array<char, 16 << 10> front{};
     file.read(front.data(), front.size());
     const auto bytes = std::as_bytes(std::span(front)).first(static_cast<std::size_t>(file.gcount()));
-    if (!beginsLikeModel(bytes) || bytes.size() < sizeof(format::Header) + sizeof(format::Section))
-        return false;
-    format::Header header;
-    std::memcpy(static_cast<void*>(&header), bytes.data(), sizeof header);
-    const std::size_t sections =
-        std::min<std::size_t>(header.sectionCount, (bytes.size() - sizeof header) / sizeof(format::Section));
-    for (std::size_t number = 0; number < sections; ++number) {
-        format::Section section;
-        std::memcpy(static_cast<void*>(&section), bytes.data() + sizeof header + number * sizeof section,
-                    sizeof section);
-        if (section.id == static_cast<std::uint32_t>(format::SectionId::PackedFacts))
-            return true;
-    }
-    return false;
+    return beginsLikeModel(bytes) && isFrontOfPacked(bytes);
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <memory>
 #include <new>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -48,8 +49,8 @@ try {
         fetching.tooLarge = true;
         return 0;
     }
-    const auto* bytes = reinterpret_cast<const std::byte*>(data);
-    fetching.content.insert(fetching.content.end(), bytes, bytes + size);
+    const auto bytes = std::as_bytes(std::span(data, size));
+    fetching.content.insert(fetching.content.end(), bytes.begin(), bytes.end());
     return size;
 } catch (const std::bad_alloc&) {
     static_cast<Fetching*>(user)->lacksMemory = true;

@@ -102,7 +102,7 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
         return;
     answer.isWhole = line.empty();
     const std::size_t colon = line.find(':');
-    if (colon == std::string_view::npos || colon > longestText)
+    if (colon > longestText) // or there is none
         return;
     const std::string name = smallLetters(trimmed(line.substr(0, colon)));
     const std::string_view value = trimmed(line.substr(colon + 1));

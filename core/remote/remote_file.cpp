@@ -733,12 +733,12 @@ std::string shownAddress(std::string_view address)
     return printable(query == std::string::npos ? bare : bare.substr(0, query));
 }
 
-std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t pieceBytes_, std::uint64_t gap,
-                                    std::uint64_t size)
+std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t bytesOfPiece,
+                                    std::uint64_t gap, std::uint64_t size)
 {
     std::vector<ByteRange> ranges;
     for (const std::uint64_t piece : pieces) {
-        const std::uint64_t offset = piece * pieceBytes_, end = std::min(offset + pieceBytes_, size);
+        const std::uint64_t offset = piece * bytesOfPiece, end = std::min(offset + bytesOfPiece, size);
         if (!ranges.empty() && offset - (ranges.back().offset + ranges.back().size) < gap)
             ranges.back().size = end - ranges.back().offset;
         else
