@@ -129,10 +129,26 @@ std::string_view reasonOf(int status)
     }
 }
 
+/// Takes the headers from lines that end with CR LF. 0, or the status that refuses them.
+int takeHeaders(std::string_view lines, std::size_t most, std::map<std::string, std::string>& headers)
+{
+    while (!lines.empty()) {
+        const std::size_t end = std::min(lines.find("\r\n"), lines.size());
+        const auto header = headerOf(lines.substr(0, end));
+        // No header may come twice: whoever stands between might take the other one.
+        if (!header || !headers.insert(*header).second)
+            return 400;
+        if (headers.size() > most)
+            return 431;
+        lines.remove_prefix(std::min(end + 2, lines.size()));
+    }
+    return 0;
+}
+
 /// `head`: lines that end with CR LF, the empty one at the end not among them.
 CheckedHead checkedHead(std::string_view head, const HttpLimits& limits)
 {
-    const std::size_t end = head.find("\r\n");
+    const std::size_t end = std::min(head.find("\r\n"), head.size());
     const std::string_view line = head.substr(0, end);
     const std::size_t first = line.find(' '), second = line.find(' ', first + 1);
     if (first == std::string_view::npos || second == std::string_view::npos ||
@@ -153,17 +169,9 @@ CheckedHead checkedHead(std::string_view head, const HttpLimits& limits)
         return {.refused = 414};
 
     std::map<std::string, std::string> headers;
-    std::size_t place = end;
-    while (place != std::string_view::npos && place + 2 < head.size()) {
-        const std::size_t begin = place + 2;
-        place = head.find("\r\n", begin);
-        const auto header = headerOf(head.substr(begin, place == std::string_view::npos ? place : place - begin));
-        // No header may come twice: whoever stands between might take the other one.
-        if (!header || !headers.insert(*header).second)
-            return {.refused = 400};
-        if (headers.size() > limits.headers)
-            return {.refused = 431};
-    }
+    if (const int refused = takeHeaders(head.substr(std::min(end + 2, head.size())), limits.headers, headers);
+        refused != 0)
+        return {.refused = refused};
     if (version == "HTTP/1.1" && !headers.contains("host"))
         return {.refused = 400};
     if (headers.contains("transfer-encoding") ||
@@ -272,8 +280,8 @@ public:
             ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
         });
         // A few more than there are connections tell the rest to come again.
-        constexpr int spare = 4;
-        new_task_queue = [threads = static_cast<std::size_t>(limits_.connections + spare)] {
+        constexpr std::size_t spare = 4;
+        new_task_queue = [threads = static_cast<std::size_t>(limits_.connections) + spare] {
             return new httplib::ThreadPool(threads); // NOLINT(cppcoreguidelines-owning-memory): the library owns it
         };
         set_keep_alive_max_count(static_cast<std::size_t>(limits_.requestsOfConnection));
@@ -353,9 +361,8 @@ private:
                                   .target = request.target,
                                   .header = [&request](std::string_view name) -> std::optional<std::string> {
                                       const std::string key = name == "Range" ? rangeHeader : std::string(name);
-                                      return request.has_header(key.c_str())
-                                                 ? std::optional(request.get_header_value(key.c_str()))
-                                                 : std::nullopt;
+                                      return request.has_header(key) ? std::optional(request.get_header_value(key))
+                                                                     : std::nullopt;
                                   },
                                   .gone = gone.get_token()};
         ServedAnswer given = handle_(asked);
