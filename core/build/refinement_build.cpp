@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tan/build.h>
 
-#include "core/base/checksum.h"
 #include "core/base/guarded.h"
 #include "core/base/scratch_file.h"
 #include "core/base/work_folder.h"
-#include "core/build/disk_need.h"
+#include "core/build/blocked_build.h"
 #include "core/build/thresholds.h"
 #include "core/data/weighting.h"
-#include "core/history/blocks/block_runs.h"
-#include "core/history/blocks/merged_model.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"
 #include "core/refine/free/scattered_refinement.h"
 #include "core/refine/lattice/lattice_refinement.h"
@@ -17,7 +14,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,124 +41,31 @@ Result<BuildReport> refineAsWhole(const Dataset& dataset, double stopError, std:
     return BuildReport{result->sites, result->tetrahedra, 0, 0};
 }
 
-// And in blocks, out of core (R10, B6, C7): the blocks are refined one by one, and merged into one model.
+// And in blocks.
 
-/// What is to be built.
-struct BlockedBuild {
-    std::uint32_t cells = 0;        ///< along an edge of a block
-    std::span<const float> weights; ///< one a point, or none
-    HistoryTraits traits;
-};
-
-/// Refining takes most of the time, merging the rest.
-constexpr double refinedShare = 0.7;
-
-/// Stands for all that a run depends on, so that one of another build is not taken for one of this. `numbers`: what the
-/// domain's refinement is given besides.
-std::uint64_t fingerprintOf(const Dataset& dataset, const BlockedBuild& build, std::initializer_list<double> numbers)
-{
-    std::string text = "TAn " TAN_VERSION " runs\n";
-    const auto add = [&text](const std::string& value) { text += value + '\n'; };
-    add(std::to_string(dataset.source.hash));
-    add(std::string(domainClassName(dataset.domain)));
-    add(std::string(sampleTypeName(dataset.values.type())));
-    for (const std::uint32_t size : dataset.lattice.size)
-        add(std::to_string(size));
-    for (const double number : numbers)
-        add(formatNumber(number));
-    add(std::to_string(build.cells));
-    add(std::to_string(checksum(std::as_bytes(build.weights))));
-    return checksum(std::as_bytes(std::span(text)));
-}
-
-/// Tells what the build will take on the disk as soon as that shows, and refuses it if there is no room.
-class DiskCheck {
-public:
-    DiskCheck(std::filesystem::path workFolder, const Dataset& dataset)
-        : workFolder_(std::move(workFolder)), type_(dataset.values.type()), domain_(dataset.domain)
-    {
-    }
-
-    Status check(const RunTotals& soFar, const RunTotals& expected)
-    {
-        const DiskNeed need = diskNeed(expected, type_, domain_);
-        told_ = textOf(need);
-        const std::uint64_t free = freeDiskBytes(workFolder_);
-        if (free == 0) // not known
-            return {};
-        return checkRoom(need, soFar.fileBytes, free, workFolder_.parent_path());
-    }
-
-    /// `progress`, whose activities tell the need, too.
-    Progress telling(const Progress& progress) const
-    {
-        return progress.withCallback([this, progress](double fraction, const Message& activity) {
-            progress.report(fraction, told_.empty() ? activity : Message::say("%1 (%2)", activity, told_));
-        });
-    }
-
-private:
-    std::filesystem::path workFolder_;
-    SampleType type_;
-    DomainClass domain_;
-    Message told_;
-};
-
-/// `make(runs, options, progress)` makes the runs. `options` want no more than what the blocks of both kinds of grids
-/// have in common.
-template <class Options, class Make>
-Result<BuildReport> makeAndMerge(const Dataset& dataset, const BlockedBuild& build, std::uint64_t fingerprint,
-                                 Options options, const BuildTarget& target, const Progress& progress, const Make& make)
-{
-    DiskCheck disk(target.workFolder, dataset);
-    options.division = BlockDivision(dataset.lattice.size, build.cells);
-    options.reuseIntact = target.resume;
-    options.samplesIntact = [&dataset] { return dataset.checkIntact(); };
-    options.check = [&](const RunTotals& soFar, const RunTotals& expected) { return disk.check(soFar, expected); };
-    RunFiles runs(target.workFolder, fingerprint, options.division.count());
-    if (const Status made = make(runs, options, disk.telling(progress.part(0, refinedShare))); !made)
-        return made.error();
-    HistoryTraits traits = build.traits;
-    traits.blockCells = options.division.blockCells();
-    const ModelFileOpener open = [&](const FixedCounts& counts) {
-        auto writer = target.ofFixedSize(counts, {{"block", std::to_string(build.cells)}});
-        if (writer)
-            (*writer)->setTraits(traits);
-        return writer;
-    };
-    const Result<FixedCounts> counts = mergeRuns(runs, target.workFolder, open, progress.part(refinedShare, 1));
-    if (!counts)
-        return counts.error();
-    BuildReport report{counts->sites, counts->tetrahedra, 0, 0};
-    for (std::uint32_t block = 0; block < runs.blockCount(); ++block) {
-        report.inverted += runs.header(block).inverted;
-        report.degenerate += runs.header(block).degenerate;
-    }
-    return report;
-}
-
-Result<BuildReport> refineInBlocks(const Dataset& dataset, double stopError, const BlockedBuild& build,
-                                   BuildTarget& target, const Progress& progress)
+Result<BuildReport> refineInBlocks(const Dataset& dataset, double stopError, std::uint32_t cells,
+                                   std::span<const float> weights, const BuildTarget& target, const Progress& progress)
 {
     LatticeRunsOptions options;
-    const auto metric =
-        latticeMetric(BlockDivision(dataset.lattice.size, build.cells).box(0).size, dataset.lattice.spacing);
+    const auto metric = latticeMetric(BlockDivision(dataset.lattice.size, cells).box(0).size, dataset.lattice.spacing);
     if (!metric)
         return metric.error();
+    const double extent = dataset.values.range().extent();
     options.box.latticeSize = dataset.lattice.size;
     options.box.metric = *metric;
-    options.box.valueExtent = dataset.values.range().extent();
-    options.box.stopError = stopError;
-    const auto& weights = options.box.metric;
-    const std::uint64_t fingerprint =
-        fingerprintOf(dataset, build,
-                      {double(weights[0]), double(weights[1]), double(weights[2]), options.box.valueExtent, stopError});
-    const auto make = [&](RunFiles& runs, const LatticeRunsOptions& given, const Progress& refining) {
+    options.box.valueExtent = extent;
+    BlockedBuild build{.cells = cells, .weights = weights, .keyExtent = extent > 0 ? extent : 1, .stopKey = stopError};
+    build.valueExtent = extent;
+    build.others = {static_cast<double>((*metric)[0]), static_cast<double>((*metric)[1]),
+                    static_cast<double>((*metric)[2])};
+    build.makeRuns = [&](const BlockRunsOptions& common, double stopKey, RunFiles& runs, const Progress& refining) {
+        static_cast<BlockRunsOptions&>(options) = common;
+        options.box.stopError = stopKey;
         return visitSampleType(dataset.values.type(), [&]<class T>() {
-            return makeLatticeRuns(given, LatticeSamples(dataset.values.as<T>(), build.weights), runs, refining);
+            return makeLatticeRuns(options, LatticeSamples(dataset.values.as<T>(), weights), runs, refining);
         });
     };
-    return makeAndMerge(dataset, build, fingerprint, options, target, progress, make);
+    return buildInBlocks(dataset, build, target, progress);
 }
 
 /// The cells along an edge of a block, 0 for none, of what is chosen.
@@ -234,29 +137,37 @@ Result<BuildReport> buildLattice(const Dataset& dataset, const Refinement& refin
         return weights.error();
     if (*cells == 0)
         return refineAsWhole(dataset, stopError, weights->all(), target, progress);
-    return refineInBlocks(dataset, stopError, {*cells, weights->all(), {}}, target, progress);
+    return refineInBlocks(dataset, stopError, *cells, weights->all(), target, progress);
 }
 
-Result<BuildReport> refineCurvilinearInBlocks(const Dataset& dataset, const ThresholdKey& key,
-                                              const BlockedBuild& build, BuildTarget& target, const Progress& progress)
+Result<BuildReport> refineCurvilinearInBlocks(const Dataset& dataset, const ThresholdKey& key, std::uint32_t cells,
+                                              std::span<const float> weights, const BuildTarget& target,
+                                              const Progress& progress)
 {
     CurvilinearRunsOptions options;
     options.box.size = dataset.lattice.size;
     options.box.warpingWeight = key.warpingWeight;
-    options.box.stopKey = key.stopKey.value_or(key.leastKey);
     options.box.valueExtent = key.valueExtent;
     options.box.positionExtent = key.positionExtent;
-    const std::uint64_t fingerprint =
-        fingerprintOf(dataset, build, {key.warpingWeight, options.box.stopKey, key.valueExtent, key.positionExtent});
-    const auto make = [&](RunFiles& runs, CurvilinearRunsOptions& given, const Progress& refining) {
+    progress.report(0, Message::marked("Looking at the cells"));
+    visitSampleType(dataset.values.type(), [&]<class T>() {
+        options.box.facts =
+            factsOf(dataset.lattice.size, *dataset.positions, LatticeSamples(dataset.values.as<T>(), weights));
+    });
+    BlockedBuild build{.cells = cells, .weights = weights, .keyExtent = key.keyExtent};
+    build.stopKey = key.stopKey.value_or(key.leastKey);
+    build.warpingWeight = key.warpingWeight;
+    build.valueExtent = key.valueExtent;
+    build.diagonal = key.positionExtent;
+    build.makeRuns = [&](const BlockRunsOptions& common, double stopKey, RunFiles& runs, const Progress& refining) {
+        static_cast<BlockRunsOptions&>(options) = common;
+        options.box.stopKey = stopKey;
         return visitSampleType(dataset.values.type(), [&]<class T>() {
-            const LatticeSamples samples(dataset.values.as<T>(), build.weights);
-            refining.report(0, Message::marked("Looking at the cells"));
-            given.box.facts = factsOf(dataset.lattice.size, *dataset.positions, samples);
-            return makeCurvilinearRuns(given, *dataset.positions, samples, runs, refining);
+            return makeCurvilinearRuns(options, *dataset.positions, LatticeSamples(dataset.values.as<T>(), weights),
+                                       runs, refining);
         });
     };
-    return makeAndMerge(dataset, build, fingerprint, options, target, progress, make);
+    return buildInBlocks(dataset, build, target, progress);
 }
 
 Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& refinement, BuildTarget& target,
@@ -282,7 +193,7 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
                                   "normalised selection. Leave out the other choice.")};
     const ThresholdKey key = thresholdKey(thresholds, dataset);
     if (*cells > 0)
-        return refineCurvilinearInBlocks(dataset, key, {*cells, weights->all(), {key.warpingWeight}}, target, progress);
+        return refineCurvilinearInBlocks(dataset, key, *cells, weights->all(), target, progress);
     CurvilinearRefinementOptions options;
     options.valueExtent = key.valueExtent;
     options.positionExtent = key.positionExtent;

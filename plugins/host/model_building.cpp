@@ -97,7 +97,10 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
         report->sites = writer.siteCount();
         report->tetrahedra = writer.tetrahedronCount();
     }
-    return EndedBuild{*report, progress.cancelled() && keeps(control)};
+    const bool stoppedEarly = progress.cancelled() && keeps(control);
+    if (stoppedEarly && control.resume)
+        (*file)->keepWork();
+    return EndedBuild{*report, stoppedEarly};
 }
 
 } // namespace

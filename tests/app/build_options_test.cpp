@@ -44,7 +44,6 @@ private slots:
         row("lattice as a whole, resume", "lattice.nrrd", {"--resume"}, "build in blocks with '--block 32'");
         row("lattice as a whole by choice, resume", "lattice.nrrd", {"--resume", "--block", "none"}, "'--block 32'");
         row("lattice decimated, resume", "lattice.nrrd", decimate + QStringList{"--resume"}, "Leave '--resume' out");
-        row("lattice in blocks, keep", "lattice.nrrd", {"--keep", "--block", "6"}, "'--resume'");
         row("lattice decimated, block", "lattice.nrrd", decimate + QStringList{"--block", "6"},
             "'--builder refinement'");
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
@@ -98,6 +97,7 @@ private slots:
         };
         row("blocks are resumed", "lattice.nrrd", {"--block", "6", "--resume"});
         row("a whole is kept", "lattice.nrrd", {"--keep"});
+        row("blocks are kept and resumed", "lattice.nrrd", {"--block", "6", "--keep", "--resume"});
         row("a decimation is kept", "lattice.nrrd", {"--builder", "decimation", "--keep"});
         row("a grid warps", "grid.xyz", {"--warping", "2", "--selection", "paper"});
         row("blocks of a grid are resumed, C7", "grid.xyz", {"--block", "4", "--resume"});

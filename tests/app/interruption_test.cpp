@@ -90,14 +90,24 @@ private slots:
         QCOMPARE(QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
     }
 
+    void keepsWhatIsFinishedIfAsked_data()
+    {
+        QTest::addColumn<QString>("block");
+        QTest::newRow("as a whole") << "none";
+        QTest::newRow("in blocks, B8") << "16";
+    }
     void keepsWhatIsFinishedIfAsked()
     {
+        QFETCH(QString, block);
         QProcess process;
         process.setWorkingDirectory(folder_.path());
-        process.start(tanProgram(), {"build", "noise.nrrd", "--keep", "-o", "kept.tan", "--json"});
+        process.start(tanProgram(), {"build", "noise.nrrd", "--keep", "--block", block, "-o", "kept.tan", "--json"});
         QVERIFY(process.waitForStarted());
         // A mesh of known error is on the disk.
-        QTRY_VERIFY_WITH_TIMEOUT(unfinishedBytes() > 1'000'000, 60'000);
+        if (block == "none")
+            QTRY_VERIFY_WITH_TIMEOUT(unfinishedBytes() > 1'000'000, 60'000);
+        else
+            QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder_.filePath("kept.tan.work")).entryList({"block-*"}).empty(), 60'000);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(60'000));
         const Run run = collect(process);

@@ -242,9 +242,15 @@ void RunFiles::setCures(std::uint32_t block, std::span<const FaceCure> cures)
 
 RunFiles::~RunFiles()
 {
+    close();
+}
+
+void RunFiles::close() noexcept
+{
     for (const int descriptor : descriptors_)
         if (descriptor >= 0)
             ::close(descriptor);
+    descriptors_.clear();
 }
 
 std::filesystem::path RunFiles::path(std::uint32_t block) const
@@ -305,6 +311,7 @@ Result<std::vector<FaceCure>> RunFiles::readCures(std::uint32_t block) const
 
 Status RunFiles::open()
 {
+    close();
     const bool staysOpen = canStayOpen(blockCount());
     for (std::uint32_t block = 0; block < blockCount(); ++block) {
         OpenFile file(path(block));

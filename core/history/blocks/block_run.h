@@ -151,6 +151,8 @@ public:
 
     /// Reads the headers; comes before the members below, when all runs are there.
     Status open();
+    /// Of files that stay open, as few may be open at once; open() may come again.
+    void close() noexcept;
     const BlockRunHeader& header(std::uint32_t block) const { return headers_[block]; }
     Status readWords(std::uint32_t block, std::uint64_t first, std::span<std::uint32_t> words) const;
     Status readTetrahedra(std::uint32_t block, std::uint64_t first, std::uint64_t count, std::span<std::byte> to) const;

@@ -2,6 +2,7 @@
 #include "core/history/blocks/merged_model.h"
 
 #include "core/base/guarded.h"
+#include "core/base/rounding.h"
 #include "core/base/scratch_file.h"
 #include "core/history/blocks/block_merge.h"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <span>
@@ -496,14 +498,75 @@ Result<FixedCounts> merge(RunFiles& runs, const std::filesystem::path& workFolde
     return counts;
 }
 
+/// What lives to the end of the chunk's stars.
+Status handLiving(const MergedChunk& chunk, const TranslatedStars& stars, const RunUnits& units, HistorySink& sink)
+{
+    std::vector<HistoryTetrahedron> living;
+    std::size_t tetrahedron = 0;
+    for (std::size_t site = 0; site < chunk.points.size(); ++site) {
+        living.clear();
+        for (const std::size_t end = tetrahedron + stars.starSizes[site]; tetrahedron < end; ++tetrahedron)
+            if (stars.destroyers[tetrahedron] == Model::never)
+                living.push_back({stars.otherSites[tetrahedron],
+                                  roundedUp(halfToFloat(stars.ownErrors[tetrahedron]) * units.valueExtent),
+                                  roundedUp(halfToFloat(stars.ownWarpings[tetrahedron]) * units.diagonal)});
+        if (const Status added = sink.add({chunk.points[site], std::numeric_limits<float>::infinity(), living, {}});
+            !added)
+            return added;
+    }
+    return {};
+}
+
+Status handAll(const RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
+               const Progress& progress)
+{
+    const Result<MergedNumbers> numbers = MergedNumbers::make(runs, workFolder, progress);
+    if (!numbers)
+        return numbers.error();
+    if (const Status begun = sink.begin({.warpingWeight = units.warpingWeight, .delaunay = false}); !begun)
+        return begun;
+    ChunkMaker maker(runs);
+    for (;;) {
+        const Result<MergedChunk> chunk = maker.next();
+        if (!chunk)
+            return chunk.error();
+        if (chunk->points.empty())
+            break;
+        if (progress.cancelled())
+            return cancelledError(Message::marked("Merging the blocks"));
+        const Result<TranslatedStars> stars = translateStars(*chunk, runs, *numbers);
+        if (!stars)
+            return stars.error();
+        if (const Status handed = handLiving(*chunk, *stars, units, sink); !handed)
+            return handed;
+    }
+    float finalKey = 0;
+    for (std::uint32_t block = 0; block < runs.blockCount(); ++block)
+        finalKey = std::max(finalKey, runs.header(block).finalKey);
+    return sink.finish(finalKey);
+}
+
+constexpr MarkedText noMemoryToMerge =
+    Message::marked("Not enough memory to merge the blocks. Close other programs, or ask for a larger error.");
+
 } // namespace
 
 Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra)
 {
-    return guarded(
-        Message::marked("Not enough memory to merge the blocks. Close other programs, or ask for a larger error."),
-        [&] { return merge(runs, workFolder, open, progress, sliceTetrahedra); });
+    return guarded(noMemoryToMerge, [&] { return merge(runs, workFolder, open, progress, sliceTetrahedra); });
+}
+
+Status handMesh(RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
+                const Progress& progress)
+{
+    return guarded(noMemoryToMerge, [&] {
+        Status handed = runs.open();
+        if (handed)
+            handed = handAll(runs, workFolder, units, sink, progress);
+        runs.close();
+        return handed;
+    });
 }
 
 } // namespace tetra

@@ -76,4 +76,16 @@ using ModelFileOpener = std::function<Result<std::unique_ptr<ModelFileWriter>>(c
 Result<FixedCounts> mergeRuns(RunFiles& runs, const std::filesystem::path& workFolder, const ModelFileOpener& open,
                               const Progress& progress, std::uint64_t sliceTetrahedra = usualSliceTetrahedra);
 
+/// What bounds of errors and warpings in runs count in.
+struct RunUnits {
+    double valueExtent = 1;
+    double diagonal = 0;      ///< of the box around the dataset, 0 where there is no warping
+    double warpingWeight = 0; ///< HistoryTraits
+};
+
+/// Hands the mesh of all sites to `sink`, as a history of that mesh alone, begin() to finish(): something to look at.
+/// Memory: that of mergeRuns() on one thread. Errors: the runs' files, memory, the sink's, cancelled.
+Status handMesh(RunFiles& runs, const std::filesystem::path& workFolder, const RunUnits& units, HistorySink& sink,
+                const Progress& progress);
+
 } // namespace tetra

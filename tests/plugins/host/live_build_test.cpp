@@ -10,6 +10,8 @@
 #include <QTest>
 
 #include <atomic>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <stop_token>
 #include <thread>
@@ -30,6 +32,20 @@ double reachedBy(const Model& model)
     return 100 * (1 + 1e-12) * static_cast<double>(model.finalKey()) / model.description().range.extent();
 }
 
+/// At the error that it says to keep, of its whole domain, and at a larger one.
+bool isProved(const Model& model, const Dataset& dataset)
+{
+    const double reached = reachedBy(model);
+    const auto verdict = verify(model, dataset, {{100, 100}, {reached, reached}});
+    return verdict && verdict->ok();
+}
+
+std::vector<char> contentOf(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 } // namespace
 
 class LiveBuildTest : public QObject {
@@ -37,6 +53,39 @@ class LiveBuildTest : public QObject {
 
 private:
     fs::path path(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
+
+    static void datasetsInBlocks()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("lattice") << "c60";
+        QTest::newRow("curvilinear grid") << "blunt-body";
+    }
+    static Dataset inBlocks(const QString& name)
+    {
+        return *makeSample({.name = name.toStdString(), .size = 32, .type = std::nullopt, .seed = 1});
+    }
+    static ParameterValues blockValues() { return {{"block", std::string("11")}}; }
+
+    /// The bytes of the model of a build in blocks that nobody watches.
+    std::vector<char> unwatched(const Dataset& dataset)
+    {
+        if (!buildModel(*host_, dataset, "refinement", blockValues(), path("unwatched.tan")))
+            return {};
+        return contentOf(path("unwatched.tan"));
+    }
+
+    /// Builds in blocks until the progress reaches `when`; the work goes on being there if it is kept.
+    Result<ModelBuild> stopped(const Dataset& dataset, double when, bool kept)
+    {
+        std::stop_source stop;
+        const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
+            if (fraction >= when)
+                stop.request_stop();
+        });
+        const std::atomic<bool> keep = kept;
+        return buildModel(*host_, dataset, "refinement", blockValues(), path("kept.tan"), progress,
+                          {.keepWhenCancelled = &keep, .resume = kept});
+    }
 
     QTemporaryDir folder_;
     std::unique_ptr<PluginHost> host_;
@@ -152,6 +201,72 @@ private slots:
             QCOMPARE(verdict->levels[3].measured.error.largest, 0.0);
             fs::remove(path("kept.tan"));
         }
+        QVERIFY(!fs::exists(path("kept.tan")));
+    }
+
+    void blocksAreWatched_data() { datasetsInBlocks(); }
+    /// C7: a build in blocks shows all of them at one error, and again at a smaller one, before it refines each to the
+    /// end; its model is that of a build that nobody watches.
+    void blocksAreWatched()
+    {
+        QFETCH(QString, name);
+        const Dataset dataset = inBlocks(name);
+        LiveBuild live;
+        std::vector<std::shared_ptr<const Model>> looks;
+        std::string problem;
+        const Progress looking({}, [&](double, const Message&) {
+            const auto look = live.look(path("look.tan"));
+            if (!look)
+                problem = look.error().text();
+            else if (*look != nullptr)
+                looks.push_back(*look);
+        });
+        const auto built =
+            buildModel(*host_, dataset, "refinement", blockValues(), path("watched.tan"), looking, {.live = &live});
+        QVERIFY2(built, built ? "" : built.error().text().c_str());
+        QVERIFY2(problem.empty(), problem.c_str());
+        QVERIFY(live.hasMesh());
+        QVERIFY2(looks.size() == 2, QByteArray::number(qsizetype(looks.size())));
+        QVERIFY(looks[0]->siteCount() < looks[1]->siteCount() && looks[1]->siteCount() < built->report.sites / 4);
+        QVERIFY(looks[0]->finalKey() > looks[1]->finalKey() && looks[1]->finalKey() > 0);
+        for (const auto& look : looks)
+            QVERIFY(isProved(*look, dataset));
+        QVERIFY(contentOf(path("watched.tan")) == unwatched(dataset));
+    }
+
+    void stoppedBlocksAreKept_data() { datasetsInBlocks(); }
+    /// C7: stopped, it keeps the mesh that all blocks have come to, with the error of the whole domain, and can go on.
+    void stoppedBlocksAreKept()
+    {
+        QFETCH(QString, name);
+        const Dataset dataset = inBlocks(name);
+        const std::vector<char> whole = unwatched(dataset);
+        std::vector<float> keys;
+        for (const double when : {0.055, 0.3, 0.5}) {
+            const auto kept = stopped(dataset, when, true);
+            QVERIFY2(kept, kept ? "" : kept.error().text().c_str());
+            QVERIFY(kept->stoppedEarly);
+            const auto model = Model::open(path("kept.tan"));
+            QVERIFY(model && (*model)->siteCount() == kept->report.sites);
+            keys.push_back((*model)->finalKey());
+            QVERIFY(isProved(**model, dataset));
+            QVERIFY(fs::exists(path("kept.tan.work")));
+            const auto resumed =
+                buildModel(*host_, dataset, "refinement", blockValues(), path("kept.tan"), {}, {.resume = true});
+            QVERIFY(resumed && !resumed->stoppedEarly);
+            QVERIFY(contentOf(path("kept.tan")) == whole);
+            QVERIFY(!fs::exists(path("kept.tan.work")));
+            fs::remove(path("kept.tan"));
+        }
+        QVERIFY(keys[0] > keys[1] && keys[1] == keys[2] && keys[2] > 0);
+
+        // While they are merged, everything is there.
+        QVERIFY(stopped(dataset, 0.9, true));
+        QVERIFY(contentOf(path("kept.tan")) == whole);
+        fs::remove(path("kept.tan"));
+        for (const double when : {0.055, 0.3, 0.9})
+            QCOMPARE(stopped(dataset, when, false).error().kind, ErrorKind::Cancelled);
+        QCOMPARE(stopped(dataset, 0, true).error().kind, ErrorKind::Cancelled); // nothing to keep yet
         QVERIFY(!fs::exists(path("kept.tan")));
     }
 

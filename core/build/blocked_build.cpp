@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/build/blocked_build.h"
+
+#include "core/base/checksum.h"
+#include "core/base/folder.h"
+#include "core/base/work_folder.h"
+#include "core/build/disk_need.h"
+#include "core/history/blocks/merged_model.h"
+
+#include <filesystem>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace tetra {
+
+namespace {
+
+/// How much of the time has passed when all blocks were refined coarsely, and when they are refined; merging takes the
+/// rest.
+constexpr double coarseShare = 0.06;
+constexpr double refinedShare = 0.7;
+
+/// Tells what the build will take on the disk as soon as that shows, and refuses it if there is no room.
+class DiskCheck {
+public:
+    DiskCheck(std::filesystem::path workFolder, const Dataset& dataset)
+        : workFolder_(std::move(workFolder)), type_(dataset.values.type()), domain_(dataset.domain)
+    {
+    }
+
+    Status check(const RunTotals& soFar, const RunTotals& expected)
+    {
+        const DiskNeed need = diskNeed(expected, type_, domain_);
+        told_ = textOf(need);
+        const std::uint64_t free = freeDiskBytes(workFolder_);
+        if (free == 0) // not known
+            return {};
+        return checkRoom(need, soFar.fileBytes, free, workFolder_.parent_path());
+    }
+
+    /// `progress`, whose activities tell the need, too.
+    Progress telling(const Progress& progress) const
+    {
+        return progress.withCallback([this, progress](double fraction, const Message& activity) {
+            progress.report(fraction, told_.empty() ? activity : Message::say("%1 (%2)", activity, told_));
+        });
+    }
+
+private:
+    std::filesystem::path workFolder_;
+    SampleType type_;
+    DomainClass domain_;
+    Message told_;
+};
+
+class BuildInBlocks {
+public:
+    BuildInBlocks(const Dataset& dataset, const BlockedBuild& build, const BuildTarget& target)
+        : dataset_(dataset), build_(build), target_(target)
+    {
+        options_.division = BlockDivision(dataset.lattice.size, build.cells);
+        options_.reuseIntact = target.resume;
+        options_.samplesIntact = [this] { return dataset_.checkIntact(); };
+    }
+
+    Result<BuildReport> run(const Progress& progress);
+
+private:
+    Status refineCoarsely(const Progress& progress);
+    Status refine(const Progress& progress);
+    Result<BuildReport> merge(RunFiles& runs, const Progress& progress) const;
+    void show(RunFiles& runs, const Progress& progress) const;
+    std::unique_ptr<RunFiles> runsOf(const std::filesystem::path& folder, double stopKey) const;
+    std::uint64_t fingerprint(double stopKey) const;
+    bool watched() const { return target_.preview || target_.keepWhenCancelled != nullptr; }
+    bool kept() const { return target_.keepWhenCancelled != nullptr && *target_.keepWhenCancelled; }
+
+    const Dataset& dataset_;
+    const BlockedBuild& build_;
+    const BuildTarget& target_;
+    BlockRunsOptions options_;
+    std::unique_ptr<RunFiles> coarse_; ///< the finest that are complete
+    std::unique_ptr<RunFiles> runs_;
+};
+
+Result<BuildReport> BuildInBlocks::run(const Progress& progress)
+{
+    const double begun = watched() ? coarseShare : 0;
+    Status refined = watched() ? refineCoarsely(progress.part(0, begun)) : Status();
+    if (refined)
+        refined = refine(progress.part(begun, refinedShare));
+    const bool isKept = !refined && refined.error().kind == ErrorKind::Cancelled && kept() && coarse_;
+    if (!refined && !isKept)
+        return refined.error();
+    // What is kept is kept whole.
+    std::stop_source givenUp;
+    const Progress merging = progress.part(refinedShare, 1);
+    const Progress untilGivenUp(givenUp.get_token(), [&](double fraction, const Message& activity) {
+        merging.report(fraction, activity);
+        if (merging.cancelled() && !kept())
+            givenUp.request_stop();
+    });
+    return merge(isKept ? *coarse_ : *runs_, untilGivenUp);
+}
+
+Status BuildInBlocks::refineCoarsely(const Progress& progress)
+{
+    const SiteDensity density = SiteDensity::of(dataset_, progress.part(0, 0));
+    std::filesystem::path last;
+    double begun = 0;
+    int number = 0;
+    for (const double error : coarseErrors(density, build_.stopKey / build_.keyExtent)) {
+        const double stopKey = error * build_.keyExtent;
+        const std::filesystem::path folder = target_.workFolder / ("coarse-" + std::to_string(number++));
+        std::error_code problem;
+        std::filesystem::create_directory(folder, problem); // without it the first run says what is wrong
+        const Progress own = progress.part(begun, (1 + begun) / 2);
+        const Progress telling = own.withCallback([own](double fraction, const Message&) {
+            own.report(fraction, Message::marked("Refining all blocks coarsely"));
+        });
+        auto runs = runsOf(folder, stopKey);
+        if (const Status made = build_.makeRuns(options_, stopKey, *runs, telling); !made)
+            return made;
+        if (target_.preview)
+            show(*runs, progress);
+        coarse_ = std::move(runs);
+        if (!last.empty()) {
+            removeContent(last, {});
+            std::filesystem::remove(last, problem);
+        }
+        last = folder;
+        begun = (1 + begun) / 2;
+    }
+    return {};
+}
+
+Status BuildInBlocks::refine(const Progress& progress)
+{
+    DiskCheck disk(target_.workFolder, dataset_);
+    BlockRunsOptions checked = options_;
+    checked.check = [&](const RunTotals& soFar, const RunTotals& expected) { return disk.check(soFar, expected); };
+    runs_ = runsOf(target_.workFolder, build_.stopKey);
+    return build_.makeRuns(checked, build_.stopKey, *runs_, disk.telling(progress));
+}
+
+Result<BuildReport> BuildInBlocks::merge(RunFiles& runs, const Progress& progress) const
+{
+    const HistoryTraits traits{.warpingWeight = build_.warpingWeight, .blockCells = options_.division.blockCells()};
+    const ModelFileOpener open = [&](const FixedCounts& counts) {
+        auto writer = target_.ofFixedSize(counts, {{"block", std::to_string(build_.cells)}});
+        if (writer)
+            (*writer)->setTraits(traits);
+        return writer;
+    };
+    const Result<FixedCounts> counts = mergeRuns(runs, target_.workFolder, open, progress);
+    if (!counts)
+        return counts.error();
+    BuildReport report{counts->sites, counts->tetrahedra, 0, 0};
+    for (std::uint32_t block = 0; block < runs.blockCount(); ++block) {
+        report.inverted += runs.header(block).inverted;
+        report.degenerate += runs.header(block).degenerate;
+    }
+    return report;
+}
+
+/// What cannot be shown is not missed: it may be too large to be looked at.
+void BuildInBlocks::show(RunFiles& runs, const Progress& progress) const
+{
+    const RunUnits units{build_.valueExtent, build_.diagonal, build_.warpingWeight};
+    target_.preview([&](HistorySink& history) {
+        return handMesh(runs, target_.workFolder, units, history, progress.withCallback({}));
+    });
+}
+
+std::unique_ptr<RunFiles> BuildInBlocks::runsOf(const std::filesystem::path& folder, double stopKey) const
+{
+    return std::make_unique<RunFiles>(folder, fingerprint(stopKey), options_.division.count());
+}
+
+/// Stands for all that a run depends on, so that one of another build is not taken for one of this.
+std::uint64_t BuildInBlocks::fingerprint(double stopKey) const
+{
+    std::string text = "TAn " TAN_VERSION " runs\n";
+    const auto add = [&text](const std::string& value) { text += value + '\n'; };
+    add(std::to_string(dataset_.source.hash));
+    add(std::string(domainClassName(dataset_.domain)));
+    add(std::string(sampleTypeName(dataset_.values.type())));
+    for (const std::uint32_t size : dataset_.lattice.size)
+        add(std::to_string(size));
+    for (const double number : {stopKey, build_.warpingWeight, build_.valueExtent, build_.diagonal})
+        add(formatNumber(number));
+    for (const double number : build_.others)
+        add(formatNumber(number));
+    add(std::to_string(build_.cells));
+    add(std::to_string(checksum(std::as_bytes(build_.weights))));
+    return checksum(std::as_bytes(std::span(text)));
+}
+
+} // namespace
+
+std::vector<double> coarseErrors(const SiteDensity& density, double finalError)
+{
+    // In sites for each point of the dataset: refining takes some time for each point, however few of them enter.
+    constexpr double passCost = 1.0 / 30, budget = 1.0 / 12;
+    const auto cost = [&](double error) { return density.share(error) + passCost; };
+    std::vector<double> errors{1};
+    double finest = 1;
+    for (double error = 0.5; error > 2 * finalError && cost(error) <= budget * cost(finalError); error /= 2)
+        finest = error;
+    if (finest < 1)
+        errors.push_back(finest);
+    return errors;
+}
+
+Result<BuildReport> buildInBlocks(const Dataset& dataset, const BlockedBuild& build, const BuildTarget& target,
+                                  const Progress& progress)
+{
+    return BuildInBlocks(dataset, build, target).run(progress);
+}
+
+} // namespace tetra
