@@ -150,14 +150,10 @@ Result<Outcome> extractAtServer(const Invocation& invocation, const MeshQuery& q
     if (arguments.has("against"))
         return Error{ErrorKind::WrongUsage,
                      "'--against' needs the model at hand, so '--at-server' does not go with it."};
-    std::string token;
-    if (const auto file = arguments.value("token-file")) {
-        const auto read = tokenIn(*file);
-        if (!read)
-            return read.error();
-        token = *read;
-    }
-    const auto mesh = meshAtServer(meshAddress(arguments.positionals[0], arguments), token,
+    const auto token = tokenOption(arguments, true);
+    if (!token)
+        return token.error();
+    const auto mesh = meshAtServer(meshAddress(arguments.positionals[0], arguments), *token,
                                    invocation.progress.part(0, extractionEnd));
     if (!mesh)
         return mesh.error();
@@ -216,14 +212,7 @@ Syntax extractSyntax(PluginHost& host)
                      {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.ply",
                       "And how good that is on the whole."}}};
     syntax.options.push_back(againstOption());
-    syntax.options.push_back({.name = "at-server",
-                              .placeholder = "",
-                              .explanation =
-                                  "MODEL is http://HOST:PORT/NAME.tan, and 'tan serve' there finds the mesh: "
-                                  "only that is sent."});
-    syntax.options.push_back({.name = "token-file",
-                              .placeholder = "FILE",
-                              .explanation = "With --at-server, a file whose first line is the token that it wants."});
+    std::ranges::move(serverOptions(), std::back_inserter(syntax.options));
     syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Mesh), "The file to write."));
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Mesh));
     return syntax;
@@ -253,8 +242,6 @@ Result<Outcome> runExtract(const Invocation& invocation)
         auto outcome = extractAtServer(invocation, *query, *values);
         return outcome ? Result<Outcome>(withTime(std::move(*outcome), start)) : outcome;
     }
-    if (arguments.has("token-file"))
-        return Error{ErrorKind::WrongUsage, "'--token-file' is for '--at-server'."};
     const double opened = isAtHand(input) ? 0 : 0.5;
     const auto found = openInput(invocation, input, *query, invocation.progress.part(0, opened));
     if (!found)

@@ -23,8 +23,11 @@ MeshFacts meshFacts(const Model& model, const MeshQuery& query, const ExtractedM
 {
     MeshFacts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
     if (query.range) {
-        const double one = meshSizeAt(model, query.range->one).error;
-        const double other = meshSizeAt(model, query.range->other).error;
+        // Of a model at a server the sizes are known only about.
+        const auto errorOf = [&model](const Accuracy& end) {
+            return model.elsewhere() != nullptr ? end.error : meshSizeAt(model, end).error;
+        };
+        const double one = errorOf(query.range->one), other = errorOf(query.range->other);
         facts.emplace_back("coarsest_error", std::max(one, other));
         facts.emplace_back("finest_error", std::min(one, other));
         return facts;

@@ -161,7 +161,8 @@ Syntax isosurfaceSyntax(PluginHost& host)
                                {"tan isosurface engine.tan --value 100 -o engine.stl", "A surface for a 3D printer."},
                                {"tan isosurface engine.tan --value 100 --field 'isovalues(;0.2,4,30)' -o sharp.vtp",
                                 "From a mesh that is fine near the surface."}}};
-    std::ranges::move(queryOptions(), std::back_inserter(syntax.options));
+    for (auto options : {queryOptions(), serverOptions()})
+        std::ranges::move(options, std::back_inserter(syntax.options));
     syntax.options.push_back(outputOption(fileChoices(host, WrittenContent::Surface), "The file to write."));
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Surface));
     return syntax;

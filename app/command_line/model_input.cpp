@@ -2,6 +2,7 @@
 #include "app/command_line/model_input.h"
 
 #include "app/command_line/table.h"
+#include "app/server/server_mesh.h"
 
 #include <tan/packed.h>
 
@@ -50,15 +51,56 @@ bool isAtHand(const std::filesystem::path& place)
 Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem::path& place, const MeshQuery& query,
                              const Progress& progress)
 {
+    const bool isAtServer = invocation.arguments.has("at-server");
+    if (isAtServer && !isAddress(place.string()))
+        return Error{ErrorKind::WrongUsage, "'--at-server' needs the address of a model that 'tan serve' offers, "
+                                            "http://HOST:PORT/NAME.tan, and '" +
+                                                place.string() + "' is none."};
+    auto token = tokenOption(invocation.arguments, isAtServer);
+    if (!token)
+        return token.error();
     OpenOptions options{.accuracy = finestAsked(query, invocation.arguments)};
+    options.token = *std::move(token);
     if (isAddress(place.string()) && !saysHowAccurate(invocation.arguments))
         options.mostBytes = aMoment;
+    return openModel(isAtServer ? placeOf(place.string(), true) : place.string(), options, progress);
+}
+
+std::vector<Option> serverOptions()
+{
+    return {{.name = "at-server",
+             .placeholder = "",
+             .explanation = "MODEL is http://HOST:PORT/NAME.tan, and 'tan serve' there finds the mesh: only that is "
+                            "sent."},
+            {.name = "token-file",
+             .placeholder = "FILE",
+             .explanation = "With --at-server, a file whose first line is the token that it wants."}};
+}
+
+Result<std::string> tokenOption(const Arguments& arguments, bool isAtServer)
+{
+    const auto file = arguments.value("token-file");
+    if (!file)
+        return std::string();
+    if (!isAtServer)
+        return Error{ErrorKind::WrongUsage, "'--token-file' is for '--at-server'."};
+    return tokenIn(*file);
+}
+
+Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
+                                    const Progress& progress)
+{
+    auto token = tokenOption(invocation.arguments, isLeftAtServer(place.string()));
+    if (!token)
+        return token.error();
+    OpenOptions options;
+    options.token = *std::move(token);
     return openModel(place.string(), options, progress);
 }
 
 Result<FoundModel> openWholeInput(const std::filesystem::path& place, const Progress& progress)
 {
-    return openModel(place.string(), {}, progress);
+    return openModel(placeOf(place.string(), false), {}, progress);
 }
 
 void tellPart(const FoundModel& found, Outcome& outcome)

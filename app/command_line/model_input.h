@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetra {
 
@@ -19,10 +20,19 @@ std::string modelExplanation();
 bool isAtHand(const std::filesystem::path& place);
 
 /// The model at a path or an address; of what is packed or on a server no more than the query needs. Of a file on a
-/// server, if no option says how accurate the mesh is to be, not more than takes a moment.
+/// server, if no option says how accurate the mesh is to be, not more than takes a moment; with --at-server it stays
+/// there.
 Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem::path& place, const MeshQuery& query,
                              const Progress& progress);
-/// The same, whole.
+/// The options that leave a model at its server, for commands that make a mesh of it: --at-server and --token-file.
+std::vector<Option> serverOptions();
+/// The token that --token-file gives; none without it. Errors: WrongUsage, also for one that goes with no server.
+Result<std::string> tokenOption(const Arguments& arguments, bool isAtServer);
+
+/// The model of a session, which may have been left at its server.
+Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
+                                    const Progress& progress);
+/// The model at a path or an address, whole.
 Result<FoundModel> openWholeInput(const std::filesystem::path& place, const Progress& progress);
 
 /// Adds "read_part" and a line of the text if only a part of the model was read.

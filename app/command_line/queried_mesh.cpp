@@ -37,6 +37,9 @@ QJsonObject figuresOf(const Model& model, const MeshQuery& query, const Extracte
                            {"tetrahedra", static_cast<qint64>(size.tetrahedra)}};
     };
     if (query.range) {
+        if (model.elsewhere() != nullptr) // these are known only about
+            return {{"sites", static_cast<qint64>(mesh.mesh.positions.size())},
+                    {"tetrahedra", static_cast<qint64>(mesh.mesh.tetrahedra.size())}};
         MeshSize coarse = meshSizeAt(model, query.range->one), fine = meshSizeAt(model, query.range->other);
         if (coarse.sites > fine.sites)
             std::swap(coarse, fine);

@@ -195,7 +195,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
                                  data.bounds, request.picture);
     if (!camera)
         return camera.error();
-    const FieldExtent field = extentOf(*view.model);
+    const FieldExtent field = extentOf(view.model);
     const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
     ParameterValues shown = completed(*values, renderer.plugin->parameters(field), start);
     const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
@@ -213,8 +213,9 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
 /// All else is what a session says.
 Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
 {
-    constexpr std::array<std::string_view, 10> ofPictures{"camera",  "size",  "samples",  "background", "backend",
-                                                          "threads", "depth", "surfaces", "output",     "json"};
+    constexpr std::array<std::string_view, 11> ofPictures{"camera",  "size",    "samples",   "background",
+                                                          "backend", "threads", "depth",     "surfaces",
+                                                          "output",  "json",    "token-file"};
     for (const auto& [name, value] : arguments.options)
         if (std::ranges::find(ofPictures, name) == ofPictures.end())
             return Error{ErrorKind::WrongUsage, "'--" + name + "' does not go with '" + session.string() +
@@ -233,13 +234,13 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     if (const Status safe = checkOutput(request.output, std::array{document->model}); !safe)
         return safe.error();
     view.opened = isAtHand(document->model) ? 0 : openingEnd;
-    const auto found = openWholeInput(document->model, invocation.progress.part(0, view.opened));
+    const auto found = openSessionInput(invocation, document->model, invocation.progress.part(0, view.opened));
     if (!found)
         return Error{found.error().kind, "The model of the session cannot be opened. " + found.error().text()};
     view.found = *found;
     view.model = found->model;
     const auto modes = renderingModes(invocation.host);
-    const FieldExtent field = extentOf(*view.model);
+    const FieldExtent field = extentOf(view.model);
     SessionDocument kept = restoredView(*document, modes, *view.model, field);
     ViewValue& seen = kept.view;
     const auto renderer = invocation.host.renderer(seen.appearance.mode);
@@ -413,7 +414,7 @@ Syntax renderSyntax(PluginHost& host)
     addPluginOptions(syntax, ofRenderers);
     const FieldExtent someField{{1, 3}, Eigen::AlignedBox3d(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3, 6, 9)), {}};
     sayDefaultsFromData(syntax, ofRenderers, rendererParameters(host, someField));
-    for (auto options : {pictureOptions(host), annotationOptions(), queryOptions()})
+    for (auto options : {pictureOptions(host), annotationOptions(), queryOptions(), serverOptions()})
         std::ranges::move(options, std::back_inserter(syntax.options));
     return syntax;
 }

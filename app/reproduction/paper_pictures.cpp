@@ -20,7 +20,7 @@ constexpr std::array<std::uint8_t, 4> ground = {255, 255, 255, 255};
 Result<DrawnPicture> drawPicture(PluginHost& host, const std::shared_ptr<const Model>& model,
                                  const PaperPicture& picture, const Progress& progress)
 {
-    const FieldExtent field = extentOf(*model);
+    const FieldExtent field = extentOf(model);
     ViewValue view = startingView(renderingModes(host), *model, field);
     view.appearance.settings.clear();
     if (picture.drawsSurfacesWithCells)

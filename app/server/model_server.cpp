@@ -436,6 +436,7 @@ ServedAnswer ModelServer::sizesAnswer(const ServedRequest& request, const Served
             meshes.append(QJsonArray{static_cast<qint64>(size.sites), static_cast<qint64>(size.tetrahedra), size.error,
                                      size.warping});
         return jsonAnswer({{"sites", static_cast<qint64>(sizes.sites)},
+                           {"tetrahedra", static_cast<qint64>(sizes.tetrahedra)},
                            {"bytes", static_cast<qint64>(file.size)},
                            {"warps", (*model)->description().warpingWeight > 0},
                            {"meshes", meshes},

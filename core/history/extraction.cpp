@@ -298,9 +298,9 @@ std::string levelsAsJson(const Model& model, std::span<const Accuracy> levels)
     return "{\n  \"model\": " + jsonString(model.path().filename().string()) +
            ",\n  \"source\": " + jsonString(model.description().sourceName) +
            ",\n  \"builder\": " + jsonString(model.description().builder) +
-           ",\n  \"sites\": " + std::to_string(model.siteCount()) +
-           ",\n  \"tetrahedra\": " + std::to_string(model.tetrahedronCount()) +
-           ",\n  \"bytes\": " + std::to_string(model.fileSize()) + ",\n  \"levels\": [" + list + "\n  ]\n}\n";
+           ",\n  \"sites\": " + std::to_string(wholeSites(model)) +
+           ",\n  \"tetrahedra\": " + std::to_string(wholeTetrahedra(model)) +
+           ",\n  \"bytes\": " + std::to_string(wholeBytes(model)) + ",\n  \"levels\": [" + list + "\n  ]\n}\n";
 }
 
 Result<std::string> levelsAsText(const std::filesystem::path& path, const Model& model,

@@ -15,7 +15,8 @@ namespace tetra {
 /// What there is to know of a model without having it.
 struct WholeSizes {
     std::uint32_t sites = 0;
-    std::uint64_t bytes = 0; ///< of its file
+    std::uint64_t tetrahedra = 0; ///< of its history
+    std::uint64_t bytes = 0;      ///< of its file
     /// Of some of its uniform meshes, the first and the most accurate one among them, in this order: at least one.
     std::vector<MeshSize> meshes;
 };
@@ -44,6 +45,10 @@ private:
 inline std::uint32_t wholeSites(const Model& model)
 {
     return model.elsewhere() != nullptr ? model.elsewhere()->sizes().sites : model.siteCount();
+}
+inline std::uint64_t wholeTetrahedra(const Model& model)
+{
+    return model.elsewhere() != nullptr ? model.elsewhere()->sizes().tetrahedra : model.tetrahedronCount();
 }
 inline std::uint64_t wholeBytes(const Model& model)
 {

@@ -20,15 +20,16 @@ namespace {
 
 Message tokenWanted(const std::string& shownAddress)
 {
-    return Message::say("The server of '%1' answers only who has its token. Give the one that whoever runs it has set.",
-                        shownAddress);
+    return Message::say(
+        "The server of '%1' answers only those who have its token. Give the one that whoever runs it has set.",
+        shownAddress);
 }
 
 constexpr std::uint64_t mostFoundBytes = std::uint64_t(8) << 30;
 constexpr std::uint64_t mostFoundTetrahedra = std::uint64_t(1) << 30;
 constexpr std::uint64_t mostToldBytes = 4 << 20;
 constexpr std::uint64_t mostAboutBytes = 64 << 10;
-constexpr std::size_t longestQuestion = 15'000; ///< of the 16,384 bytes that a server takes of a request
+constexpr std::size_t longestQuestion = 7'000; ///< of the 8,192 bytes that a server takes for an address
 
 constexpr std::array<std::pair<std::string_view, VariableMethod>, 3> methodNames = {
     {{"automatic", VariableMethod::Automatic},
@@ -195,11 +196,13 @@ std::optional<WholeSizes> sizesIn(const JsonValue& told)
 {
     WholeSizes sizes;
     const auto sites = numberIn<std::uint32_t>(told, "sites");
+    const auto tetrahedra = numberIn<std::uint64_t>(told, "tetrahedra");
     const auto bytes = numberIn<std::uint64_t>(told, "bytes");
     const JsonValue* const meshes = told.find("meshes");
-    if (!sites || !bytes || meshes == nullptr || meshes->array() == nullptr || meshes->array()->empty())
+    if (!sites || !tetrahedra || !bytes || meshes == nullptr || meshes->array() == nullptr || meshes->array()->empty())
         return {};
     sizes.sites = *sites;
+    sizes.tetrahedra = *tetrahedra;
     sizes.bytes = *bytes;
     for (const JsonValue& entry : *meshes->array()) {
         const auto size = sizeIn(entry);
@@ -276,7 +279,7 @@ Result<std::string> meshQuestion(const MeshQuery& query, bool warps)
 WholeSizes sizesOfWhole(const Model& model)
 {
     constexpr double step = 0.98, leastPart = 1e-7;
-    WholeSizes sizes{model.siteCount(), model.fileSize(), {}};
+    WholeSizes sizes{model.siteCount(), model.tetrahedronCount(), model.fileSize(), {}};
     const auto add = [&sizes](const MeshSize& size) {
         if (size.sites > 0 && (sizes.meshes.empty() || size.sites > sizes.meshes.back().sites))
             sizes.meshes.push_back(size);
@@ -296,13 +299,14 @@ Result<ServerOffer> askServer(const std::string& address, const std::string& tok
 {
     const std::string place = placeOf(address, false);
     const auto answer = fetchOnce(place + "?" + std::string(aboutQuestion), token, mostAboutBytes, progress);
+    constexpr int unauthorized = 401;
     ServerOffer offer;
     if (!answer && answer.error().kind == ErrorKind::OutOfResource)
         return offer; // the file, whatever is asked
     if (!answer)
         return answer.error();
-    offer.wantsToken = answer->status == 401;
     const auto told = parseJson(textIn(*answer));
+    offer.wantsToken = told && answer->status == unauthorized && told->find("error") != nullptr;
     if (told && answer->status == 404 && told->find("error") != nullptr)
         return saidOtherwise(place, *answer);
     if (!told || answer->status != 200)

@@ -733,6 +733,13 @@ std::string shownAddress(std::string_view address)
     return printable(query == std::string::npos ? bare : bare.substr(0, query));
 }
 
+bool isUnauthorized(const Error& error)
+{
+    constexpr int unauthorized = 401;
+    const std::vector<Message>& said = error.message.arguments();
+    return !said.empty() && said.back().sentence() == refusedStatus(unauthorized).reason.sentence();
+}
+
 std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t bytesOfPiece,
                                     std::uint64_t gap, std::uint64_t size)
 {

@@ -46,6 +46,9 @@ TAN_INTERNAL bool isRemoteAddress(std::string_view text) noexcept;
 /// may be a key.
 TAN_INTERNAL std::string shownAddress(std::string_view address);
 
+/// Whether an error says that a server gives a file only to whom it knows (401).
+TAN_INTERNAL bool isUnauthorized(const Error& error);
+
 /// What to ask for so that the pieces are there: neighbours, and those between which less than `gap` bytes lie, in one
 /// range. `pieces` ascend and are `pieceBytes` long, the last one of a file of `size` bytes less.
 TAN_INTERNAL std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t pieceBytes,

@@ -6,14 +6,18 @@
 #include "app/server/http_server.h"
 #include "app/server/model_server.h"
 #include "app/server/server_mesh.h"
+#include "core/opening/served_model.h"
+#include "tests/app/local_server.h"
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
 #include "tests/core/packed/any_order.h"
 
+#include <tan/open.h>
 #include <tan/query.h>
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QImage>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
@@ -105,49 +109,6 @@ Answer ask(int port, const QByteArray& target, const QByteArray& headers = {}, c
     return answerIn(client.rest());
 }
 
-/// A server of this process.
-class LocalServer {
-public:
-    explicit LocalServer(const QString& folder, const std::string& token = {}, HttpLimits limits = {},
-                         ModelServerLimits modelLimits = {})
-        : models_(*ServedFolder::open(folder.toStdString()), token, modelLimits),
-          server_(
-              limits, [this](const ServedRequest& request) { return models_.answer(request); },
-              [this](const HttpRecord& record) {
-                  const std::lock_guard lock(mutex_);
-                  records_.push_back(record);
-              })
-    {
-        const auto bound = server_.bind("127.0.0.1", 0);
-        port = bound ? *bound : 0;
-        thread_ = std::jthread([this](const std::stop_token& stop) { (void)server_.run(Progress(stop, {})); });
-    }
-
-    std::vector<HttpRecord> records() const
-    {
-        const std::lock_guard lock(mutex_);
-        return records_;
-    }
-    /// Waits for so many requests to be over.
-    bool waitForRecords(std::size_t count) const
-    {
-        return QTest::qWaitFor([&] { return records().size() >= count; }, 10'000);
-    }
-    std::string address(const std::string& name) const
-    {
-        return "http://127.0.0.1:" + std::to_string(port) + "/" + name;
-    }
-
-    int port = 0;
-
-private:
-    ModelServer models_;
-    HttpServer server_;
-    mutable std::mutex mutex_;
-    std::vector<HttpRecord> records_;
-    std::jthread thread_;
-};
-
 Arguments argumentsOf(const QStringList& words)
 {
     Syntax syntax;
@@ -174,6 +135,8 @@ private:
         return runTan({"sample", sample, "--size", size, "-o", dataset}, place_.path()).exitCode == 0 &&
                runTan({"build", dataset, "-o", model}, place_.path()).exitCode == 0;
     }
+
+    OpenOptions cached() const { return {.cacheFolder = place_.filePath("cache").toStdString()}; }
 
 private slots:
     void initTestCase()
@@ -335,8 +298,118 @@ private slots:
         const auto there = meshAtServer(meshAddress(server.address(model.toStdString()), arguments), "");
         QVERIFY2(there.ok(), there.ok() ? "" : there.error().text().c_str());
         QVERIFY(!there->content.mesh.tetrahedra.empty());
-        QVERIFY(inAnyOrder((*here)->mesh, (*here)->birthErrors, (*here)->deathErrors) ==
-                inAnyOrder(there->content.mesh, there->content.birthErrors, there->content.deathErrors));
+        const auto expected = inAnyOrder((*here)->mesh, (*here)->birthErrors, (*here)->deathErrors);
+        QVERIFY(expected == inAnyOrder(there->content.mesh, there->content.birthErrors, there->content.deathErrors));
+
+        // By a model that is left there, with all that is told of the mesh.
+        const auto left = openModel(placeOf(server.address(model.toStdString()), true), cached());
+        QVERIFY2(left.ok(), left.ok() ? "" : left.error().text().c_str());
+        const auto asked = MeshExtractor(left->model).extract(*query);
+        QVERIFY2(asked.ok(), asked.ok() ? "" : asked.error().text().c_str());
+        QVERIFY(expected == inAnyOrder((*asked)->mesh, (*asked)->birthErrors, (*asked)->deathErrors));
+        QCOMPARE((*asked)->wholeSites, (*here)->wholeSites);
+        QCOMPARE((*asked)->wholeTetrahedra, (*here)->wholeTetrahedra);
+        QCOMPARE((*asked)->keptSites, (*here)->keptSites);
+        QCOMPARE((*asked)->keptTetrahedra, (*here)->keptTetrahedra);
+        QCOMPARE((*asked)->scale, (*here)->scale);
+        QCOMPARE((*asked)->method, (*here)->method);
+        QCOMPARE((*asked)->overlaps, (*here)->overlaps);
+        QCOMPARE((*asked)->sites.size(), (*asked)->mesh.positions.size());
+    }
+
+    /// R28: without the model it is known what it is of, and how large the mesh of an error is; to a few percent.
+    void aModelLeftAtTheServerIsKnown()
+    {
+        const LocalServer server(folder_);
+        for (const char* name : {"lattice.tan", "within/packed.tan", "within/grid.tan", "part.tan"}) {
+            const std::string place = placeOf(server.address(name), true);
+            QVERIFY(isLeftAtServer(place) && isAddress(place) && !isLeftAtServer(server.address(name)));
+            QCOMPARE(placeOf(place, false), server.address(name));
+            const auto left = openModel(place, cached());
+            QVERIFY2(left.ok(), left.ok() ? "" : left.error().text().c_str());
+            const Model& far = *left->model;
+            const QString file =
+                folder_ + (name == std::string("within/packed.tan") ? "/lattice.tan" : "/" + QString(name));
+            const auto here = Model::open(file.toStdString());
+            QVERIFY(here.ok());
+            QCOMPARE(far.path().string(), place);
+            QCOMPARE(far.description().sourceName, (*here)->description().sourceName);
+            QCOMPARE(far.diagonal(), (*here)->diagonal());
+            QCOMPARE(wholeSites(far), (*here)->siteCount());
+            QCOMPARE(wholeBytes(far), std::uint64_t(QFileInfo(folder_ + "/" + name).size()));
+            QVERIFY(left->isWhole);
+            QCOMPARE(meshSizeAt(far, {}).tetrahedra, meshSizeAt(**here, {}).tetrahedra);
+            QCOMPARE(meshSizeAt(far, {.error = anyError}).sites, meshSizeAt(**here, {.error = anyError}).sites);
+            for (double error = 50; error > 0.01; error *= 0.77) {
+                const MeshSize one = meshSizeAt(far, {error, error}), other = meshSizeAt(**here, {error, error});
+                QVERIFY(one.error <= error && one.warping <= error);
+                QVERIFY2(one.sites >= other.sites && double(one.sites) <= 1.1 * double(other.sites) + 8,
+                         qPrintable(QString("%1 %2: %3 %4").arg(name).arg(error).arg(one.sites).arg(other.sites)));
+                const auto within = meshSizeWithin(far, {}, other.tetrahedra);
+                QVERIFY(within.ok() && within->tetrahedra <= other.tetrahedra &&
+                        double(within->tetrahedra) > 0.85 * double(other.tetrahedra) - 30);
+            }
+            QVERIFY(!meshSizeWithin(far, {}, 1).ok());
+            QCOMPARE(meshSizeOf(far, wholeSites(far)).sites, meshSizeAt(far, {}).sites);
+            // An empty part is a mesh, and no refusal.
+            MeshQuery nothing;
+            nothing.values = {{1e9, 2e9}};
+            const auto empty = MeshExtractor(left->model).extract(nothing);
+            QVERIFY2(empty.ok() && (*empty)->mesh.tetrahedra.empty(), empty.ok() ? "" : empty.error().text().c_str());
+        }
+    }
+
+    /// R28: whoever left the model there is told what is wrong, in a sentence each.
+    void whatAServerDoesNotGiveIsTold()
+    {
+        const std::string token = "0123456789abcdef-token";
+        std::optional<LocalServer> server(std::in_place, folder_, token);
+        const std::string place = placeOf(server->address("part.tan"), true);
+        OpenOptions options = cached();
+        for (const char* wrong : {"", "0123456789abcdef-tokex"}) {
+            options.token = wrong;
+            const auto refused = openModel(place, options);
+            QVERIFY(!refused.ok() && wantsToken(refused.error()));
+            QVERIFY(askServer(place, wrong)->wantsToken);
+        }
+        options.token = token;
+        const auto offer = askServer(place, token);
+        QVERIFY(offer.ok() && offer->findsMeshes && !offer->wantsToken && offer->sites > 4);
+        QVERIFY(askServer(server->address("within/packed.tan"), token)->form == ModelForm::Packed);
+        QVERIFY(!askServer(server->address("nothing.tan"), token).ok());
+        QVERIFY(!openModel(server->address("part.tan"), cached()).ok());
+        QVERIFY(openModel(server->address("part.tan"), options).ok()); // fetched, with the token
+        const auto left = openModel(place, options);
+        QVERIFY2(left.ok(), left.ok() ? "" : left.error().text().c_str());
+        MeshExtractor extractor(left->model);
+        QVERIFY(extractor.extract({.error = 5}).ok());
+        const auto refusal = [&](const MeshQuery& query, const Progress& progress = {}) {
+            const auto mesh = extractor.extract(query, progress);
+            return mesh ? std::string() : mesh.error().text();
+        };
+        std::vector<std::array<double, 2>> knots;
+        for (int i = 0; i < 2000; ++i)
+            knots.push_back({i / 3.0, i % 7 + 1.0});
+        QVERIFY(refusal({.error = ValueRamp{knots}}).find("too long") != std::string::npos);
+        std::stop_source stopped;
+        stopped.request_stop();
+        QVERIFY(extractor.extract({.error = 5}, Progress(stopped.get_token(), {})).error().kind ==
+                ErrorKind::Cancelled);
+
+        const QByteArray part = readFile(folder_ + "/part.tan");
+        QFile::remove(folder_ + "/part.tan");
+        QVERIFY(writeFile(folder_ + "/part.tan", lattice_));
+        QVERIFY2(refusal({.error = 5}).find("changed on its server") != std::string::npos,
+                 refusal({.error = 5}).c_str());
+        QVERIFY(writeFile(folder_ + "/part.tan", part));
+        server.reset();
+        QVERIFY2(refusal({.error = 5}).find("gives no answer") != std::string::npos, refusal({.error = 5}).c_str());
+        QVERIFY(!askServer(place, token).ok());
+        const LocalServer strict(folder_, {}, {}, {.tetrahedra = 10});
+        const auto small = openModel(placeOf(strict.address("part.tan"), true), cached());
+        QVERIFY(small.ok());
+        const auto large = MeshExtractor(small->model).extract({.error = 0});
+        QVERIFY(!large.ok() && large.error().text().find("more than 10 tetrahedra") != std::string::npos);
     }
 
     /// The same files and figures, but for the order; by the program.
@@ -364,6 +437,55 @@ private slots:
         QCOMPARE(runTan({"extract", address + "x", "--at-server", "-o", "no.vtu"}, place_.path()).exitCode, 3);
         QCOMPARE(runTan({"extract", "models/lattice.tan", "--at-server", "-o", "no.vtu"}, place_.path()).exitCode, 2);
         QVERIFY(!QFile::exists(place_.filePath("no.vtu")));
+    }
+
+    /// Surfaces and pictures of the mesh that a server finds: those of the model.
+    void surfacesAndPicturesAreMadeOfIt()
+    {
+        const std::string token = "0123456789abcdef-token";
+        QVERIFY(writeFile(place_.filePath("token"), QByteArray::fromStdString(token) + "\n"));
+        const LocalServer server(folder_, token);
+        const QString address = QString::fromStdString(server.address("lattice.tan"));
+        const QStringList there{address, "--at-server", "--token-file", "token"};
+        const QStringList ofMesh{"--error", "2", "--focus", "sphere:9,9,9,4", "--focus-error", "0.5"};
+        QJsonObject figures[2];
+        QImage pictures[2];
+        for (const bool isThere : {false, true}) {
+            const QStringList model = isThere ? there : QStringList{"models/lattice.tan"};
+            const QString name = isThere ? "there" : "here";
+            const Run surface = runTan(QStringList{"isosurface"} + model + ofMesh +
+                                           QStringList{"--value", "120", "-o", name + ".ply", "--json"},
+                                       place_.path());
+            QVERIFY2(surface.exitCode == 0, surface.messages);
+            figures[isThere] = surface.json();
+            figures[isThere].remove("seconds");
+            figures[isThere].remove("file");
+            const Run picture = runTan(QStringList{"render"} + model + ofMesh +
+                                           QStringList{"--isovalue", "120", "--lens", "0.5,0.5,0.2,3,0.3", "--size",
+                                                       "200x150", "-o", name + ".png"},
+                                       place_.path());
+            QVERIFY2(picture.exitCode == 0, picture.messages);
+            pictures[isThere] = QImage(place_.filePath(name + ".png"));
+        }
+        QCOMPARE(figures[1], figures[0]);
+        QVERIFY(figures[0]["triangles"].toInt() > 100);
+        QCOMPARE(pictures[1].size(), QSize(200, 150));
+        int differing = 0;
+        for (int y = 0; y < 150; ++y)
+            for (int x = 0; x < 200; ++x)
+                differing += std::abs(qGray(pictures[0].pixel(x, y)) - qGray(pictures[1].pixel(x, y))) > 2 ? 1 : 0;
+        QVERIFY2(differing < 20, qPrintable(QString::number(differing)));
+        const Run refused =
+            runTan({"isosurface", address, "--at-server", "--value", "120", "-o", "no.ply"}, place_.path());
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("only those who have its token"), refused.messages);
+        for (const QStringList& wrong : {QStringList{"models/lattice.tan", "--at-server"},
+                                         QStringList{"models/lattice.tan", "--token-file", "token"}})
+            QCOMPARE(
+                runTan(QStringList{"isosurface"} + wrong + QStringList{"--value", "120", "-o", "no.ply"}, place_.path())
+                    .exitCode,
+                2);
+        QVERIFY(!QFile::exists(place_.filePath("no.ply")));
     }
 
     void badQueriesAreRefused()

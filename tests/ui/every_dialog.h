@@ -3,6 +3,7 @@
 
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/window/address_dialog.h"
 #include "ui/window/leaving.h"
 
 #include <QAbstractButton>
@@ -47,6 +48,11 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
         {"pluginWindow", byAction("plugins")},
         {"aboutBox", byAction("about")},
         {"addressDialog", byAction("openAddress")},
+        {"tokenDialog",
+         [](WindowFixture& window) {
+             askForToken(&window.window, "tokenDialog", "tan+http://volumes.example.org:8080/engine.tan",
+                         [](const QString&) {});
+         }},
         {"cacheDialog", byAction("modelCache")},
         {"palette", byAction("palette")},
         {"pictureOptions", byAction("savePicture")},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/accuracy_panel.h"
 
+#include "core/history/whole_elsewhere.h"
 #include "plugins/widgets/gesture_watcher.h"
 #include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
@@ -298,7 +299,7 @@ void AccuracyPanel::showSize()
         sites_->setText(countText(sites));
         tetrahedra_->setText(countText(tetrahedra));
         if (isPlanned || !shown->isBlended) {
-            siteShare_->setText(shareText(static_cast<double>(sites), model->siteCount()));
+            siteShare_->setText(shareText(static_cast<double>(sites), wholeSites(*model)));
             tetrahedronShare_->setText(shareText(static_cast<double>(tetrahedra),
                                                  static_cast<double>(meshSizeAt(*model, bothWithin(0)).tetrahedra)));
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/model_statistics.h"
 
+#include "core/history/whole_elsewhere.h"
 #include "plugins/widgets/number_text.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/files.h"
@@ -82,8 +83,8 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
                                       {Statistics::tr("Values"), Statistics::tr("%1 to %2")
                                                                      .arg(valueText(range.minimum, range.extent()),
                                                                           valueText(range.maximum, range.extent()))},
-                                      {Statistics::tr("Total vertices"), countText(model.siteCount())},
-                                      {Statistics::tr("File"), bytesText(model.fileBytes().size())}};
+                                      {Statistics::tr("Total vertices"), countText(wholeSites(model))},
+                                      {Statistics::tr("File"), bytesText(wholeBytes(model))}};
     if (model.description().domain == DomainClass::Curvilinear) {
         const auto& parameters = model.description().parameters;
         const bool inSpace =

@@ -6,6 +6,7 @@
 
 #include <tan/open.h>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -16,6 +17,10 @@
 
 namespace tetra {
 namespace {
+
+class PlaceTexts {
+    Q_DECLARE_TR_FUNCTIONS(Places)
+};
 
 constexpr qint64 largestFile = 64 << 20; // a session with a long film has some megabytes
 
@@ -34,7 +39,13 @@ QString pathText(const std::filesystem::path& path)
 QString shownPlace(const std::filesystem::path& place)
 {
     const std::string text = place.string();
-    return isAddress(text) ? QString::fromStdString(shownAddress(text)) : pathText(place);
+    return isAddress(text) ? QString::fromStdString(shownAddress(placeOf(text, false))) : pathText(place);
+}
+
+QString shownName(const std::filesystem::path& place)
+{
+    const QString name = QFileInfo(shownPlace(place)).fileName();
+    return isLeftAtServer(place.string()) ? PlaceTexts::tr("%1, at its server").arg(name) : name;
 }
 
 QString sizeText(std::uint64_t bytes)

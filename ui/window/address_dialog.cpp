@@ -1,57 +1,209 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/address_dialog.h"
 
+#include "ui/session/files.h"
+#include "ui/session/message_text.h"
+#include "ui/workbench/address_probe.h"
+#include "ui/workbench/model_cache.h"
+
 #include <tan/open.h>
 
 #include <QClipboard>
-#include <QCoreApplication>
-#include <QDialog>
 #include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
+#include <QRadioButton>
+#include <QUrl>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace tetra {
 namespace {
 
-class AddressTexts {
-    Q_DECLARE_TR_FUNCTIONS(AddressDialog)
-};
+constexpr int askedAfter = 400; // milliseconds without a key
+
+QLineEdit* makeTokenField(const QString& name)
+{
+    auto* token = new QLineEdit;
+    token->setObjectName(name);
+    token->setEchoMode(QLineEdit::Password);
+    token->setToolTip(AddressDialog::tr("What whoever runs the server has set; it is kept until the program ends"));
+    return token;
+}
+
+/// Below a radio button, as wide as its text.
+QLabel* makeExplanation(const QString& text, const QRadioButton& above)
+{
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setIndent(above.iconSize().width() + label->fontMetrics().averageCharWidth());
+    return label;
+}
 
 } // namespace
 
-void askForAddress(QWidget* parent, const QString& name, const FileChosen& chosen)
+AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* parent)
+    : QDialog(parent), tokenOf_(std::move(tokenOf)), address_(new QLineEdit), tokenLabel_(new QLabel(tr("&Token:"))),
+      token_(makeTokenField(name + ".token")), fetch_(new QRadioButton(tr("&Fetch the model"))),
+      leave_(new QRadioButton(tr("&Leave the model at the server"))), offer_(new QLabel), probe_(new AddressProbe(this))
+{
+    constexpr int letters = 60;
+    setObjectName(name);
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Open URL"));
+    auto* label = new QLabel(tr("&Address of a model on a server:"));
+    address_->setObjectName(name + ".address");
+    address_->setMinimumWidth(address_->fontMetrics().averageCharWidth() * letters);
+    address_->setPlaceholderText("https://example.org/model.tan");
+    address_->setToolTip(tr("Where the model lies, packed or not: http:// or https://"));
+    label->setBuddy(address_);
+    tokenLabel_->setBuddy(token_);
+    tokenLabel_->hide();
+    token_->hide();
+    fetch_->setObjectName(name + ".fetch");
+    fetch_->setChecked(true);
+    leave_->setObjectName(name + ".leave");
+    offer_->setObjectName(name + ".offer");
+    offer_->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
+    open_ = buttons->button(QDialogButtonBox::Open);
+    auto* layout = new QVBoxLayout(this);
+    const int gap = layout->spacing();
+    layout->addWidget(label);
+    layout->addWidget(address_);
+    layout->addWidget(tokenLabel_);
+    layout->addWidget(token_);
+    layout->addSpacing(gap);
+    layout->addWidget(fetch_);
+    layout->addWidget(makeExplanation(tr("It comes to this computer as far as it is needed, and is quick from then on, "
+                                         "also without the network."),
+                                      *fetch_));
+    layout->addWidget(leave_);
+    layout->addWidget(makeExplanation(tr("The server finds each mesh and sends only that: for models that are too "
+                                         "large for this computer. Every change waits for the network."),
+                                      *leave_));
+    layout->addSpacing(gap);
+    layout->addWidget(offer_);
+    layout->addStretch();
+    layout->addWidget(buttons);
+
+    soon_.setSingleShot(true);
+    soon_.setInterval(askedAfter);
+    connect(&soon_, &QTimer::timeout, this, &AddressDialog::ask);
+    connect(probe_, &AddressProbe::probed, this, &AddressDialog::showOffer);
+    connect(address_, &QLineEdit::textChanged, this, &AddressDialog::askSoon);
+    connect(token_, &QLineEdit::textChanged, this, [this] { soon_.start(); });
+    for (QRadioButton* button : {fetch_, leave_})
+        connect(button, &QRadioButton::clicked, this, [this] { hasChosen_ = true; });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(this, &QDialog::accepted, this, [this] {
+        emit chosen(QString::fromStdString(placeOf(address().toStdString(), leave_->isChecked())), token());
+    });
+    // Who has just copied an address wants that one.
+    if (const QString copied = QGuiApplication::clipboard()->text().trimmed(); isAddress(copied.toStdString()))
+        address_->setText(copied);
+    address_->selectAll();
+    askSoon();
+}
+
+AddressDialog::~AddressDialog() = default;
+
+QString AddressDialog::address() const
+{
+    return address_->text().trimmed();
+}
+
+QString AddressDialog::token() const
+{
+    return token_->isVisibleTo(this) ? token_->text().trimmed() : QString();
+}
+
+/// Not of each letter, and of no host whose address is not all there: what can be left at a server ends in .tan.
+void AddressDialog::askSoon()
+{
+    const std::string place = address().toStdString();
+    open_->setEnabled(isAddress(place));
+    probe_->cancel();
+    offer_->clear();
+    hasChosen_ = false;
+    const bool isLeft = isLeftAtServer(place);
+    leave_->setEnabled(isLeft);
+    leave_->setToolTip(tr("Where the server is one of TAn: 'tan serve'"));
+    (isLeft ? leave_ : fetch_)->setChecked(true);
+    if (isAddress(place) && QUrl(address()).path().endsWith(".tan"))
+        soon_.start();
+    else
+        soon_.stop();
+}
+
+void AddressDialog::ask()
+{
+    offer_->setText(tr("Asking the server…"));
+    const QString given = token();
+    probe_->request(address(), given.isEmpty() ? tokenOf_(address()) : given);
+}
+
+void AddressDialog::showOffer(const Result<ServerOffer>& offer)
+{
+    if (!offer)
+        return offer_->setText(translatedMessage(offer.error().message));
+    if (offer->wantsToken) {
+        offer_->setText(token().isEmpty() ? tr("This server answers only those who have its token.")
+                                          : tr("This is not the token of the server."));
+        tokenLabel_->show();
+        token_->show();
+        return;
+    }
+    leave_->setEnabled(offer->findsMeshes);
+    if (!offer->findsMeshes) {
+        fetch_->setChecked(true);
+        return offer_->setText(tr("This server only gives files, so the model has to be fetched."));
+    }
+    leave_->setToolTip({});
+    const QString size =
+        tr("%L1 vertices, %2.")
+            .arg(offer->sites)
+            .arg(offer->form == ModelForm::Packed
+                     ? tr("%1 packed, %2 unpacked").arg(sizeText(offer->fileBytes), sizeText(offer->unpackedBytes))
+                     : sizeText(offer->fileBytes));
+    if (fitsHere(*offer))
+        return offer_->setText(size);
+    offer_->setText(tr("%1 That is more than this computer has room for: leave it at the server.").arg(size));
+    if (!hasChosen_)
+        leave_->setChecked(true);
+}
+
+void askForToken(QWidget* parent, const QString& name, const QString& place,
+                 const std::function<void(const QString& token)>& given)
 {
     auto* dialog = new QDialog(parent);
     dialog->setObjectName(name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(AddressTexts::tr("Open URL"));
-    auto* label = new QLabel(AddressTexts::tr("&Address of a model on a server:"));
-    auto* address = new QLineEdit;
-    address->setObjectName(name + ".address");
-    address->setMinimumWidth(address->fontMetrics().averageCharWidth() * 60);
-    address->setPlaceholderText("https://example.org/model.tan");
-    address->setToolTip(AddressTexts::tr("Where the model lies, packed or not: http:// or https://"));
-    label->setBuddy(address);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
-    QPushButton* open = buttons->button(QDialogButtonBox::Open);
+    dialog->setWindowTitle(AddressDialog::tr("Token"));
+    auto* label = new QLabel(AddressDialog::tr("The server of %1 answers only those who have its &token:")
+                                 .arg(shownPlace(filePath(place)).replace('&', "&&")));
+    label->setWordWrap(true);
+    QLineEdit* token = makeTokenField(name + ".token");
+    label->setBuddy(token);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    QPushButton* ok = buttons->button(QDialogButtonBox::Ok);
+    ok->setEnabled(false);
     auto* layout = new QVBoxLayout(dialog);
     layout->addWidget(label);
-    layout->addWidget(address);
+    layout->addWidget(token);
     layout->addWidget(buttons);
-    const auto given = [address] { return address->text().trimmed(); };
-    const auto check = [open, given] { open->setEnabled(isAddress(given().toStdString())); };
-    QObject::connect(address, &QLineEdit::textChanged, dialog, check);
+    QObject::connect(token, &QLineEdit::textChanged, ok,
+                     [ok](const QString& text) { ok->setEnabled(!text.trimmed().isEmpty()); });
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-    QObject::connect(dialog, &QDialog::accepted, parent, [chosen, given] { chosen(given()); });
-    // Who has just copied an address wants that one.
-    if (const QString copied = QGuiApplication::clipboard()->text().trimmed(); isAddress(copied.toStdString()))
-        address->setText(copied);
-    address->selectAll();
-    check();
+    QObject::connect(dialog, &QDialog::accepted, parent, [token, given] { given(token->text().trimmed()); });
     dialog->open();
 }
 

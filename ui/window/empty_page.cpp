@@ -268,7 +268,7 @@ void EmptyPage::showRecent(const QStringList& files)
     };
     for (const QString& path : files) {
         const QString shown = shownPlace(filePath(path));
-        auto* button = new QCommandLinkButton(shortened(QFileInfo(shown).fileName()), shortened(folderText(shown)));
+        auto* button = new QCommandLinkButton(shortened(shownName(filePath(path))), shortened(folderText(shown)));
         button->setObjectName("empty.recent");
         button->setIcon({});
         button->setToolTip(shown);

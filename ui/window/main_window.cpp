@@ -84,12 +84,6 @@ QStringList filesOf(const QMimeData* data)
     return files;
 }
 
-/// What a model's file is called, and where it lies, for people.
-QString shownName(const std::filesystem::path& place)
-{
-    return QFileInfo(shownPlace(place)).fileName();
-}
-
 /// A right click in the picture picks the value there and opens menu.picture: what can be made of the value, where to
 /// look from, and what becomes of the picture. The actions are those of the window's menus.
 void givePictureMenu(Viewport& viewport, ValuePick& pick, const Actions& actions)
@@ -233,8 +227,16 @@ void MainWindow::connectActions()
         askForFile(this, "importFileDialog", workbench_.opening().nameFilters(),
                    [this](const QString& path) { workbench_.opening().openWithOptions(path); });
     });
-    connect(actions_.openAddress, &QAction::triggered, this,
-            [this] { askForAddress(this, "addressDialog", [this](const QString& address) { open(address); }); });
+    connect(actions_.openAddress, &QAction::triggered, this, [this] {
+        auto* dialog = new AddressDialog(
+            "addressDialog", [this](const QString& place) { return workbench_.opening().tokenOf(place); }, this);
+        connect(dialog, &AddressDialog::chosen, this, [this](const QString& place, const QString& token) {
+            if (!token.isEmpty())
+                workbench_.opening().setToken(place, token);
+            open(place);
+        });
+        dialog->open();
+    });
     connect(actions_.modelCache, &QAction::triggered, this, [this] {
         auto* dialog = new CacheDialog(this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -358,6 +360,13 @@ void MainWindow::connectWorkbench()
     connect(&workbench_.opening(), &Opening::aboutToRead, this, [this] { readingLine_->setActivity(tr("Reading")); });
     connect(&workbench_.opening(), &Opening::shownPartChanged, this, &MainWindow::showPart);
     connect(&workbench_.opening(), &Opening::partRead, this, &MainWindow::offerRest);
+    connect(&workbench_.opening(), &Opening::tokenWanted, this,
+            [this](const QString& place, const std::function<void()>& again) {
+                askForToken(this, "tokenDialog", place, [this, place, again](const QString& token) {
+                    workbench_.opening().setToken(place, token);
+                    again();
+                });
+            });
     statusBar()->addPermanentWidget(
         new TaskLine("status.sampling", tr("Making the sample"), workbench_.opening().sampling()));
     statusBar()->addPermanentWidget(new TaskLine("status.saving", tr("Saving"), workbench_.exporting().savingMesh()));
@@ -499,7 +508,7 @@ void MainWindow::fillRecent()
     actions_.recent->clear();
     for (const QString& path : recentFiles()) {
         const QString shown = shownPlace(filePath(path));
-        QAction* action = actions_.recent->addAction(QFileInfo(shown).fileName().replace('&', "&&"));
+        QAction* action = actions_.recent->addAction(shownName(filePath(path)).replace('&', "&&"));
         action->setObjectName(QString("action.recent.%1").arg(actions_.recent->actions().size() - 1));
         action->setToolTip(shown);
         connect(action, &QAction::triggered, this, [this, path] { open(path); });
@@ -538,7 +547,8 @@ void MainWindow::showFile()
     const std::filesystem::path& session = workbench_.opening().sessionFile();
     const QString name = session.empty() ? file.fileName() : pathText(session.filename());
     const bool isRemote = model && isAddress(model->path().string());
-    status_->setFile(file.fileName(), isRemote ? place : file.absoluteFilePath());
+    status_->setFile(model ? shownName(model->path()) : QString(), isRemote ? place : file.absoluteFilePath(),
+                     model && model->elsewhere() != nullptr);
     setWindowTitle(model ? tr("%1[*] – TAn").arg(name) : tr("TAn"));
     setWindowModified(workbench_.opening().sessionModified());
 }

@@ -30,7 +30,6 @@ StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLa
     busy_->setObjectName("status.busy");
     busy_->setRange(0, 0);
     busy_->setFixedSize(80, 12);
-    busy_->setToolTip(tr("Drawing the picture at the chosen accuracy"));
     bar_->addPermanentWidget(busy_);
     busy_->hide();
     picked_ = add("status.picked",
@@ -66,8 +65,10 @@ QLabel* StatusLine::add(const char* name, const QString& toolTip)
     return label;
 }
 
-void StatusLine::setFile(const QString& name, const QString& path)
+void StatusLine::setFile(const QString& name, const QString& path, bool isAtServer)
 {
+    busy_->setToolTip(isAtServer ? tr("The server finds the mesh, or the picture is being drawn")
+                                 : tr("Drawing the picture at the chosen accuracy"));
     file_->setText(name);
     file_->setToolTip(path);
 }

@@ -20,7 +20,7 @@ public:
     explicit StatusLine(QStatusBar* bar);
 
     /// An empty name: nothing is open.
-    void setFile(const QString& name, const QString& path);
+    void setFile(const QString& name, const QString& path, bool isAtServer);
     /// Nothing is said of a scene any more: what is open is another one.
     void clearScene();
     void setScene(const BuiltScene& scene);

@@ -98,7 +98,8 @@ Status writeMesh(PluginHost& host, const MeshOrder& order, const Progress& progr
     const ExtractedMesh& extracted = *order.mesh;
     MeshContent content{extracted.mesh.positions, extracted.mesh.tetrahedra, {}, {}, {}};
     content.pointArrays.push_back({"value", std::span<const float>(extracted.mesh.values)});
-    content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
+    if (order.model->elsewhere() == nullptr) // a server does not tell them
+        content.pointArrays.push_back({"site", std::span<const std::uint32_t>(extracted.sites)});
     if (!extracted.birthErrors.empty())
         content.cellArrays = {{"birth_error", std::span<const float>(extracted.birthErrors)},
                               {"death_error", std::span<const float>(extracted.deathErrors)}};

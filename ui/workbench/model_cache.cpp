@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/model_cache.h"
 
+#include "core/base/memory.h"
+#include "core/opening/served_model.h"
 #include "core/remote/cache_folder.h"
 #include "ui/session/files.h"
 
@@ -44,6 +46,16 @@ CacheChoice usualCache()
     const std::uint64_t limit = usual ? usual->limit() : CacheFolder::defaultLimit;
     return {usual ? usual->path() : std::filesystem::path(),
             std::max(1, static_cast<int>(std::lround(static_cast<double>(limit) / gigabyte)))};
+}
+
+bool fitsHere(const ServerOffer& offer)
+{
+    constexpr std::uint64_t bytesPerSite = 600; // of the mesh while a packed lattice is built again
+    const auto folder = chosenFolder();
+    const std::uint64_t room = folder ? folder->limit() : CacheFolder::defaultLimit;
+    const std::uint64_t needed = offer.form == ModelForm::Packed ? bytesPerSite * offer.sites : 0;
+    const std::uint64_t memory = usableBytes();
+    return offer.unpackedBytes <= room && (memory == 0 || needed <= memory);
 }
 
 OpenOptions cacheOptions()

@@ -22,6 +22,12 @@ void setCacheChoice(const CacheChoice& choice);
 /// The usual ones, with all filled in.
 CacheChoice usualCache();
 
+struct ServerOffer;
+
+/// Whether a model on a server can be had here: the cache has the room for it, and this machine the memory to unpack
+/// it. As far as the server tells.
+bool fitsHere(const ServerOffer& offer);
+
 /// For openModel().
 OpenOptions cacheOptions();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/opening.h"
 
+#include "core/opening/served_model.h"
+#include "core/remote/remote_file.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 #include "ui/session/files.h"
@@ -15,6 +17,7 @@
 
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QUrl>
 
 #include <utility>
 
@@ -52,6 +55,23 @@ Status findSamples(ImportQuestion& question, const Progress& progress)
     return {};
 }
 
+/// Whether a model cannot be opened for want of the right token: whether it is left at its server or not.
+bool lacksToken(const std::filesystem::path& place, const std::string& token, const Error& error,
+                const Progress& progress)
+{
+    if (wantsToken(error))
+        return true;
+    const auto offer = isUnauthorized(error) ? askServer(place.string(), token, progress) : error;
+    return offer && offer->wantsToken;
+}
+
+/// "http://host:8080" of an address.
+QString serverOf(const QString& place)
+{
+    const QUrl address(QString::fromStdString(placeOf(place.toStdString(), false)));
+    return address.scheme() + "://" + address.authority();
+}
+
 } // namespace
 
 Opening::Opening(PluginHost& host, Session& session, SceneService& scenes, std::filesystem::path views)
@@ -87,6 +107,19 @@ void Opening::open(const QString& path)
         openSession(file, SessionSource::File);
     else
         look(file, false);
+}
+
+void Opening::setToken(const QString& place, const QString& token)
+{
+    const std::lock_guard lock(tokensMutex_);
+    tokens_[serverOf(place)] = token;
+}
+
+QString Opening::tokenOf(const QString& place) const
+{
+    const std::lock_guard lock(tokensMutex_);
+    const auto found = tokens_.find(serverOf(place));
+    return found != tokens_.end() ? found->second : QString();
 }
 
 void Opening::openWithOptions(const QString& path)
@@ -140,16 +173,17 @@ std::function<void()> Opening::whenModelCame(const std::filesystem::path& place,
                                              const std::shared_ptr<Coming>& coming, bool whole,
                                              const Progress& progress)
 {
-    const auto openedOf = [as](const FoundModel& found) {
+    const auto openedOf = [&as, &progress](const FoundModel& found) {
         OpenedModel opened = as;
         opened.model = found.model;
-        opened.field = extentOf(*found.model);
+        opened.field = extentOf(found.model, progress.withCallback({}));
         opened.sitesOfWhole = found.isWhole ? 0 : found.sitesOfWhole;
         opened.bytesOfWhole = found.fileBytes;
         opened.bytesRead = found.readBytes;
         return opened;
     };
     OpenOptions options = cacheOptions();
+    options.token = tokenOf(pathText(place)).toStdString();
     if (isAddress(place.string()) && !whole)
         options.mostBytes = fetchedUnasked;
     options.grown = [&](const FoundModel& found) {
@@ -164,6 +198,17 @@ std::function<void()> Opening::whenModelCame(const std::filesystem::path& place,
             Qt::QueuedConnection);
     };
     const auto found = tetra::openModel(place.string(), options, progress);
+    if (!found && lacksToken(place, options.token, found.error(), progress))
+        return [this, coming, as, place] {
+            coming->newest.becomes.clear();
+            endComing(*coming, false);
+            emit tokenWanted(pathText(place), [this, as, place] {
+                if (as.from.empty())
+                    open(pathText(place));
+                else
+                    openSession(as.from, as.source);
+            });
+        };
     if (!found)
         return [this, coming, as, error = found.error()] {
             coming->newest.becomes.clear(); // it stays what it is
@@ -342,7 +387,7 @@ Result<OpenedModel> Opening::openModel(const std::filesystem::path& path) const
     const auto model = Model::open(path);
     if (!model)
         return model.error();
-    return OpenedModel{.model = *model, .field = extentOf(**model), .view = views_.find(path)};
+    return OpenedModel{.model = *model, .field = extentOf(*model), .view = views_.find(path)};
 }
 
 void Opening::openSession(const std::filesystem::path& path, SessionSource source)

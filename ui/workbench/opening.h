@@ -16,6 +16,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <mutex>
 
 namespace tetra {
 
@@ -61,6 +63,9 @@ public:
     /// Opens a model, a session, or a dataset by the reader that fits it best; asks by choicesNeeded() where there is a
     /// choice. Of an address not more is fetched than takes a moment, which partRead() tells.
     void open(const QString& path);
+    /// The token for the server of an address, until the program ends; it is written nowhere. From any thread.
+    void setToken(const QString& place, const QString& token);
+    QString tokenOf(const QString& place) const;
     /// Fetches the rest of the model of which a part is shown.
     void readWhole();
     /// Asks by choicesNeeded() how a dataset is to be read, whether it must be known or not.
@@ -82,7 +87,10 @@ public:
     /// How much of the model that is shown there is: 0 if it is whole, or if that is not known yet.
     std::uint32_t sitesOfWhole() const noexcept { return sitesOfWhole_; }
     /// Whether the model that is shown is all there: not a part of one that is packed, on a server, or being built.
-    bool showsWhole() const { return session_.model() && becomes_.empty() && sitesOfWhole_ == 0; }
+    bool showsWhole() const
+    {
+        return session_.model() && session_.model()->elsewhere() == nullptr && becomes_.empty() && sitesOfWhole_ == 0;
+    }
     /// Whether more of that model is being read.
     bool modelComes() const { return coming_ && coming_->shown && coming_->shown == session_.model(); }
 
@@ -138,6 +146,8 @@ signals:
     /// A session was not saved.
     void saveFailed(const QString& text);
     void sessionSaved(const QString& path);
+    /// The server of that address answers only those who have its token; then `again` opens what was to be opened.
+    void tokenWanted(const QString& place, const std::function<void()>& again);
     /// Another part of the model is shown than before, or nothing more of it comes.
     void shownPartChanged();
     /// All of the model that was to be read is shown, and there is more.
@@ -211,7 +221,9 @@ private:
     std::uint32_t sitesOfWhole_ = 0;
     std::shared_ptr<Coming> coming_; ///< by the reading that runs
     std::filesystem::path sessionFile_;
-    QJsonObject sessionFound_; ///< the text of that file: what is not known here stays in it
+    mutable std::mutex tokensMutex_;    ///< guards the next one
+    std::map<QString, QString> tokens_; ///< of servers
+    QJsonObject sessionFound_;          ///< the text of that file: what is not known here stays in it
     Gate gate_;
     bool thumbnailsWanted_ = false;
     QTimer watching_; ///< the model's file for damage

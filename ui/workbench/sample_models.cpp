@@ -95,7 +95,7 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
     const auto model = Model::open(file);
     if (!model)
         return model.error();
-    const FieldExtent field = extentOf(**model);
+    const FieldExtent field = extentOf(*model);
     const auto modes = renderingModes(host);
     const ThumbnailStyle style = thumbnailStyle(kind);
     const auto mode = std::ranges::find(modes, style.mode, &Provided<Renderer>::id);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/view_picture.h"
 
+#include "core/history/whole_elsewhere.h"
 #include "plugins/api/scene_parameters.h"
 #include "ui/annotations/annotation_painter.h"
 #include "ui/session/accuracy_scale.h"
@@ -23,6 +24,23 @@ std::uint32_t sitesOfCoarseMesh(const Model& model)
 {
     const auto size = meshSizeWithin(model, {}, largestMesh);
     return size ? size->sites : meshSizeAt(model, {.error = everyError}).sites;
+}
+
+/// That mesh; of a model at a server as large a one as that.
+Result<std::shared_ptr<const TetrahedralMesh>> coarseMesh(const std::shared_ptr<const Model>& model,
+                                                          const Progress& progress)
+{
+    if (model->elsewhere() == nullptr) {
+        auto mesh = extractPrefix(*model, sitesOfCoarseMesh(*model), progress);
+        if (!mesh)
+            return mesh.error();
+        return std::make_shared<const TetrahedralMesh>(*std::move(mesh));
+    }
+    MeshQuery query;
+    query.warping = model->description().warpingWeight > 0 ? 0 : anyWarping;
+    query.budget = std::max(largestMesh, meshSizeAt(*model, {.error = anyError}).tetrahedra);
+    const auto mesh = MeshExtractor(model).extract(query, progress);
+    return mesh ? Result<std::shared_ptr<const TetrahedralMesh>>(meshOf(*mesh)) : mesh.error();
 }
 
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
@@ -60,16 +78,16 @@ FieldExtent roughExtentOf(const Model& model)
     return {model.description().range, model.description().bounds};
 }
 
-FieldExtent extentOf(const Model& model)
+FieldExtent extentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
 try {
-    FieldExtent field = roughExtentOf(model);
-    if (const auto mesh = extractPrefix(model, sitesOfCoarseMesh(model))) {
-        field.volumes = volumeHistogram(*mesh, field.range.minimum, field.range.maximum, volumeParts);
-        field.surface = surfaceValue(*mesh, field.range.minimum, field.range.maximum);
+    FieldExtent field = roughExtentOf(*model);
+    if (const auto mesh = coarseMesh(model, progress)) {
+        field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
+        field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
     }
     return field;
 } catch (const std::bad_alloc&) {
-    return roughExtentOf(model);
+    return roughExtentOf(*model);
 }
 
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,

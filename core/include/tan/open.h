@@ -90,8 +90,8 @@ struct OpenOptions {
     /// in it take no more than that, by default $TAN_CACHE_MB megabytes or else 8 GiB.
     std::filesystem::path cacheFolder{};
     std::uint64_t cacheBytes = 0;
-    /// For a server that answers only who has it: sent to the server of the address, and to no other. It is written
-    /// nowhere; a model that is left at its server keeps it in memory.
+    /// For a server that answers only those who have it: sent to the server of the address, and to no other. It is
+    /// written nowhere; a model that is left at its server keeps it in memory.
     std::string token{};
     /// Told of each coarser mesh on the way, the first one as soon as can be, each several times as large as the one
     /// before. From the thread that opens; what it does the work waits for.
