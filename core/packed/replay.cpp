@@ -360,11 +360,11 @@ Status ReplayPacker::closeChunk(ReplayChunk kind)
 /// The samples of the points that are no sites, if the last mesh does not tell them.
 Status ReplayPacker::packOthers(const Progress& progress)
 {
-    std::vector<double> expected;
+    ReplayMesh::Expectations expected;
     bool told = true;
     const Status compared = forEachFree(free_, [&](std::span<const std::uint32_t> points) {
         const Status known = told ? mesh_.expect(points, expected, progress) : Status();
-        told = told && known && agreesWith(mesh_, points, expected);
+        told = told && known && agreesWith(mesh_, points, expected.values);
         return known;
     });
     if (!compared || told)
@@ -374,7 +374,7 @@ Status ReplayPacker::packOthers(const Progress& progress)
             return known;
         for (std::size_t begin = 0; begin < points.size(); begin += codedAtOnce) {
             const auto part = points.subspan(begin, std::min(codedAtOnce, points.size() - begin));
-            values_->encode(coders_.values, part, expected.data() + begin);
+            values_->encode(coders_.values, part, expected.values.data() + begin);
             pointsInChunk_ += static_cast<std::uint32_t>(part.size());
             if (coders_.values.size() >= chunkBytesWanted(writtenSites_))
                 if (const Status closed = closeChunk(ReplayChunk::Others); !closed)
@@ -417,13 +417,13 @@ Result<bool> fillSamples(const Model& model, ReplayMesh& mesh, const Progress& p
     const std::size_t size = sampleSize(mesh.type());
     for (std::size_t site = 0; site < points.size(); ++site)
         std::memcpy(mesh.samples().data() + points[site] * size, model.values().data() + site * size, size);
-    if (const Status added = mesh.add(points.subspan(mesh.corners().size()), progress); !added)
+    if (const Status added = mesh.add(points.subspan(mesh.corners().size()), {}, progress); !added)
         return added.error();
-    std::vector<double> expected;
+    ReplayMesh::Expectations expected;
     const Status filled = forEachFree(free, [&](std::span<const std::uint32_t> others) {
         const Status known = mesh.expect(others, expected, progress);
         if (known)
-            takeExpected(mesh, others, expected);
+            takeExpected(mesh, others, expected.values);
         return known;
     });
     if (!filled)
@@ -489,7 +489,8 @@ private:
     GapCoder gaps_;
     std::unique_ptr<AnyValueCoder> valueCoder_;
     std::vector<std::uint32_t> sites_;
-    std::vector<double> expected_;
+    std::vector<std::uint32_t> slots_; ///< of the step's sites
+    ReplayMesh::Expectations expected_;
     bool begun_ = false;        ///< the corners are known
     std::size_t stepBegin_ = 0; ///< in sites_
     std::uint32_t leftInStep_ = 0;
@@ -546,8 +547,8 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
         if (corners) {
             if (part != leftInStep_)
                 return damaged();
-            expected_.assign(part, 0.0);
-            valueCoder_->decode(values, mesh_.corners(), expected_.data());
+            expected_.values.assign(part, 0.0);
+            valueCoder_->decode(values, mesh_.corners(), expected_.values.data());
             for (const std::uint32_t corner : mesh_.corners())
                 free_.remove(corner);
             begun_ = true;
@@ -561,9 +562,10 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
         if (leftInStep_ > 0 || corners)
             continue;
         const auto step = std::span<const std::uint32_t>(sites_).subspan(stepBegin_);
-        if (const Status added = mesh_.add(step, progress, watch); !added)
+        if (const Status added = mesh_.add(step, slots_, progress, watch); !added)
             return added;
         stepBegin_ = sites_.size();
+        slots_.clear();
     }
     return {};
 }
@@ -594,7 +596,8 @@ Status ReplayReader::readPart(RangeDecoder& positions, RangeDecoder& values, std
     const auto points = std::span<const std::uint32_t>(sites_).subspan(begin);
     if (const Status known = mesh_.expect(points, expected_, progress); !known)
         return known;
-    valueCoder_->decode(values, points, expected_.data());
+    slots_.insert(slots_.end(), expected_.slots.begin(), expected_.slots.end());
+    valueCoder_->decode(values, points, expected_.values.data());
     return {};
 }
 
@@ -607,7 +610,7 @@ Status ReplayReader::readOthers(const Progress& progress)
         return forEachFree(free_, [&](std::span<const std::uint32_t> points) {
             const Status known = mesh_.expect(points, expected_, progress);
             if (known)
-                takeExpected(mesh_, points, expected_);
+                takeExpected(mesh_, points, expected_.values);
             return known;
         });
     std::optional<RangeDecoder> values;
@@ -632,7 +635,7 @@ Status ReplayReader::readOthers(const Progress& progress)
                 left = head->points;
             }
             const std::size_t part = std::min<std::size_t>(left, points.size() - begin);
-            valueCoder_->decode(*values, points.subspan(begin, part), expected_.data() + begin);
+            valueCoder_->decode(*values, points.subspan(begin, part), expected_.values.data() + begin);
             if (values->overrun())
                 return damaged();
             begin += part;
@@ -944,7 +947,7 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
     const std::span<const std::uint32_t> sites = reader.sites();
     for (std::size_t first = 0; first < sites.size(); first += replayedAtOnce) {
         const auto part = sites.subspan(first, std::min(replayedAtOnce, sites.size() - first));
-        if (const Status added = replayed.add(part, progress, &history); !added)
+        if (const Status added = replayed.add(part, {}, progress, &history); !added)
             return added;
         if (!history.status())
             return history.status();

@@ -20,52 +20,39 @@ namespace {
 
 constexpr MarkedText replaying = Message::marked("Replaying the insertions");
 
-using ReplayOffset = std::array<std::int64_t, 3>;
-
-std::int64_t replayDeterminant(const ReplayOffset& a, const ReplayOffset& b, const ReplayOffset& c)
+/// The linear interpolation at a point of a tetrahedron, whose weights the point's volumes are. Of integers of up to 16
+/// bits it is one division of exact integers; of others the weights are reduced fractions, and only vertices of a
+/// weight count, in the lattice's order: so a point on a face gets the same from both sides.
+template <class T> double interpolatedAt(const PackedLattice& lattice, const T* samples,
+                                         const std::array<PackedPoint, 4>& vertices,
+                                         const std::array<std::int64_t, 4>& volumes)
 {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/// The linear interpolation at a point of a tetrahedron. Of integers of up to 16 bits it is one division of exact
-/// integers; of others the weights are reduced fractions, and only vertices of a weight count, in the lattice's order:
-/// so a point on a face gets the same from both sides.
-template <class T> double interpolatedAt(const PackedLattice& lattice, const T* samples, PackedPoint point,
-                                         std::array<PackedPoint, 4> vertices)
-{
-    std::ranges::sort(vertices);
-    const auto from = [&](PackedPoint other) -> ReplayOffset {
-        return {lattice.x(other) - lattice.x(vertices[0]), lattice.y(other) - lattice.y(vertices[0]),
-                lattice.z(other) - lattice.z(vertices[0])};
-    };
-    const ReplayOffset a = from(vertices[1]), b = from(vertices[2]), c = from(vertices[3]), q = from(point);
-    std::int64_t whole = replayDeterminant(a, b, c);
-    std::array<std::int64_t, 4> weights{0, replayDeterminant(q, b, c), replayDeterminant(a, q, c),
-                                        replayDeterminant(a, b, q)};
-    weights[0] = whole - weights[1] - weights[2] - weights[3];
+    const std::int64_t whole = volumes[0] + volumes[1] + volumes[2] + volumes[3];
     if (whole == 0) // no mesh has it
         return 0;
     if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
         std::int64_t sum = 0;
         for (std::size_t i = 0; i < 4; ++i)
-            sum += weights[i] * static_cast<std::int64_t>(samples[lattice.index(vertices[i])]);
+            sum += volumes[i] * static_cast<std::int64_t>(samples[lattice.index(vertices[i])]);
         return static_cast<double>(sum) / static_cast<double>(whole);
     } else {
+        std::array<std::pair<PackedPoint, std::int64_t>, 4> weights;
         std::int64_t divisor = whole;
-        for (const std::int64_t weight : weights)
-            divisor = std::gcd(divisor, weight);
-        if (whole < 0)
-            divisor = -divisor;
+        for (std::size_t i = 0; i < 4; ++i) {
+            weights[i] = {vertices[i], volumes[i]};
+            divisor = std::gcd(divisor, volumes[i]);
+        }
+        std::ranges::sort(weights);
         double sum = 0, first = 0;
         bool begun = false;
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (weights[i] == 0)
+        for (const auto& [vertex, weight] : weights) {
+            if (weight == 0)
                 continue;
-            const auto value = static_cast<double>(samples[lattice.index(vertices[i])]);
+            const auto value = static_cast<double>(samples[lattice.index(vertex)]);
             if (!begun)
                 first = value;
             begun = true;
-            sum += static_cast<double>(weights[i] / divisor) * (value - first);
+            sum += static_cast<double>(weight / divisor) * (value - first);
         }
         const double result = first + sum / static_cast<double>(whole / divisor);
         return std::isfinite(result) ? result : first;
@@ -131,11 +118,11 @@ Status ReplayMesh::prepare(const Lattice& lattice, const Progress& progress)
     return {};
 }
 
-Status ReplayMesh::expect(std::span<const std::uint32_t> points, std::vector<double>& expected,
-                          const Progress& progress) const
+Status ReplayMesh::expect(std::span<const std::uint32_t> points, Expectations& expected, const Progress& progress) const
 {
     constexpr std::size_t atOnce = 1024;
-    expected.resize(points.size());
+    expected.values.resize(points.size());
+    expected.slots.resize(points.size());
     const PackedLattice lattice = delaunay_.lattice();
     std::atomic<bool> lost = false;
     visitSampleType(type_, [&]<class T>() {
@@ -144,13 +131,14 @@ Status ReplayMesh::expect(std::span<const std::uint32_t> points, std::vector<dou
             if (progress.cancelled() || lost)
                 return;
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const PackedPoint point = lattice.pointAt(points[i]);
-                const std::uint32_t slot = delaunay_.locate(point);
-                if (slot == LatticeDelaunay::none) {
+                const PlacedPoint placed = delaunay_.place(lattice.pointAt(points[i]));
+                if (placed.slot == LatticeDelaunay::none) {
                     lost = true;
                     return;
                 }
-                expected[i] = interpolatedAt(lattice, samples, point, delaunay_.mesh()[slot].vertices);
+                expected.slots[i] = placed.slot;
+                expected.values[i] =
+                    interpolatedAt(lattice, samples, delaunay_.mesh()[placed.slot].vertices, placed.volumes);
             }
         });
     });
@@ -161,7 +149,8 @@ Status ReplayMesh::expect(std::span<const std::uint32_t> points, std::vector<dou
     return {};
 }
 
-Status ReplayMesh::add(std::span<const std::uint32_t> points, const Progress& progress, InsertionWatch* watch)
+Status ReplayMesh::add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots,
+                       const Progress& progress, InsertionWatch* watch)
 {
     constexpr std::size_t atOnce = 4096;
     std::vector<PackedPoint> packed;
@@ -172,7 +161,7 @@ Status ReplayMesh::add(std::span<const std::uint32_t> points, const Progress& pr
         packed.clear();
         for (const std::uint32_t point : part)
             packed.push_back(delaunay_.lattice().pointAt(point));
-        if (!delaunay_.add(packed, watch))
+        if (!delaunay_.add(packed, slots.empty() ? slots : slots.subspan(first, part.size()), watch))
             return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
     }
     return {};
@@ -252,7 +241,8 @@ Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Pr
     visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
         for (Candidate& one : candidates)
-            one.expected = interpolatedAt(lattice, samples, one.point, one.vertices);
+            one.expected =
+                interpolatedAt(lattice, samples, one.vertices, placeIn(delaunay_.mesh(), one.point, one.slot).volumes);
     });
     round.points.clear();
     round.expected.clear();
@@ -264,7 +254,7 @@ Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Pr
         const DelaunayTetrahedron& now = delaunay_.mesh()[one.slot];
         if (!(now.determinant() > 0) || now.vertices != one.vertices || delaunay_.isVertex(one.point))
             continue;
-        if (!delaunay_.add({&one.point, 1}))
+        if (!delaunay_.add({&one.point, 1}, {&one.slot, 1}))
             return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
         round.points.push_back(lattice.index(one.point));
         round.expected.push_back(one.expected);

@@ -44,12 +44,18 @@ public:
     const std::shared_ptr<std::byte>& sharedSamples() const noexcept { return samples_; }
     template <class T> std::span<T> samplesAs() noexcept { return {reinterpret_cast<T*>(samples_.get()), pointCount_}; }
 
+    struct Expectations {
+        std::vector<double> values;
+        std::vector<std::uint32_t> slots; ///< of tetrahedra that have the points
+    };
     /// What the mesh says of the samples of points. It depends on the mesh alone, not on which of several tetrahedra
     /// has a point, and is the same bits on every machine. On all threads.
-    Status expect(std::span<const std::uint32_t> points, std::vector<double>& expected, const Progress& progress) const;
+    Status expect(std::span<const std::uint32_t> points, Expectations& expected, const Progress& progress) const;
 
-    /// Adds sites. Errors: the mesh grew beyond what was reserved, cancelled.
-    Status add(std::span<const std::uint32_t> points, const Progress& progress, InsertionWatch* watch = nullptr);
+    /// Adds sites; `slots` are none, or those that expect() told of the mesh before. Errors: the mesh grew beyond what
+    /// was reserved, cancelled.
+    Status add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots, const Progress& progress,
+               InsertionWatch* watch = nullptr);
 
     // For those who pack: all samples are known.
 

@@ -199,54 +199,59 @@ void LocalDelaunay::acceptChanges()
 }
 
 /// Waiting for memory is most of an insertion: what the next ones need is fetched step by step.
-void LocalDelaunay::fetchAhead(std::span<const PackedPoint> points, std::size_t next) const
+void LocalDelaunay::fetchAhead(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots,
+                               std::size_t next) const
 {
-    const auto ahead = [&](std::size_t steps, const auto& fetch) {
-        if (next + steps < points.size())
-            fetch(cellOf(points[next + steps]));
-    };
-    ahead(6, [this](std::uint32_t cell) { hints_.prefetch(cell); });
+    if (slots.empty() && next + 6 < points.size())
+        hints_.prefetch(cellOf(points[next + 6]));
     const auto withHint = [&](std::size_t steps, const auto& fetch) {
-        ahead(steps, [&](std::uint32_t cell) {
-            if (const std::uint32_t slot = hints_[cell]; slot != HintGrid::none)
-                fetch(slot);
-        });
+        if (next + steps >= points.size())
+            return;
+        const std::uint32_t slot = slots.empty() ? hints_[cellOf(points[next + steps])] : slots[next + steps];
+        if (slot != HintGrid::none)
+            fetch(slot);
     };
     withHint(4, [this](std::uint32_t slot) { mesh_.prefetch(slot); });
     withHint(2, [this](std::uint32_t slot) { mesh_.prefetchNeighbours(slot); });
     withHint(1, [this](std::uint32_t slot) { mesh_.prefetchSurroundings(slot); });
 }
 
-bool LocalDelaunay::add(std::span<const PackedPoint> points, InsertionWatch* watch)
+bool LocalDelaunay::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots,
+                        InsertionWatch* watch)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        fetchAhead(points, i);
-        if (!addOne(points[i], watch))
+        fetchAhead(points, slots, i);
+        if (!addOne(points[i], slots.empty() ? HintGrid::none : slots[i], watch))
             return false;
     }
     return true;
 }
 
-bool LocalDelaunay::addOne(PackedPoint point, InsertionWatch* watch)
+bool LocalDelaunay::addOne(PackedPoint point, std::uint32_t slot, InsertionWatch* watch)
 {
     const auto number = static_cast<std::uint32_t>(firstVertices_.size() + added_.size());
     const auto place = coordinates(point);
     added_.push_back(point);
     vertexSet_.add(place[0], place[1], place[2]);
     if (!hints_.dividesBlocks())
-        return insertAt(point, hints_.cellOf(place[0], place[1], place[2]), number, watch);
+        return insertAt(point, slot, hints_.cellOf(place[0], place[1], place[2]), number, watch);
     std::array<std::uint32_t, 8> cells{};
     const std::uint32_t count = hints_.cellsOf(place, cells);
     for (std::uint32_t i = 0; i < count; ++i)
-        if (!insertAt(point, cells[i], number, watch))
+        if (!insertAt(point, slot, cells[i], number, watch))
             return false;
     return true;
 }
 
-bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t cell, std::uint32_t number, InsertionWatch* watch)
+bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t slot, std::uint32_t cell, std::uint32_t number,
+                             InsertionWatch* watch)
 {
-    const std::uint32_t start = startFor(cell);
-    const std::uint32_t found = start == HintGrid::none ? start : mesh_.findConflict(point, start);
+    std::uint32_t found = slot;
+    if (slot == HintGrid::none || !mesh_.conflicts(point, slot) ||
+        (hints_.dividesBlocks() && !lies(slot, hints_.blockOf(cell)))) {
+        const std::uint32_t start = startFor(cell);
+        found = start == HintGrid::none ? start : mesh_.findConflict(point, start);
+    }
     if (found == LatticeDelaunay::none || !mesh_.insert(point, found))
         return false;
     const std::span<const std::uint32_t> created = mesh_.created();
@@ -274,10 +279,10 @@ bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t cell, std::uint32_
     return true;
 }
 
-std::uint32_t LocalDelaunay::locate(PackedPoint point) const
+PlacedPoint LocalDelaunay::place(PackedPoint point) const
 {
     const std::uint32_t start = startFor(cellOf(point));
-    return start == HintGrid::none ? LatticeDelaunay::none : walkTo(mesh_, point, start);
+    return start == HintGrid::none ? PlacedPoint() : placeIn(mesh_, point, start);
 }
 
 std::uint32_t LocalDelaunay::blockOf(const std::array<HintGrid::Bounds, 3>& bounds) const

@@ -139,10 +139,16 @@ public:
 
     /// Adds points that are not vertices yet, one after the other. False if the mesh cannot take them: it is too large,
     /// or not what load() had seen.
-    [[nodiscard]] bool add(std::span<const PackedPoint> points, InsertionWatch* watch = nullptr);
-    /// A tetrahedron that contains a point of the lattice, on a border of blocks in one of these. From any thread,
-    /// while nothing changes. `none` if the mesh is not what load() had seen.
-    std::uint32_t locate(PackedPoint point) const;
+    [[nodiscard]] bool add(std::span<const PackedPoint> points, InsertionWatch* watch = nullptr)
+    {
+        return add(points, {}, watch);
+    }
+    /// `slots`: of each point one that place() gave a short while ago, or none. That is faster.
+    [[nodiscard]] bool add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots,
+                           InsertionWatch* watch = nullptr);
+    /// Where a point of the lattice lies, on a border of blocks in one of these. From any thread, while nothing
+    /// changes. No slot if the mesh is not what load() had seen.
+    PlacedPoint place(PackedPoint point) const;
 
     /// The slots made or emptied since the last acceptChanges() (or load, restore), each once.
     std::span<const std::uint32_t> changed() const noexcept { return {changed_.data(), changedCount_}; }
@@ -177,9 +183,10 @@ private:
         const auto [x, y, z] = coordinates(point);
         return hints_.cellOf(x, y, z);
     }
-    void fetchAhead(std::span<const PackedPoint> points, std::size_t next) const;
-    bool addOne(PackedPoint point, InsertionWatch* watch);
-    bool insertAt(PackedPoint point, std::uint32_t cell, std::uint32_t number, InsertionWatch* watch);
+    void fetchAhead(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots, std::size_t next) const;
+    bool addOne(PackedPoint point, std::uint32_t slot, InsertionWatch* watch);
+    bool insertAt(PackedPoint point, std::uint32_t slot, std::uint32_t cell, std::uint32_t number,
+                  InsertionWatch* watch);
     std::uint32_t startFor(std::uint32_t cell) const;
     std::uint32_t blockOf(const std::array<HintGrid::Bounds, 3>& bounds) const;
     bool lies(std::uint32_t slot, const std::array<HintGrid::Bounds, 3>& block) const;

@@ -540,6 +540,35 @@ pointsOfStart(const LatticeDelaunay& delaunay, const LatticeBox& box, std::uint3
     return inside;
 }
 
+PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot)
+{
+    const PackedLattice lattice = delaunay.lattice();
+    const std::int32_t x = lattice.x(point), y = lattice.y(point), z = lattice.z(point);
+    for (;;) {
+        const DelaunayTetrahedron& tetrahedron = delaunay[slot];
+        std::array<std::array<std::int64_t, 3>, 4> corners;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const PackedPoint vertex = tetrahedron.vertices[i];
+            corners[i] = {lattice.x(vertex) - x, lattice.y(vertex) - y, lattice.z(vertex) - z};
+        }
+        const auto cross = [](const auto& a, const auto& b) -> std::array<std::int64_t, 3> {
+            return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+        };
+        const auto dot = [](const auto& a, const auto& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+        const auto& [a, b, c, d] = corners;
+        const std::array<std::int64_t, 3> ab = cross(a, b), cd = cross(c, d);
+        const std::array<std::int64_t, 4> volumes = {dot(b, cd), -dot(a, cd), dot(d, ab), -dot(c, ab)};
+        std::size_t least = 0;
+        for (std::size_t face = 1; face < 4; ++face)
+            least = volumes[face] < volumes[least] ? face : least;
+        if (volumes[least] >= 0)
+            return {slot, volumes};
+        slot = tetrahedron.neighbours[least];
+        if (slot == LatticeDelaunay::none)
+            return {};
+    }
+}
+
 std::uint32_t walkTo(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot)
 {
     for (;;) {

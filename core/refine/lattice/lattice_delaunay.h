@@ -82,6 +82,18 @@ public:
     /// `none` if that leads nowhere, which no Delaunay mesh does to a point of its box.
     std::uint32_t findConflict(PackedPoint point, std::uint32_t from) const;
 
+    /// Whether a slot has a tetrahedron whose circumsphere has the point strictly inside.
+    bool conflicts(PackedPoint point, std::uint32_t slot) const noexcept
+    {
+        const DelaunayTetrahedron& tetrahedron = at(slot);
+        const PackedPoint apex = tetrahedron.vertices[0];
+        const double x = lattice_.x(point) - lattice_.x(apex), y = lattice_.y(point) - lattice_.y(apex),
+                     z = lattice_.z(point) - lattice_.z(apex);
+        const std::array<double, 4>& sphere = tetrahedron.sphere;
+        return sphere[3] != 0 && sphere[3] * (weights_[0] * x * x + weights_[1] * y * y + weights_[2] * z * z) <
+                                     sphere[0] * x + sphere[1] * y + sphere[2] * z;
+    }
+
     /// Gives a vertex a number that star().labels() tells.
     void label(PackedPoint point, std::uint32_t number) { star_.label(point, number); }
 
@@ -148,6 +160,16 @@ private:
 /// contain the point: always across a face that separates the two. In a Delaunay mesh that ends. Exact; O(cube root of
 /// the number of tetrahedra) from an arbitrary start.
 std::uint32_t walkTo(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
+
+/// Where a point lies: a tetrahedron that contains it, and six times the volume of the point with the face opposite to
+/// each of its vertices. None of these is negative; together they are the determinant.
+struct PlacedPoint {
+    std::uint32_t slot = LatticeDelaunay::none;
+    std::array<std::int64_t, 4> volumes{};
+};
+
+/// As walkTo(), but across the face that the point is farthest beyond. No slot if that leads out of the mesh.
+PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
 
 /// The points of a box but its corners, each with one of the five tetrahedra of the box's start that it lies in, which
 /// are those from `firstSlot` on.
