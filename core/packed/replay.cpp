@@ -645,13 +645,14 @@ Status ReplayReader::readOthers(const Progress& progress)
     });
 }
 
-Result<std::unique_ptr<ReplayMesh>> replayMeshOf(const PackedFile& file, const Progress& progress)
+Result<std::unique_ptr<ReplayMesh>> replayMeshOf(const PackedFile& file, ReplayMesh::Kept kept,
+                                                 const Progress& progress)
 {
     const ModelDescription& about = file.description();
     const std::uint64_t points = about.lattice.pointCount();
     if (about.domain != DomainClass::RegularLattice || !isReplayableSize(about.lattice, file.facts().blockCells))
         return file.damaged(Message::say("a lattice of %1 points cannot be replayed", points));
-    auto mesh = ReplayMesh::make(about.lattice, about.sampleType, file.facts().blockCells, progress);
+    auto mesh = ReplayMesh::make(about.lattice, about.sampleType, file.facts().blockCells, kept, progress);
     if (mesh && (*mesh)->corners().size() > file.header().siteCount)
         return file.damaged(Message::say("its blocks make no sense"));
     return mesh;
@@ -851,7 +852,7 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
         return cannot;
     if (!latticeMetric(BlockDivision(about.lattice.size, *cells).box(0).size, about.lattice.spacing))
         return cannot;
-    auto mesh = ReplayMesh::make(about.lattice, about.sampleType, *cells, progress);
+    auto mesh = ReplayMesh::make(about.lattice, about.sampleType, *cells, ReplayMesh::Kept::AsOne, progress);
     if (!mesh)
         return mesh.error();
     const Result<bool> filled = fillSamples(model, **mesh, progress);
@@ -880,7 +881,7 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
                                     const Progress& progress)
 {
     constexpr double readAt = 0.4;
-    auto mesh = replayMeshOf(file, progress);
+    auto mesh = replayMeshOf(file, ReplayMesh::Kept::InParts, progress);
     if (!mesh)
         return mesh.error();
     const ModelDescription& about = file.description();
@@ -907,7 +908,7 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
                               const Progress& progress)
 {
     constexpr double readAt = 0.5;
-    const auto mesh = replayMeshOf(file, progress);
+    const auto mesh = replayMeshOf(file, ReplayMesh::Kept::AsOne, progress);
     if (!mesh)
         return mesh.error();
     ReplayMesh& replayed = **mesh;

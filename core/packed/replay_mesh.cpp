@@ -23,9 +23,9 @@ constexpr MarkedText replaying = Message::marked("Replaying the insertions");
 /// The linear interpolation at a point of a tetrahedron, whose weights the point's volumes are. Of integers of up to 16
 /// bits it is one division of exact integers; of others the weights are reduced fractions, and only vertices of a
 /// weight count, in the lattice's order: so a point on a face gets the same from both sides.
-template <class T> double interpolatedAt(const PackedLattice& lattice, const T* samples,
-                                         const std::array<PackedPoint, 4>& vertices,
-                                         const std::array<std::int64_t, 4>& volumes)
+template <class T, class SampleAt> double interpolatedAt(const SampleAt& sampleAt,
+                                                         const std::array<PackedPoint, 4>& vertices,
+                                                         const std::array<std::int64_t, 4>& volumes)
 {
     const std::int64_t whole = volumes[0] + volumes[1] + volumes[2] + volumes[3];
     if (whole == 0) // no mesh has it
@@ -33,7 +33,7 @@ template <class T> double interpolatedAt(const PackedLattice& lattice, const T* 
     if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
         std::int64_t sum = 0;
         for (std::size_t i = 0; i < 4; ++i)
-            sum += volumes[i] * static_cast<std::int64_t>(samples[lattice.index(vertices[i])]);
+            sum += volumes[i] * static_cast<std::int64_t>(sampleAt(vertices[i]));
         return static_cast<double>(sum) / static_cast<double>(whole);
     } else {
         std::array<std::pair<PackedPoint, std::int64_t>, 4> weights;
@@ -48,7 +48,7 @@ template <class T> double interpolatedAt(const PackedLattice& lattice, const T* 
         for (const auto& [vertex, weight] : weights) {
             if (weight == 0)
                 continue;
-            const auto value = static_cast<double>(samples[lattice.index(vertex)]);
+            const auto value = static_cast<double>(sampleAt(vertex));
             if (!begun)
                 first = value;
             begun = true;
@@ -58,6 +58,19 @@ template <class T> double interpolatedAt(const PackedLattice& lattice, const T* 
         return std::isfinite(result) ? result : first;
     }
 }
+
+/// The numbers of a tetrahedron's vertices among sorted ones.
+std::array<std::uint32_t, 4> numbersOf(const std::array<PackedPoint, 4>& tetrahedron,
+                                       const std::vector<PackedPoint>& vertices)
+{
+    std::array<std::uint32_t, 4> numbers{};
+    for (std::size_t i = 0; i < 4; ++i)
+        numbers[i] = static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, tetrahedron[i]) - vertices.begin());
+    return numbers;
+}
+
+/// How many points are added between two looks at whether the work was cancelled.
+constexpr std::size_t addedAtOnce = 4096;
 
 /// No error is small enough: the largest one of each tetrahedron is to be found.
 class NoLimits final : public ErrorLimits {
@@ -69,15 +82,15 @@ public:
 } // namespace
 
 Result<std::unique_ptr<ReplayMesh>> ReplayMesh::make(const Lattice& lattice, SampleType type, std::uint32_t blockCells,
-                                                     const Progress& progress)
+                                                     Kept kept, const Progress& progress)
 {
     std::unique_ptr<ReplayMesh> mesh(new ReplayMesh(lattice, type, blockCells));
-    if (const Status prepared = mesh->prepare(lattice, progress); !prepared)
+    if (const Status prepared = mesh->prepare(lattice, kept, progress); !prepared)
         return prepared.error();
     return mesh;
 }
 
-Status ReplayMesh::prepare(const Lattice& lattice, const Progress& progress)
+Status ReplayMesh::prepare(const Lattice& lattice, Kept kept, const Progress& progress)
 {
     const auto metric = latticeMetric(division_.box(0).size, lattice.spacing);
     if (!metric)
@@ -89,27 +102,21 @@ Status ReplayMesh::prepare(const Lattice& lattice, const Progress& progress)
         return prepared;
     for (std::uint32_t block = 0; block < division_.count(); ++block)
         first.addBox(division_.box(block), !division_.odd(block));
+    std::vector<std::array<PackedPoint, 4>> start;
     std::vector<PackedPoint> vertices;
-    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra())
+    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra()) {
+        start.push_back(tetrahedron.vertices);
         vertices.insert(vertices.end(), tetrahedron.vertices.begin(), tetrahedron.vertices.end());
+    }
     std::ranges::sort(vertices);
     vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
-    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra()) {
-        std::array<std::uint32_t, 4> numbers{};
-        for (std::size_t i = 0; i < 4; ++i)
-            numbers[i] = static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, tetrahedron.vertices[i]) -
-                                                    vertices.begin());
-        start_.push_back(numbers);
-    }
+    for (const std::array<PackedPoint, 4>& tetrahedron : start)
+        start_.push_back(numbersOf(tetrahedron, vertices));
     for (const PackedPoint vertex : vertices)
-        corners_.push_back(first.lattice().index(vertex));
-    if (const Status prepared = delaunay_.prepare(division_, *metric); !prepared)
-        return prepared;
-    const MeshLoading loaded = delaunay_.load(start_, vertices, progress);
-    if (loaded == MeshLoading::Cancelled)
-        return cancelledError(replaying);
-    if (loaded != MeshLoading::Done)
-        return Error{ErrorKind::OutOfResource, Message::say("The lattice is too large to be packed as a whole.")};
+        corners_.push_back(lattice_.index(vertex));
+    divide(kept);
+    if (const Status loaded = load(start, *metric, progress); !loaded)
+        return loaded;
     auto samples = allocateSamples(type_, pointCount_);
     if (!samples)
         return samples.error();
@@ -118,28 +125,103 @@ Status ReplayMesh::prepare(const Lattice& lattice, const Progress& progress)
     return {};
 }
 
+/// Makes the parts: boxes of blocks, of which rows along x are not cut, as points come in rows. There are more than
+/// most machines have use for, as some have many sites and others none; but each takes some megabytes of its own.
+void ReplayMesh::divide(Kept kept)
+{
+    constexpr std::array<std::uint32_t, 3> most = {1, 4, 8};
+    const auto& size = lattice_.size();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t blocks = kept == Kept::AsOne ? 1 : division_.countAlong(axis);
+        const std::uint32_t together = (blocks + most[axis] - 1) / most[axis];
+        partEdges_[axis] = blocks > together ? together * division_.blockCells()[axis] : size[axis] - 1;
+        partCounts_[axis] = (blocks + together - 1) / together;
+    }
+    for (std::uint32_t z = 0; z < partCounts_[2]; ++z)
+        for (std::uint32_t y = 0; y < partCounts_[1]; ++y) {
+            auto part = std::make_unique<Part>();
+            part->box.origin = {0, y * partEdges_[1], z * partEdges_[2]};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                part->box.size[axis] = std::min(partEdges_[axis], size[axis] - 1 - part->box.origin[axis]) + 1;
+            const auto& origin = part->box.origin;
+            part->first = lattice_.index(lattice_.pack(origin[0], origin[1], origin[2]));
+            parts_.push_back(std::move(part));
+        }
+    entering_.resize(parts_.size());
+}
+
+/// The mesh of the blocks' corners into the parts.
+Status ReplayMesh::load(const std::vector<std::array<PackedPoint, 4>>& start, const LatticeMetric& metric,
+                        const Progress& progress)
+{
+    for (const auto& part : parts_) {
+        const BlockDivision division(part->box.size, division_.blockCells()[0]);
+        if (const Status prepared = part->delaunay.prepare(division, metric); !prepared)
+            return prepared;
+        const auto& origin = part->box.origin;
+        std::vector<std::array<PackedPoint, 4>> inside;
+        std::vector<PackedPoint> vertices;
+        for (const std::array<PackedPoint, 4>& tetrahedron : start) {
+            std::array<PackedPoint, 4> there{};
+            bool isInside = true;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const auto y = static_cast<std::uint32_t>(lattice_.y(tetrahedron[i])),
+                           z = static_cast<std::uint32_t>(lattice_.z(tetrahedron[i]));
+                isInside &= y >= origin[1] && y <= part->box.last(1) && z >= origin[2] && z <= part->box.last(2);
+                there[i] = part->delaunay.lattice().pack(static_cast<std::uint32_t>(lattice_.x(tetrahedron[i])),
+                                                         y - origin[1], z - origin[2]);
+            }
+            if (!isInside)
+                continue;
+            inside.push_back(there);
+            vertices.insert(vertices.end(), there.begin(), there.end());
+        }
+        std::ranges::sort(vertices);
+        vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+        std::vector<std::array<std::uint32_t, 4>> numbers;
+        for (const std::array<PackedPoint, 4>& tetrahedron : inside)
+            numbers.push_back(numbersOf(tetrahedron, vertices));
+        const MeshLoading loaded = part->delaunay.load(numbers, vertices, progress);
+        if (loaded == MeshLoading::Cancelled)
+            return cancelledError(replaying);
+        if (loaded != MeshLoading::Done)
+            return Error{ErrorKind::OutOfResource, Message::say("The lattice is too large to be packed as a whole.")};
+    }
+    return {};
+}
+
 Status ReplayMesh::expect(std::span<const std::uint32_t> points, Expectations& expected, const Progress& progress) const
 {
     constexpr std::size_t atOnce = 1024;
     expected.values.resize(points.size());
     expected.slots.resize(points.size());
-    const PackedLattice lattice = delaunay_.lattice();
     std::atomic<bool> lost = false;
+    const std::uint32_t rowPoints = lattice_.size()[0], planePoints = rowPoints * lattice_.size()[1];
+    const auto expectOf = [&]<class T>(const T* samples, std::size_t i) {
+        const std::uint32_t z = points[i] / planePoints, y = points[i] % planePoints / rowPoints,
+                            x = points[i] % rowPoints;
+        const Part& part = *parts_[partAlong(2, z) * partCounts_[1] + partAlong(1, y)];
+        const PackedLattice& lattice = part.delaunay.lattice();
+        const PlacedPoint placed = part.delaunay.place(lattice.pack(x, y - part.box.origin[1], z - part.box.origin[2]));
+        if (placed.slot == LatticeDelaunay::none)
+            return false;
+        const auto sampleAt = [&](PackedPoint vertex) {
+            return samples[part.first + static_cast<std::uint32_t>(lattice.z(vertex)) * planePoints +
+                           static_cast<std::uint32_t>(lattice.y(vertex)) * rowPoints +
+                           static_cast<std::uint32_t>(lattice.x(vertex))];
+        };
+        expected.slots[i] = placed.slot;
+        expected.values[i] = interpolatedAt<T>(sampleAt, part.delaunay.mesh()[placed.slot].vertices, placed.volumes);
+        return true;
+    };
     visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), atOnce), [&](const auto& range) {
             if (progress.cancelled() || lost)
                 return;
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const PlacedPoint placed = delaunay_.place(lattice.pointAt(points[i]));
-                if (placed.slot == LatticeDelaunay::none) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                if (!expectOf(samples, i))
                     lost = true;
-                    return;
-                }
-                expected.slots[i] = placed.slot;
-                expected.values[i] =
-                    interpolatedAt(lattice, samples, delaunay_.mesh()[placed.slot].vertices, placed.volumes);
-            }
         });
     });
     if (progress.cancelled())
@@ -149,28 +231,83 @@ Status ReplayMesh::expect(std::span<const std::uint32_t> points, Expectations& e
     return {};
 }
 
+namespace {
+
+Error meshGrewTooLarge()
+{
+    return {ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+}
+
+} // namespace
+
 Status ReplayMesh::add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots,
                        const Progress& progress, InsertionWatch* watch)
 {
-    constexpr std::size_t atOnce = 4096;
+    if (parts_.size() > 1)
+        return addToParts(points, slots, progress);
     std::vector<PackedPoint> packed;
-    for (std::size_t first = 0; first < points.size(); first += atOnce) {
+    for (std::size_t first = 0; first < points.size(); first += addedAtOnce) {
         if (progress.cancelled())
             return cancelledError(replaying);
-        const auto part = points.subspan(first, std::min(atOnce, points.size() - first));
+        const auto some = points.subspan(first, std::min(addedAtOnce, points.size() - first));
         packed.clear();
-        for (const std::uint32_t point : part)
-            packed.push_back(delaunay_.lattice().pointAt(point));
-        if (!delaunay_.add(packed, slots.empty() ? slots : slots.subspan(first, part.size()), watch))
-            return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+        for (const std::uint32_t point : some)
+            packed.push_back(lattice_.pointAt(point));
+        if (!parts_.front()->delaunay.add(packed, slots.empty() ? slots : slots.subspan(first, some.size()), watch))
+            return meshGrewTooLarge();
     }
     return {};
+}
+
+/// Each part gets its points in their order, so that its mesh does not depend on the threads.
+Status ReplayMesh::addToParts(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots,
+                              const Progress& progress)
+{
+    for (std::vector<PartPoint>& entering : entering_)
+        entering.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const PackedPoint point = lattice_.pointAt(points[i]);
+        const auto x = static_cast<std::uint32_t>(lattice_.x(point)), y = static_cast<std::uint32_t>(lattice_.y(point)),
+                   z = static_cast<std::uint32_t>(lattice_.z(point));
+        const std::uint32_t partY = partAlong(1, y), partZ = partAlong(2, z);
+        const std::uint32_t fromY = partY > 0 && y == partY * partEdges_[1] ? partY - 1 : partY,
+                            fromZ = partZ > 0 && z == partZ * partEdges_[2] ? partZ - 1 : partZ;
+        for (std::uint32_t k = fromZ; k <= partZ; ++k)
+            for (std::uint32_t j = fromY; j <= partY; ++j) {
+                const std::uint32_t number = k * partCounts_[1] + j;
+                const Part& part = *parts_[number];
+                const bool placed = !slots.empty() && k == partZ && j == partY; // expect() looked there
+                entering_[number].push_back(
+                    {part.delaunay.lattice().pack(x, y - part.box.origin[1], z - part.box.origin[2]),
+                     placed ? slots[i] : LatticeDelaunay::none});
+            }
+    }
+    std::atomic<bool> failed = false;
+    tbb::parallel_for(std::size_t(0), parts_.size(), [&](std::size_t number) {
+        std::vector<PackedPoint> packed;
+        std::vector<std::uint32_t> starts;
+        const std::span<const PartPoint> entering = entering_[number];
+        for (std::size_t first = 0; first < entering.size() && !progress.cancelled() && !failed; first += addedAtOnce) {
+            packed.clear();
+            starts.clear();
+            for (const PartPoint& one : entering.subspan(first, std::min(addedAtOnce, entering.size() - first))) {
+                packed.push_back(one.point);
+                starts.push_back(one.slot);
+            }
+            if (!parts_[number]->delaunay.add(packed, starts))
+                failed = true;
+        }
+    });
+    if (progress.cancelled())
+        return cancelledError(replaying);
+    return failed ? Status(meshGrewTooLarge()) : Status();
 }
 
 Status ReplayMesh::measure(const Progress& progress)
 {
     constexpr std::size_t atOnce = 4096;
-    const std::uint32_t slots = delaunay_.mesh().slotCount();
+    LocalDelaunay& delaunay = parts_.front()->delaunay;
+    const std::uint32_t slots = delaunay.mesh().slotCount();
     // At first all, then what changed.
     if (errors_.empty()) {
         lastMeasured_.resize(slots);
@@ -180,7 +317,7 @@ Status ReplayMesh::measure(const Progress& progress)
                 largestSample_ = std::max(largestSample_, std::abs(static_cast<double>(sample)));
         });
     } else {
-        lastMeasured_.assign(delaunay_.changed().begin(), delaunay_.changed().end());
+        lastMeasured_.assign(delaunay.changed().begin(), delaunay.changed().end());
     }
     errors_.resize(slots, 0);
     worst_.resize(slots, 0);
@@ -197,7 +334,7 @@ Status ReplayMesh::measure(const Progress& progress)
             for (const std::uint32_t slot : part)
                 errors_[slot] = 0;
             std::vector<WorstSample> worst;
-            scanSamples(delaunay_, part, samples, limits, ScannedPart::All, worst);
+            scanSamples(delaunay, part, samples, limits, ScannedPart::All, worst);
             for (const WorstSample& found : worst) {
                 errors_[found.slot] = roundedUp(found.error + rounding);
                 worst_[found.slot] = found.point;
@@ -206,7 +343,7 @@ Status ReplayMesh::measure(const Progress& progress)
     });
     if (progress.cancelled())
         return cancelledError(replaying);
-    delaunay_.acceptChanges();
+    delaunay.acceptChanges();
     return {};
 }
 
@@ -226,10 +363,11 @@ Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Pr
         std::array<PackedPoint, 4> vertices;
         double expected;
     };
+    LocalDelaunay& delaunay = parts_.front()->delaunay;
     std::vector<Candidate> candidates;
     const auto look = [&](std::uint32_t slot) {
-        if (errors_[slot] > limit && delaunay_.isAlive(slot))
-            candidates.push_back({worst_[slot], slot, delaunay_.mesh()[slot].vertices, 0});
+        if (errors_[slot] > limit && delaunay.isAlive(slot))
+            candidates.push_back({worst_[slot], slot, delaunay.mesh()[slot].vertices, 0});
     };
     if (everywhere)
         for (std::uint32_t slot = 0; slot < errors_.size(); ++slot)
@@ -237,12 +375,12 @@ Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Pr
     else
         std::ranges::for_each(lastMeasured_, look);
     std::ranges::sort(candidates, {}, [](const Candidate& one) { return std::pair(one.point, one.slot); });
-    const PackedLattice lattice = delaunay_.lattice();
     visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
+        const auto sampleAt = [&](PackedPoint vertex) { return samples[lattice_.index(vertex)]; };
         for (Candidate& one : candidates)
             one.expected =
-                interpolatedAt(lattice, samples, one.vertices, placeIn(delaunay_.mesh(), one.point, one.slot).volumes);
+                interpolatedAt<T>(sampleAt, one.vertices, placeIn(delaunay.mesh(), one.point, one.slot).volumes);
     });
     round.points.clear();
     round.expected.clear();
@@ -251,12 +389,12 @@ Status ReplayMesh::addWorst(float limit, bool everywhere, Round& round, const Pr
         if (i % between == 0 && progress.cancelled())
             return cancelledError(replaying);
         const Candidate& one = candidates[i];
-        const DelaunayTetrahedron& now = delaunay_.mesh()[one.slot];
-        if (!(now.determinant() > 0) || now.vertices != one.vertices || delaunay_.isVertex(one.point))
+        const DelaunayTetrahedron& now = delaunay.mesh()[one.slot];
+        if (!(now.determinant() > 0) || now.vertices != one.vertices || delaunay.isVertex(one.point))
             continue;
-        if (!delaunay_.add({&one.point, 1}, {&one.slot, 1}))
-            return Error{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
-        round.points.push_back(lattice.index(one.point));
+        if (!delaunay.add({&one.point, 1}, {&one.slot, 1}))
+            return meshGrewTooLarge();
+        round.points.push_back(lattice_.index(one.point));
         round.expected.push_back(one.expected);
     }
     return {};

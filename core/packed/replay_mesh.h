@@ -22,14 +22,16 @@ namespace tetra {
 /// std::bad_alloc.
 class ReplayMesh {
 public:
+    /// How the mesh is kept: as one, or of many blocks a number of these together, so that threads share the work of
+    /// add(). Then there is no watch, no restart(), and nothing to pack with.
+    enum class Kept : std::uint8_t { AsOne, InParts };
     /// The mesh of the blocks' corners. Errors: too large a lattice, refused memory, cancelled.
     static Result<std::unique_ptr<ReplayMesh>> make(const Lattice& lattice, SampleType type, std::uint32_t blockCells,
-                                                    const Progress& progress);
+                                                    Kept kept, const Progress& progress);
     ReplayMesh(const ReplayMesh&) = delete;
     ReplayMesh& operator=(const ReplayMesh&) = delete;
 
     const BlockDivision& division() const noexcept { return division_; }
-    const LocalDelaunay& delaunay() const noexcept { return delaunay_; }
     SampleType type() const noexcept { return type_; }
     std::uint64_t pointCount() const noexcept { return pointCount_; }
     /// The corners of the blocks, by rising numbers; the mesh's first vertices have their places here as numbers.
@@ -37,7 +39,7 @@ public:
     /// The mesh of these alone, by their places.
     std::span<const std::array<std::uint32_t, 4>> start() const noexcept { return start_; }
     /// Back to that.
-    void restart() { delaunay_.restore(); }
+    void restart() { parts_.front()->delaunay.restore(); }
 
     /// One of `type` a point, all zero at first; those of the vertices must be known before expect().
     std::span<std::byte> samples() noexcept { return {samples_.get(), pointCount_ * sampleSize(type_)}; }
@@ -52,8 +54,8 @@ public:
     /// has a point, and is the same bits on every machine. On all threads.
     Status expect(std::span<const std::uint32_t> points, Expectations& expected, const Progress& progress) const;
 
-    /// Adds sites; `slots` are none, or those that expect() told of the mesh before. Errors: the mesh grew beyond what
-    /// was reserved, cancelled.
+    /// Adds sites; `slots` are none, or those that expect() told of the mesh before. On all threads if it is kept in
+    /// parts. Errors: the mesh grew beyond what was reserved, cancelled.
     Status add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots, const Progress& progress,
                InsertionWatch* watch = nullptr);
 
@@ -76,15 +78,39 @@ public:
 
 private:
     ReplayMesh(const Lattice& lattice, SampleType type, std::uint32_t blockCells)
-        : division_(lattice.size, blockCells), type_(type), pointCount_(lattice.pointCount())
+        : division_(lattice.size, blockCells), type_(type), pointCount_(lattice.pointCount()), lattice_(lattice.size)
     {
     }
-    Status prepare(const Lattice& lattice, const Progress& progress);
+    Status prepare(const Lattice& lattice, Kept kept, const Progress& progress);
+    void divide(Kept kept);
+    Status load(const std::vector<std::array<PackedPoint, 4>>& start, const LatticeMetric& metric,
+                const Progress& progress);
+
+    /// A box of whole blocks.
+    struct Part {
+        LatticeBox box;
+        std::uint32_t first = 0; ///< the number of the box's first point
+        LocalDelaunay delaunay;  ///< of the box's points
+    };
+    struct PartPoint {
+        PackedPoint point = 0; ///< in the part
+        std::uint32_t slot = 0;
+    };
+    std::uint32_t partAlong(std::size_t axis, std::uint32_t coordinate) const
+    {
+        return std::min(coordinate / partEdges_[axis], partCounts_[axis] - 1);
+    }
+    Status addToParts(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots,
+                      const Progress& progress);
 
     BlockDivision division_;
     SampleType type_;
     std::uint64_t pointCount_;
-    LocalDelaunay delaunay_;
+    PackedLattice lattice_;
+    std::array<std::uint32_t, 3> partEdges_{}; ///< in cells
+    std::array<std::uint32_t, 3> partCounts_{1, 1, 1};
+    std::vector<std::unique_ptr<Part>> parts_;
+    std::vector<std::vector<PartPoint>> entering_; ///< each part
     std::vector<std::uint32_t> corners_;
     std::vector<std::array<std::uint32_t, 4>> start_;
     std::shared_ptr<std::byte> samples_;
