@@ -110,10 +110,7 @@ Status checkAbilities(const Arguments& arguments, const Provided<Builder>& build
     const std::string build = "This build of '" + dataset.source.name + "' by '" + builder.id + "'";
     if (arguments.has("resume") && !abilities.resumes)
         return Error{ErrorKind::WrongUsage,
-                     build + " leaves nothing behind that could be gone on with. Leave '--resume' out" +
-                         (abilitiesInBlocks(*builder.plugin, dataset, values).resumes
-                              ? ", or build in blocks with " + optionInQuotes("block " + std::string(usualBlock)) + "."
-                              : ".")};
+                     build + " leaves nothing behind that could be gone on with. Leave '--resume' out."};
     if (arguments.has("keep") && !abilities.keeps)
         return Error{ErrorKind::WrongUsage, build + " has no mesh before it ends. Leave '--keep' out" +
                                                 (abilities.resumes ? "; '--resume' goes on with it later." : ".")};
@@ -181,9 +178,9 @@ Syntax buildSyntax(PluginHost& host)
                     buildThreadsOption(),
                     {.name = "resume",
                      .placeholder = "",
-                     .explanation =
-                         "For builds in blocks: continue an interrupted build of the same model; the result is the "
-                         "same. If this build is cancelled, its blocks are kept, too."}},
+                     .explanation = "Continue an interrupted build of the same model, of the same data and with the "
+                                    "same options; the result is the same. If this build is cancelled, what it has "
+                                    "done is kept, too."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",

@@ -2,6 +2,7 @@
 #include "core/build/decimation_build.h"
 
 #include "core/base/guarded.h"
+#include "core/build/build_state.h"
 #include "core/build/thresholds.h"
 #include "core/data/dataset_checks.h"
 #include "core/decimate/decimation.h"
@@ -85,6 +86,7 @@ public:
     static Result<DecimationInput> make(const Dataset& dataset, const Weighting& weighting, const Progress& progress);
 
     DecimationMesh mesh() const;
+    const std::vector<float>& weights() const noexcept { return weights_; }
 
 private:
     explicit DecimationInput(const Dataset& dataset) : dataset_(&dataset) {}
@@ -285,6 +287,13 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
         options.stopKey = *key.stopKey;
     options.preview = target.preview;
     options.keepWhenCancelled = target.keepWhenCancelled;
+    const auto state = buildState(target, dataset, "decimation",
+                                  {double(options.order), double(decimation.orderedBy), options.warpingWeight,
+                                   options.stopKey, double(options.twoSided), decimation.finest},
+                                  input->weights());
+    if (!state)
+        return state.error();
+    options.state = state->get();
     const DecimationMesh mesh = input->mesh();
     const bool isGrid = dataset.domain == DomainClass::Curvilinear;
     const bool isCutOff = decimation.finest > 0;

@@ -5,6 +5,7 @@
 #include "core/base/scratch_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/blocked_build.h"
+#include "core/build/build_state.h"
 #include "core/build/thresholds.h"
 #include "core/data/weighting.h"
 #include "core/refine/curvilinear/curvilinear_refinement.h"
@@ -33,6 +34,10 @@ Result<BuildReport> refineAsWhole(const Dataset& dataset, double stopError, std:
     options.spacing = dataset.lattice.spacing;
     options.valueExtent = dataset.values.range().extent();
     options.stopError = stopError;
+    const auto state = buildState(target, dataset, "refinement", {stopError}, weights);
+    if (!state)
+        return state.error();
+    options.state = state->get();
     const Result<LatticeRefinementResult> result = visitSampleType(dataset.values.type(), [&]<class T>() {
         return refineLattice(options, LatticeSamples(dataset.values.as<T>(), weights), target.history, progress);
     });
@@ -201,6 +206,12 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     options.stopKey = key.stopKey.value_or(key.leastKey);
     options.inSpace = refinement.inSpace;
     options.selection = refinement.paperSelection ? CurvilinearSelection::Paper : CurvilinearSelection::Normalised;
+    const auto state = buildState(
+        target, dataset, "refinement",
+        {options.warpingWeight, options.stopKey, double(options.inSpace), double(options.selection)}, weights->all());
+    if (!state)
+        return state.error();
+    options.state = state->get();
     const Result<CurvilinearRefinementResult> result =
         visitSampleType(dataset.values.type(), [&]<class T>() -> Result<CurvilinearRefinementResult> {
             return refineCurvilinear(dataset.lattice.size, *dataset.positions,
@@ -228,8 +239,11 @@ Result<BuildReport> buildScattered(const Dataset& dataset, const Refinement& ref
                              point, dataset.source.name)};
     }
     const double stopError = refinement.error / 100 * dataset.values.range().extent();
+    const auto state = buildState(target, dataset, "refinement", {stopError}, *weights);
+    if (!state)
+        return state.error();
     const Result<ScatteredRefinementResult> result =
-        refineScattered({*dataset.positions, values, *weights}, stopError, target.history, progress);
+        refineScattered({*dataset.positions, values, *weights}, stopError, target.history, progress, state->get());
     if (!result)
         return result.error();
     return BuildReport{result->sites, result->tetrahedra, 0, 0};

@@ -62,6 +62,8 @@ public:
     /// Takes a point outside away. The bound stays.
     void takeOutside(std::uint32_t triangle, std::uint32_t point);
 
+    void archive(StateArchive& archive) { archive(relations_, pool_, everOutside_); }
+
 private:
     Relation& at(std::uint32_t triangle) { return relations_[triangle - CollapsibleMesh::firstTriangle]; }
 

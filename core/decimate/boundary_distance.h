@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/triangles.h"
 
@@ -26,6 +27,8 @@ public:
     /// the bound is `enough`, or a place is farther than `tooMuch`, or a twentieth more than what was found, or there
     /// are dozens of pieces. What was found is kept for the next time. Some microseconds a piece.
     double bound(const SurfaceTriangle& triangle, double known, double enough, double tooMuch);
+
+    void archive(StateArchive& archive) { archive(known_); }
 
 private:
     struct Nearest {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
 #include "core/geometry/triangles.h"
 #include "core/mesh/topology.h"
 
@@ -39,6 +40,8 @@ public:
     void replace(std::span<const SurfaceTriangle> removed, std::span<const SurfaceTriangle> added);
 
     std::size_t size() const noexcept { return cells_.front().triangles; }
+
+    void archive(StateArchive& archive) { archive(cells_, entries_, freeEntry_); }
 
 private:
     static constexpr std::uint32_t none = ~std::uint32_t(0);

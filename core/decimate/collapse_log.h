@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
+
 #include <tan/base.h>
 #include <tan/build.h>
 
@@ -50,6 +52,12 @@ public:
     /// Hands over the coarsest mesh alone, of the key `key`, with sink.finish().
     Status handCoarsest(std::span<const std::uint32_t> points, std::vector<Coarsest> coarsest, float key,
                         HistorySink& sink) const;
+
+    void archive(StateArchive& archive)
+    {
+        archive.grown(collapses_);
+        archive.grown(tetrahedra_);
+    }
 
 private:
     std::vector<std::uint8_t> removed(std::size_t points) const;

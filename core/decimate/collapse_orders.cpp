@@ -95,11 +95,43 @@ constexpr std::uint32_t workBetweenReports = 1024;
 
 using Entry = CollapseQueue::Entry; // the best collapse of a vertex, when it was looked at
 
+/// What an order does between collapses now and then, and where it begins.
+class Pauses {
+public:
+    Pauses(const Progress& progress, SavedState* state) : progress_(progress), state_(state) {}
+
+    /// Whether there is an earlier build to go on from; the order is then where that was.
+    template <class Order> Result<bool> goneOn(Order& order)
+    {
+        if (state_ == nullptr || !state_->found())
+            return false;
+        progress_.report(0, Message::marked("Taking up what was done"));
+        if (const Status loaded = state_->load(order); !loaded)
+            return loaded.error();
+        return true;
+    }
+    template <class Order> Status pause(Order& order, double fraction, MarkedText activity)
+    {
+        const bool cancelled = progress_.cancelled();
+        if (state_ != nullptr)
+            state_->pause(order, cancelled);
+        if (cancelled)
+            return cancelledError(Message::marked("The decimation"));
+        progress_.report(fraction, activity);
+        return {};
+    }
+
+private:
+    const Progress& progress_;
+    SavedState* state_;
+};
+
 class ExactOrder {
 public:
     ExactOrder(DecimatedMesh& mesh, double stopKey) : mesh_(mesh), stopKey_(stopKey), states_(mesh.vertexCount()) {}
 
-    Status run(const Progress& progress);
+    Status run(Pauses& pauses);
+    void archive(StateArchive& archive) { archive(mesh_, states_, queue_, lookedAt_); }
 
 private:
     struct VertexState {
@@ -115,13 +147,13 @@ private:
     void look(std::uint32_t vertex);
     void takeFirst();
     float leastKey();
-    Status lookAtAll(const Progress& progress);
+    Status lookAtAll(Pauses& pauses);
 
     DecimatedMesh& mesh_;
     double stopKey_;
     std::vector<VertexState> states_;
     CollapseQueue queue_;
-    bool allLookedAt_ = false;
+    std::uint32_t lookedAt_ = 0; ///< vertices, the first ones
 };
 
 /// The vertex is queued then if it can go; the entry is still to be pushed.
@@ -173,7 +205,7 @@ void ExactOrder::fetchAhead() const
 /// No collapse that is known has a smaller key. While some were not looked at, they may have any.
 float ExactOrder::leastKey()
 {
-    if (!allLookedAt_)
+    if (lookedAt_ < mesh_.vertexCount())
         return 0;
     return queue_.empty() ? std::numeric_limits<float>::infinity() : queue_.leastKey();
 }
@@ -191,17 +223,16 @@ void ExactOrder::look(std::uint32_t vertex)
 }
 
 /// What does no harm goes at once: then what is around it is looked at once.
-Status ExactOrder::lookAtAll(const Progress& progress)
+Status ExactOrder::lookAtAll(Pauses& pauses)
 {
     const std::uint32_t vertices = mesh_.vertexCount();
-    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) {
-        if (vertex % workBetweenReports == 0) {
-            if (progress.cancelled())
-                return cancelledError(Message::marked("The decimation"));
-            progress.report(.2 * vertex / vertices, Message::marked("Evaluating vertices"));
-        }
-        const Entry entry = evaluated(vertex, DecimatedMesh::Legality::OfStar);
-        if (!states_[vertex].queued)
+    for (; lookedAt_ < vertices; ++lookedAt_) {
+        if (lookedAt_ % workBetweenReports == 0)
+            if (Status status = pauses.pause(*this, .2 * lookedAt_ / vertices, Message::marked("Evaluating vertices"));
+                !status)
+                return status;
+        const Entry entry = evaluated(lookedAt_, DecimatedMesh::Legality::OfStar);
+        if (!states_[lookedAt_].queued)
             continue;
         if (entry.key == 0)
             collapse(entry);
@@ -210,7 +241,6 @@ Status ExactOrder::lookAtAll(const Progress& progress)
         while (!queue_.empty() && queue_.leastKey() == 0)
             takeFirst();
     }
-    allLookedAt_ = true;
     return {};
 }
 
@@ -228,18 +258,20 @@ void ExactOrder::takeFirst()
         collapse(entry);
 }
 
-Status ExactOrder::run(const Progress& progress)
+Status ExactOrder::run(Pauses& pauses)
 {
-    if (Status status = lookAtAll(progress); !status)
+    if (const auto goneOn = pauses.goneOn(*this); !goneOn)
+        return goneOn.error();
+    if (Status status = lookAtAll(pauses); !status)
         return status;
     const std::uint32_t vertices = mesh_.vertexCount();
     std::uint32_t work = 0;
     while (!queue_.empty()) {
-        if (++work % workBetweenReports == 0) {
-            if (progress.cancelled())
-                return cancelledError(Message::marked("The decimation"));
-            progress.report(.2 + .8 * mesh_.log().collapseCount() / vertices, Message::marked("Collapsing"));
-        }
+        if (++work % workBetweenReports == 0)
+            if (Status status = pauses.pause(*this, .2 + .8 * mesh_.log().collapseCount() / vertices,
+                                             Message::marked("Collapsing"));
+                !status)
+                return status;
         takeFirst();
     }
     return {};
@@ -247,9 +279,10 @@ Status ExactOrder::run(const Progress& progress)
 
 } // namespace
 
-Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress)
+Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress, SavedState* state)
 {
-    return ExactOrder(mesh, stopKey).run(progress);
+    Pauses pauses(progress, state);
+    return ExactOrder(mesh, stopKey).run(pauses);
 }
 
 namespace {
@@ -347,7 +380,8 @@ public:
     {
     }
 
-    Status run(const Progress& progress);
+    Status run(Pauses& pauses);
+    void archive(StateArchive& archive) { archive(mesh_, versions_, byError_, byWarping_, error_, warping_); }
 
 private:
     /// A vertex in one of the two queues, the smallest estimates first.
@@ -361,7 +395,9 @@ private:
             return std::tie(other.measures, other.vertex) < std::tie(measures, vertex);
         }
     };
-    using Queue = std::priority_queue<Entry>;
+    struct Queue : std::priority_queue<Entry> {
+        void archive(StateArchive& archive) { archive(c); }
+    };
 
     void estimate(std::uint32_t vertex);
     std::optional<Entry> takeFirst();
@@ -430,31 +466,38 @@ void PaperOrder::noteAccuracy()
         }
 }
 
-Status PaperOrder::run(const Progress& progress)
+Status PaperOrder::run(Pauses& pauses)
 {
     gradients_.reserve(mesh_.vertexCount());
     for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
         gradients_.push_back(vertexGradient(mesh_, vertex));
-    for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
+    const auto goneOn = pauses.goneOn(*this);
+    if (!goneOn)
+        return goneOn.error();
+    for (std::uint32_t vertex = 0; !*goneOn && vertex < mesh_.vertexCount(); ++vertex)
         estimate(vertex);
     std::uint32_t work = 0;
-    while (const auto next = takeFirst()) {
-        if (++work % workBetweenReports == 0) {
-            if (progress.cancelled())
-                return cancelledError(Message::marked("The decimation"));
-            progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
-                            Message::marked("Collapsing"));
-        }
+    for (;;) {
+        if (++work % workBetweenReports == 0)
+            if (Status status =
+                    pauses.pause(*this, static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
+                                 Message::marked("Collapsing"));
+                !status)
+                return status;
+        const auto next = takeFirst();
+        if (!next)
+            return {};
         attempt(*next);
     }
-    return {};
 }
 
 } // namespace
 
-Status decimateByEstimates(DecimatedMesh& mesh, double warpingWeight, double stopKey, const Progress& progress)
+Status decimateByEstimates(DecimatedMesh& mesh, double warpingWeight, double stopKey, const Progress& progress,
+                           SavedState* state)
 {
-    return PaperOrder(mesh, warpingWeight, stopKey).run(progress);
+    Pauses pauses(progress, state);
+    return PaperOrder(mesh, warpingWeight, stopKey).run(pauses);
 }
 
 namespace {
@@ -468,11 +511,12 @@ public:
             left_.push_back(vertex);
     }
 
-    Status run(const Progress& progress);
+    Status run(Pauses& pauses);
+    void archive(StateArchive& archive) { archive(mesh_, left_, candidates_, stale_, bound_); }
 
 private:
-    Status lookAtStale(const Progress& progress);
-    void collapseUpTo(double bound);
+    Status lookAtStale(Pauses& pauses);
+    void collapseUpToBound();
     double leastKey() const;
 
     DecimatedMesh& mesh_;
@@ -480,9 +524,10 @@ private:
     std::vector<std::uint32_t> left_; ///< vertices that were not removed
     std::vector<DecimatedMesh::Candidate> candidates_;
     std::vector<bool> stale_; ///< whether the candidate must be found again
+    double bound_ = 0;        ///< of the keys of a round
 };
 
-Status Rounds::lookAtStale(const Progress& progress)
+Status Rounds::lookAtStale(Pauses& pauses)
 {
     constexpr std::uint32_t verticesBetweenReports = 1024;
     std::uint32_t looks = 0;
@@ -493,20 +538,20 @@ Status Rounds::lookAtStale(const Progress& progress)
         stale_[vertex] = false;
         if (++looks % verticesBetweenReports != 0)
             continue;
-        if (progress.cancelled())
-            return cancelledError(Message::marked("The decimation"));
-        progress.report(static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
-                        Message::marked("Collapsing in rounds"));
+        if (Status status = pauses.pause(*this, static_cast<double>(mesh_.log().collapseCount()) / mesh_.vertexCount(),
+                                         Message::marked("Collapsing in rounds"));
+            !status)
+            return status;
     }
     return {};
 }
 
 /// What a collapse makes stale waits for the next round, so that no two stars meet.
-void Rounds::collapseUpTo(double bound)
+void Rounds::collapseUpToBound()
 {
     std::vector<std::uint32_t> chosen;
     for (const std::uint32_t vertex : left_)
-        if (candidates_[vertex].exists() && static_cast<double>(candidates_[vertex].key) <= bound)
+        if (candidates_[vertex].exists() && static_cast<double>(candidates_[vertex].key) <= bound_)
             chosen.push_back(vertex);
     std::ranges::sort(chosen, {}, [this](std::uint32_t vertex) { return std::tuple(candidates_[vertex].key, vertex); });
     std::vector<bool> removed(mesh_.vertexCount(), false);
@@ -534,26 +579,28 @@ double Rounds::leastKey() const
     return least;
 }
 
-Status Rounds::run(const Progress& progress)
+Status Rounds::run(Pauses& pauses)
 {
-    double bound = 0;
+    if (const auto goneOn = pauses.goneOn(*this); !goneOn)
+        return goneOn.error();
     for (;;) {
-        if (Status status = lookAtStale(progress); !status)
+        if (Status status = lookAtStale(pauses); !status)
             return status;
         const double least = leastKey();
         if (least == std::numeric_limits<double>::infinity() || least > stopKey_)
             return {};
-        if (least > bound)
-            bound = std::min(2 * least, stopKey_);
-        collapseUpTo(bound);
+        if (least > bound_)
+            bound_ = std::min(2 * least, stopKey_);
+        collapseUpToBound();
     }
 }
 
 } // namespace
 
-Status decimateInRounds(DecimatedMesh& mesh, double stopKey, const Progress& progress)
+Status decimateInRounds(DecimatedMesh& mesh, double stopKey, const Progress& progress, SavedState* state)
 {
-    return Rounds(mesh, stopKey).run(progress);
+    Pauses pauses(progress, state);
+    return Rounds(mesh, stopKey).run(pauses);
 }
 
 } // namespace tetra

@@ -16,8 +16,9 @@
 namespace tetra {
 
 /// Collapses vertices, the one of the smallest exact key first, until none can go below `stopKey`. A queue whose
-/// entries are looked at again when they come to its head after something around them has changed. Error: cancelled.
-Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress);
+/// entries are looked at again when they come to its head after something around them has changed. Error: cancelled, or
+/// `state` does not fit. If there is a `state`, as DecimationOptions::state.
+Status decimateByExactError(DecimatedMesh& mesh, double stopKey, const Progress& progress, SavedState* state = nullptr);
 
 /// The gradient of the field at a vertex of the input's mesh: the mean of the gradients of the tetrahedra around it,
 /// weighted by their solid angles there (3.1.2). In the space that errors are measured in.
@@ -39,13 +40,14 @@ CollapseEstimate estimateCollapse(const DecimatedMesh& mesh, std::span<const Eig
 /// The paper's order (R11, 3.1.2): the vertex goes first that is expected to do the least harm, by the difference of
 /// gradients while the mesh is worse off in error, by the distance from the plane while it is worse off in warping.
 /// The exact key is tested before a collapse is done (S11); a vertex that cannot go is looked at again when its
-/// star has changed. Error: cancelled.
-Status decimateByEstimates(DecimatedMesh& mesh, double warpingWeight, double stopKey, const Progress& progress);
+/// star has changed. `state` and errors as above.
+Status decimateByEstimates(DecimatedMesh& mesh, double warpingWeight, double stopKey, const Progress& progress,
+                           SavedState* state = nullptr);
 
 /// Rounds of collapses whose stars share no tetrahedron, smallest exact key first; a round has the keys up to a bound
 /// that is doubled when nothing below it is left. The dependencies of the history are as shallow as the rounds are few.
-/// Error: cancelled.
-Status decimateInRounds(DecimatedMesh& mesh, double stopKey, const Progress& progress);
+/// `state` and errors as above.
+Status decimateInRounds(DecimatedMesh& mesh, double stopKey, const Progress& progress, SavedState* state = nullptr);
 
 /// Collapses in order of their keys, and of their vertices where these are equal. In place of one large heap, whose
 /// every step waits for memory, those of some 1 % of the range of keys at hand lie sorted, so that it is known which
@@ -75,6 +77,8 @@ public:
     {
         return distance < sorted_.size() ? sorted_[sorted_.size() - 1 - distance].vertex : otherwise;
     }
+
+    void archive(StateArchive& archive) { archive(classes_, open_, sorted_, late_, size_); }
 
 private:
     static constexpr int classBits = 17; ///< of a key's lowest that do not count: 64 classes an octave

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/free_blocks.h"
+#include "core/base/saved_state.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
 
@@ -70,6 +71,8 @@ public:
         if (list.count > 0)
             putBack(list.place, classOf(list.count));
     }
+
+    void archive(StateArchive& archive) { archive(storage_, freeBlocks_); }
 
 private:
     static std::uint32_t classOf(std::uint32_t count) { return FreeBlocks::classOf(count); }
@@ -140,6 +143,8 @@ public:
     /// Moves `vertex` onto its neighbour `target`: tetrahedra that hold both vanish. None may have both of its faces
     /// opposite to them on the boundary. May throw std::bad_alloc.
     void collapse(std::uint32_t vertex, std::uint32_t target);
+
+    void archive(StateArchive& archive) { archive(tetrahedra_, neighbours_, stars_, pool_, slotOfTriangle_); }
 
 private:
     struct alignas(32) Tetrahedron {

@@ -339,6 +339,17 @@ std::vector<CollapseLog::Coarsest> DecimatedMesh::coarsest() const
     return tetrahedra;
 }
 
+void DecimatedMesh::archive(StateArchive& archive)
+{
+    archive(mesh_, warpings_, pool_, keys_, log_, boundaryPoints_, evaluations_, live_);
+    if (boundary_)
+        archive(*boundary_);
+    if (toOriginal_)
+        archive(*toOriginal_);
+    if (archive.isLoading())
+        star_.forget();
+}
+
 /// Whether a tetrahedron that the collapse makes is inverted in physical space.
 bool DecimatedMesh::inverts(std::uint32_t linkPlace) const
 {

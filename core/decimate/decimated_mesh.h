@@ -53,6 +53,8 @@ public:
     void prefetch(std::size_t index) const { __builtin_prefetch(&levels_.front()[index]); }
     float largest() const noexcept { return largest_; }
 
+    void archive(StateArchive& archive) { archive(levels_, largest_); }
+
 private:
     static constexpr std::size_t width = 16;
 
@@ -118,6 +120,9 @@ public:
 
     const CollapseLog& log() const noexcept { return log_; }
     std::vector<CollapseLog::Coarsest> coarsest() const;
+
+    /// What collapses change: of a mesh of the same input.
+    void archive(StateArchive& archive);
 
 private:
     /// What a tetrahedron that a collapse makes gets of the star's points.

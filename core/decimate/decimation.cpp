@@ -99,11 +99,11 @@ Status collapseInOrder(DecimatedMesh& mesh, const DecimationOptions& options, co
 {
     switch (options.order) {
     case DecimationOrder::PaperEstimates:
-        return decimateByEstimates(mesh, options.warpingWeight, options.stopKey, progress);
-    case DecimationOrder::IndependentRounds: return decimateInRounds(mesh, options.stopKey, progress);
+        return decimateByEstimates(mesh, options.warpingWeight, options.stopKey, progress, options.state);
+    case DecimationOrder::IndependentRounds: return decimateInRounds(mesh, options.stopKey, progress, options.state);
     case DecimationOrder::ExactError: break;
     }
-    return decimateByExactError(mesh, options.stopKey, progress);
+    return decimateByExactError(mesh, options.stopKey, progress, options.state);
 }
 
 /// What is reported and asked on the way, between collapses: also for a look at the mesh.

@@ -15,6 +15,8 @@
 
 namespace tetra {
 
+class SavedState;
+
 /// A conforming mesh to be decimated, with a value at each point. Owns nothing.
 struct DecimationMesh {
     /// Where the points lie in the space that tetrahedra are positive and errors are measured in: of lattices and
@@ -44,6 +46,8 @@ struct DecimationOptions {
     bool twoSided = false;
     /// No collapse lets the key rise above it. Infinite: down to the coarsest mesh.
     double stopKey = std::numeric_limits<double>::infinity();
+    /// That the decimation goes on from, if there is one, and keeps up to date; of this mesh and these options.
+    SavedState* state = nullptr;
     // As in BuildTarget.
     std::function<void(const std::function<Status(HistorySink& history)>& hand)> preview{};
     const std::atomic<bool>* keepWhenCancelled = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -62,6 +64,8 @@ public:
                         if (box.contains(positions_[point]))
                             visit(point);
     }
+
+    void archive(StateArchive& archive) { archive(first_, next_); }
 
 private:
     static constexpr std::uint32_t end = 0xffffffff;    ///< of a cube's points

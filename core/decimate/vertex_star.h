@@ -41,6 +41,9 @@ public:
     /// `withRim`: whether rim() is wanted.
     void set(const CollapsibleMesh& mesh, std::uint32_t vertex, bool withRim);
 
+    /// Of what mesh it was, that is another one now.
+    void forget() { vertex_ = CollapsibleMesh::none; }
+
     std::uint32_t vertex() const noexcept { return vertex_; }
     std::span<const std::uint32_t> tetrahedra() const noexcept { return slots_; }
     /// The vertices around, each once.

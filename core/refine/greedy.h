@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
+
 #include <tan/base.h>
 #include <tan/build.h>
 
@@ -10,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -37,13 +40,15 @@ concept RefinableSpace = requires(Space space) {
     { space.pointsAboveStop() } -> std::convertible_to<std::uint64_t>;
     /// Called now and then, to drop what is out of date.
     space.sweep();
+    /// All that insertions change.
+    space.archive(std::declval<StateArchive&>());
 };
 // clang-format on
 
-/// Refines until the key is at most `stopKey`, then ends the history with it. The key that was reached. Errors: the
-/// space's, cancelled.
-template <RefinableSpace Space>
-Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink, const Progress& progress)
+/// Refines until the key is at most `stopKey`, then ends the history with it. The key that was reached. `state`, if
+/// there is one, is kept up to date. Errors: the space's, cancelled.
+template <RefinableSpace Space> Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink,
+                                                               const Progress& progress, SavedState* state = nullptr)
 {
     const double pointsAtStart = static_cast<double>(std::max<std::uint64_t>(space.pointsAboveStop(), 1));
     // Early insertions move millions of points, late ones a few: ask by work done, not by insertions.
@@ -63,7 +68,10 @@ Result<float> refineWorstFirst(Space& space, double stopKey, HistorySink& sink, 
         if (work < workBetweenReports)
             continue;
         work = 0;
-        if (progress.cancelled())
+        const bool cancelled = progress.cancelled();
+        if (state != nullptr)
+            state->pause(space, cancelled);
+        if (cancelled)
             return cancelledError(Message::marked("The refinement"));
         // Errors may rise in between, and with them what is left to do.
         fraction = std::max(fraction, 1 - static_cast<double>(space.pointsAboveStop()) / pointsAtStart);

@@ -83,11 +83,11 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     if (control.live != nullptr)
         target.preview = [live = control.live](const auto& hand) { live->show(hand); };
     auto report = builder.build(*taken, values, target, progress.part(takenEnd, 1));
+    if (!report && control.resume)
+        (*file)->keepWork();
     if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0)
         return keepWhatIsFinished(writer);
     if (!report) {
-        if (control.resume)
-            (*file)->keepWork();
         // What a builder makes of values that change under it may fail in any way.
         if (const Status intact = dataset.checkIntact(); !intact && report.error().kind != ErrorKind::Cancelled)
             return intact.error();

@@ -41,25 +41,17 @@ private slots:
         row("lattice, warping", "lattice.nrrd", {"--warping", "2"}, warping);
         row("lattice, a warping that is the default", "lattice.nrrd", {"--warping", "0"}, warping);
         row("lattice, selection", "lattice.nrrd", {"--selection", "paper"}, "'--selection' is for curvilinear data");
-        row("lattice as a whole, resume", "lattice.nrrd", {"--resume"}, "build in blocks with '--block 32'");
-        row("lattice as a whole by choice, resume", "lattice.nrrd", {"--resume", "--block", "none"}, "'--block 32'");
-        row("lattice decimated, resume", "lattice.nrrd", decimate + QStringList{"--resume"}, "Leave '--resume' out");
         row("lattice decimated, block", "lattice.nrrd", decimate + QStringList{"--block", "6"},
             "'--builder refinement'");
         row("lattice decimated, warping", "lattice.nrrd", decimate + QStringList{"--warping", "2"},
             "'--warping' is for curvilinear or rectilinear or irregular or scattered data only");
         row("lattice, order", "lattice.nrrd", {"--order", "paper"}, "'--builder decimation'");
-        row("grid, resume", "grid.xyz", {"--resume"}, "build in blocks with '--block 32'");
-        row("grid, paper's selection, resume", "grid.xyz", {"--resume", "--selection", "paper"},
-            "Leave '--resume' out.");
         row("grid, paper's selection in blocks", "grid.xyz", {"--selection", "paper", "--block", "4"},
             "The paper's selection of points does not go with blocks");
         row("points, block", "points.csv", {"--block", "4"}, "'--block' is for regular or curvilinear data");
         row("points, no block", "points.csv", {"--block", "none"}, "'--block' is for regular or curvilinear");
         row("points, warping", "points.csv", {"--warping", "2"}, warping);
         row("points, selection", "points.csv", {"--selection", "paper"}, "'--selection' is for curvilinear data");
-        row("points, resume", "points.csv", {"--resume"}, "Leave '--resume' out");
-        row("mesh, resume", "mesh.vtu", {"--resume"}, "Leave '--resume' out");
         row("a header tells the size", "lattice.nrrd", {"--size", "12x12x12"}, "'--size' describes raw files");
         row("a header tells the type", "lattice.nrrd", {"--type", "uint8"}, "'--type' describes raw files");
         row("mesh, block", "mesh.vtu", {"--block", "4"}, "Leave it out");
@@ -69,7 +61,6 @@ private slots:
         row("C6: rectilinear, block", "box.xyz", {"--block", "4"}, space);
         row("C6: rectilinear, no block", "box.xyz", {"--block", "none", "--space", "physical"}, space);
         row("C6: rectilinear, selection", "box.xyz", {"--selection", "paper"}, space);
-        row("C6: rectilinear, resume", "box.xyz", {"--resume"}, "Leave '--resume' out");
         row("C6: rectilinear decimated, space", "box.xyz", decimate + QStringList{"--space", "computational"},
             "'--builder refinement'");
         for (const char* other : {"lattice.nrrd", "grid.xyz", "points.csv"})
@@ -96,6 +87,12 @@ private slots:
             QTest::newRow(name) << QString(input) << options;
         };
         row("blocks are resumed", "lattice.nrrd", {"--block", "6", "--resume"});
+        for (const char* input : {"lattice.nrrd", "grid.xyz", "points.csv", "mesh.vtu", "box.xyz"})
+            for (const char* builder : {"refinement", "decimation"})
+                if (QByteArray(input) != "mesh.vtu" || QByteArray(builder) != "refinement") // it may not be convex
+                    row((QByteArray(input) + " by " + builder + " is resumed").constData(), input,
+                        {"--builder", builder, "--resume"});
+        row("a grid with the paper's selection is resumed", "grid.xyz", {"--selection", "paper", "--resume"});
         row("a whole is kept", "lattice.nrrd", {"--keep"});
         row("blocks are kept and resumed", "lattice.nrrd", {"--block", "6", "--keep", "--resume"});
         row("a decimation is kept", "lattice.nrrd", {"--builder", "decimation", "--keep"});

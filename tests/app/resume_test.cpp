@@ -43,16 +43,9 @@ private slots:
         std::mt19937 random(static_cast<unsigned>(round) + 1);
         QVERIFY(QFile::remove(folder_.filePath("model.tan")));
         // One kill, or several in the same build.
-        for (int kill = 0; kill <= round % 3; ++kill) {
-            QProcess process;
-            process.setWorkingDirectory(folder_.path());
-            process.start(tanProgram(), kill == 0 ? buildWords() : buildWords() + QStringList{"--resume"});
-            QVERIFY(process.waitForStarted());
-            process.waitForFinished(static_cast<int>(random() % static_cast<unsigned>(usual_ + 1)));
-            if (process.state() != QProcess::NotRunning)
-                ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
-            QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished());
-        }
+        for (int kill = 0; kill <= round % 3; ++kill)
+            QVERIFY(killed(kill == 0 ? buildWords() : buildWords() + QStringList{"--resume"},
+                           [&](QProcess& process) { waitAtMost(process, random, usual_); }));
         const Run run = runTan(buildWords() + QStringList{"--resume"}, folder_.path());
         QVERIFY2(run.exitCode == 0, run.messages);
         QVERIFY(modelBytes() == right_);
@@ -62,20 +55,94 @@ private slots:
     /// A build from the beginning clears away what another one left.
     void leftoversAreRemoved()
     {
-        QProcess process;
-        process.setWorkingDirectory(folder_.path());
-        process.start(tanProgram(), buildWords());
-        QVERIFY(process.waitForStarted());
-        QTRY_VERIFY(QDir(folder_.filePath("model.tan.work")).entryList({"*.run"}).size() > 3);
-        ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
-        QVERIFY(process.waitForFinished());
+        QVERIFY(killed(buildWords(), [&](QProcess&) {
+            QTRY_VERIFY(QDir(folder_.filePath("model.tan.work")).entryList({"*.run"}).size() > 3);
+        }));
         QVERIFY(entries().contains("model.tan.work"));
         QVERIFY(runTan({"build", "data.nrrd", "-o", "model.tan", "--error", "20", "--block", "none"}, folder_.path())
                     .exitCode == 0);
         QCOMPARE(entries(), (QStringList{"data.nrrd", "model.tan"}));
     }
 
+    /// B6: whatever the builder and the data. What is left is not taken for that of another build.
+    void everyBuilderGoesOn_data()
+    {
+        QTest::addColumn<QStringList>("sample");
+        QTest::addColumn<QString>("input");
+        QTest::addColumn<QStringList>("options");
+        const QStringList decimate = {"--builder", "decimation"}, refine = {"--builder", "refinement"};
+        const auto row = [](const char* name, const char* sample, int size, const char* input,
+                            const QStringList& options) {
+            QTest::newRow(name) << QStringList{"sample", sample, "--size", QString::number(size), "-o", input}
+                                << QString(input) << options;
+        };
+        row("decimated lattice", "marschner-lobb", 48, "lattice.nrrd", decimate);
+        row("decimated grid", "blunt-body", 32, "grid.xyz", decimate);
+        row("decimated points", "scattered", 26, "points.csv", decimate);
+        row("decimated mesh", "part", 160, "mesh.vtu", decimate);
+        row("refined points", "scattered", 34, "points.csv", refine);
+        row("refined rectilinear grid", "stretched", 30, "box.xyz", refine);
+        row("refined lattice", "marschner-lobb", 72, "lattice.nrrd", refine + QStringList{"--block", "none"});
+    }
+    void everyBuilderGoesOn()
+    {
+        QFETCH(QStringList, sample);
+        QFETCH(QString, input);
+        QFETCH(QStringList, options);
+        QVERIFY(runTan(sample, folder_.path()).exitCode == 0);
+        const QStringList words = QStringList{"build", input, "-o", "model.tan"} + options;
+        const QStringList again = words + QStringList{"--resume"};
+        QElapsedTimer timer;
+        timer.start();
+        QVERIFY(runTan(words, folder_.path()).exitCode == 0);
+        const qint64 usual = timer.elapsed();
+        const QByteArray right = modelBytes();
+        QVERIFY(QFile::remove(folder_.filePath("model.tan")));
+
+        const QString state = folder_.filePath("model.tan.work/state");
+        QVERIFY(killed(words, [&](QProcess& process) {
+            QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(state) || process.state() == QProcess::NotRunning, 60'000);
+        }));
+        QVERIFY2(QFile::exists(state), "the build was over before anything of it was kept");
+        const Run other = runTan(again + QStringList{"--error", "15"}, folder_.path());
+        QCOMPARE(other.exitCode, 2);
+        QVERIFY2(other.messages.contains("another version of TAn"), other.messages);
+        const QByteArray whole = readFile(state);
+        QVERIFY(QFile::resize(state, whole.size() / 2));
+        const Run damaged = runTan(again, folder_.path());
+        QVERIFY2(damaged.exitCode != 0 && damaged.messages.contains("is damaged"), damaged.messages);
+        QFile file(state);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(whole) == whole.size());
+        file.close();
+
+        std::mt19937 random(static_cast<unsigned>(sample.last().size()));
+        for (int kill = 0; kill < 2; ++kill)
+            QVERIFY(killed(again, [&](QProcess& process) { waitAtMost(process, random, usual); }));
+        const Run run = runTan(again, folder_.path());
+        QVERIFY2(run.exitCode == 0, run.messages);
+        QVERIFY(modelBytes() == right);
+        QVERIFY(!entries().contains("model.tan.work"));
+    }
+
 private:
+    /// Whether a program of these words could be started; wait(process) says when it is killed.
+    template <class Wait> bool killed(const QStringList& words, const Wait& wait) const
+    {
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), words);
+        if (!process.waitForStarted())
+            return false;
+        wait(process);
+        if (process.state() != QProcess::NotRunning)
+            ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+        return process.state() == QProcess::NotRunning || process.waitForFinished();
+    }
+    static void waitAtMost(QProcess& process, std::mt19937& random, qint64 milliseconds)
+    {
+        process.waitForFinished(static_cast<int>(random() % static_cast<unsigned>(milliseconds + 1)));
+    }
+
     static QStringList buildWords() { return {"build", "data.nrrd", "-o", "model.tan", "--block", "6"}; }
     QByteArray modelBytes() const { return readFile(folder_.filePath("model.tan")); }
     QStringList entries() const

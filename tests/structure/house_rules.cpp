@@ -54,7 +54,7 @@ const std::vector<Room>& rooms()
         {"core/mesh", {tanBase, tanMesh, "core/base", "core/geometry"}},
         {"core/data", {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/mesh"}},
         {"core/data/cells", {tanBase, tanData, "core/base", "core/geometry", "core/mesh", "core/data"}},
-        {"core/refine", {tanBase, tanBuild, "core/mesh"}},
+        {"core/refine", {tanBase, tanBuild, "core/base", "core/mesh"}},
         {"core/refine/lattice", {tanBase, tanBuild, "core/base", "core/mesh", "core/refine"}},
         {"core/refine/curvilinear",
          {tanBase, tanBuild, "core/base", "core/geometry", "core/mesh", "core/refine", "core/refine/lattice"}},

@@ -78,7 +78,7 @@ def kill(bench, folder, chance, number):
     failures = []
     if found not in ((old, whole) if overwrites else (None, whole)):
         failures.append("after the kill %s holds neither the old nor the new" % target)
-    resumes = query is None and "--block" in arguments and chance.random() < 0.5
+    resumes = query is None and chance.random() < 0.5
     again = bench.run([*arguments, "--resume"] if resumes else arguments, folder)
     failures += unexpected(again, (DONE,))
     if not failures and (folder / target).read_bytes() != whole:

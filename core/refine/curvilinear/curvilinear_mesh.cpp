@@ -252,6 +252,13 @@ Status CurvilinearMesh::start(const CurvilinearGrid& grid, const Options& option
     return {};
 }
 
+void CurvilinearMesh::archive(StateArchive& archive)
+{
+    archive(delaunay_, pool_, buckets_, warpingBuckets_, freeBuckets_, queue_, warpingQueue_, flips_, siteCount_,
+            tetrahedronCount_, inverted_, degenerate_, pointsAboveStop_, hint_, nextSlot_);
+    archive.elements(std::span(slots_.data(), delaunay_.slotCount()));
+}
+
 /// Gives the points to a tetrahedron of the start that they lie in.
 void CurvilinearMesh::distribute(std::uint32_t slot, std::span<const PackedPoint> points)
 {

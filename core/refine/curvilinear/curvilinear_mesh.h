@@ -44,13 +44,15 @@ public:
 
     static constexpr std::uint32_t none = 0xffffffff;
     /// The slot of the foremost tetrahedron that `alive(slot, history)` says lives, or none. It stays in the queue.
-    void clear() { entries_ = {}; }
+    void clear() { entries_ = Entries(); }
     template <class Alive> std::uint32_t top(const Alive& alive)
     {
         while (!entries_.empty() && !alive(entries_.top().slot, entries_.top().history))
             entries_.pop();
         return entries_.empty() ? none : entries_.top().slot;
     }
+
+    void archive(StateArchive& archive) { archive(entries_); }
 
 private:
     struct Entry {
@@ -62,7 +64,10 @@ private:
             return order != other.order ? order < other.order : history > other.history;
         }
     };
-    std::priority_queue<Entry> entries_;
+    struct Entries : std::priority_queue<Entry> {
+        void archive(StateArchive& archive) { archive(c); }
+    };
+    Entries entries_;
 };
 
 /// Which of a star's tetrahedra each point of its cavity lies in. Exact (S8); a point on a shared face goes to one of
@@ -190,6 +195,9 @@ public:
     void sweep();
     /// The key of a mesh or tetrahedron of that error and warping: a bound, as they are.
     float keyOf(float error, float warping) const;
+
+    /// What changes after start().
+    void archive(StateArchive& archive);
 
 private:
     /// What is kept for each slot besides its geometry.

@@ -7,6 +7,7 @@
 #include "core/refine/lattice/block_division.h"
 #include "core/refine/lattice/packed_lattice.h"
 #include "core/refine/lattice/point_pool.h"
+#include "core/refine/noted_history.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,7 @@ public:
     std::uint64_t work() const { return 200 + mesh_.pointsMoved(); }
     std::uint64_t pointsAboveStop() const { return mesh_.pointsAboveStop(); }
     void sweep() { mesh_.sweep(); }
+    void archive(StateArchive& archive) { archive(mesh_, runningKey_); }
 
 private:
     /// The next known cure if its key is not less than `key` and it is not a site already.
@@ -111,9 +113,9 @@ Result<CurvilinearRefinementResult> resultOf(const CurvilinearMesh& mesh, const 
 }
 
 Result<CurvilinearRefinementResult> finishedBy(CurvilinearSpace& space, const CurvilinearMesh& mesh, double stopKey,
-                                               HistorySink& sink, const Progress& progress)
+                                               HistorySink& sink, const Progress& progress, SavedState* state = nullptr)
 {
-    return resultOf(mesh, refineWorstFirst(space, stopKey, sink, progress));
+    return resultOf(mesh, refineWorstFirst(space, stopKey, sink, progress, state));
 }
 
 /// Refinement of a whole grid that keeps the error in space as well (C12).
@@ -131,13 +133,12 @@ public:
     {
         // Below a hundredth of a percent there is one rung, the last: more are not worth their time.
         const double least = 1e-4 * std::max(options_.valueExtent, options_.warpingWeight * options_.positionExtent);
-        double rung = std::numeric_limits<double>::infinity(), first = 0;
         for (;;) {
-            const Result<float> inGrid = refineInGrid(rung, progress);
+            const Result<float> inGrid = refineInGrid(rung_, progress);
             if (!inGrid)
                 return inGrid.error();
-            const float inSpace = errors_.measure(mesh_.tetrahedra(), rung, found_);
-            if (static_cast<double>(inSpace) > rung) {
+            const float inSpace = errors_.measure(mesh_.tetrahedra(), rung_, found_);
+            if (static_cast<double>(inSpace) > rung_) {
                 if (const Status inserted = insertFound(); !inserted)
                     return inserted.error();
                 continue;
@@ -148,15 +149,17 @@ public:
                 const Status finished = sink_.finish(key_);
                 return finished ? Result<float>(key_) : Result<float>(finished.error());
             }
-            rung = std::max(options_.stopKey, downToRung * key);
-            if (rung < least)
-                rung = options_.stopKey;
-            first = std::max(first, key);
+            rung_ = std::max(options_.stopKey, downToRung * key);
+            if (rung_ < least)
+                rung_ = options_.stopKey;
+            first_ = std::max(first_, key);
             const double last = std::max(least, options_.stopKey);
-            progress.report(std::clamp(std::log(first / key) / std::log(std::max(first / last, 2.0)), 0.0, 1.0),
+            progress.report(std::clamp(std::log(first_ / key) / std::log(std::max(first_ / last, 2.0)), 0.0, 1.0),
                             Message::marked("Refining"));
         }
     }
+
+    void archive(StateArchive& archive) { archive(space_, errors_, key_, rung_, first_); }
 
 private:
     static constexpr double downToRung = 0.95;
@@ -172,7 +175,10 @@ private:
         constexpr std::uint32_t betweenLooks = 4096;
         for (std::uint32_t inserted = 0;; ++inserted) {
             if (inserted % betweenLooks == 0) {
-                if (progress.cancelled())
+                const bool cancelled = progress.cancelled();
+                if (options_.state != nullptr)
+                    options_.state->pause(*this, cancelled);
+                if (cancelled)
                     return cancelledError(Message::marked("The refinement"));
                 space_.sweep();
             }
@@ -208,7 +214,9 @@ private:
     CurvilinearSpace space_;
     SpaceErrors errors_;
     std::vector<SpaceErrors::Worst> found_;
-    float key_ = infiniteKey; ///< of the mesh as it is, if that is known
+    float key_ = infiniteKey;                               ///< of the mesh as it is, if that is known
+    double rung_ = std::numeric_limits<double>::infinity(); ///< that the mesh is on its way to
+    double first_ = 0;                                      ///< key that was known
 };
 
 Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const CurvilinearRefinementOptions& options,
@@ -222,16 +230,23 @@ Result<CurvilinearRefinementResult> refine(const CurvilinearGrid& grid, const Cu
                                                .selection = options.selection,
                                                .size = size,
                                                .box = {{0, 0, 0}, size}};
-    if (Status status = sink.begin({options.warpingWeight}); !status)
+    NotedHistory history(sink, options.state);
+    if (Status status = history.begin({options.warpingWeight}); !status)
         return status.error();
     progress.report(0, Message::marked("Distributing the points"));
     CurvilinearMesh mesh;
-    if (Status status = mesh.start(grid, meshOptions, sink); !status)
+    if (Status status = mesh.start(grid, meshOptions, history); !status)
         return status.error();
-    if (options.inSpace)
-        return resultOf(mesh, SpaceRefinement(grid, mesh, options, sink).run(progress));
-    CurvilinearSpace space(mesh, options.selection, sink);
-    return finishedBy(space, mesh, options.stopKey, sink, progress);
+    if (options.inSpace) {
+        SpaceRefinement refinement(grid, mesh, options, history);
+        if (Status status = history.goOn(refinement, progress); !status)
+            return status.error();
+        return resultOf(mesh, refinement.run(progress));
+    }
+    CurvilinearSpace space(mesh, options.selection, history);
+    if (Status status = history.goOn(space, progress); !status)
+        return status.error();
+    return finishedBy(space, mesh, options.stopKey, history, progress, options.state);
 }
 
 constexpr MarkedText noMemoryForGrid = Message::marked(

@@ -18,6 +18,8 @@
 
 namespace tetra {
 
+class SavedState;
+
 struct CurvilinearRefinementOptions {
     /// Units of the values for a unit of length, more than 0: the key of a mesh is the larger of its error and this
     /// times its warping (S4).
@@ -28,6 +30,8 @@ struct CurvilinearRefinementOptions {
     CurvilinearSelection selection = CurvilinearSelection::Normalised;
     /// Keep the error in space as well (C12), with the normalised selection.
     bool inSpace = false;
+    /// That the refinement goes on from, if there is one, and keeps up to date; of this grid and these options.
+    SavedState* state = nullptr;
 };
 
 struct CurvilinearRefinementResult {

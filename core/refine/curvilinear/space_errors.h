@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
 #include "core/geometry/box_tree.h"
 #include "core/refine/curvilinear/curvilinear_grid.h"
 #include "core/refine/lattice/lattice_delaunay.h"
@@ -35,6 +36,17 @@ public:
     /// measured again. On all threads, the same with any number of them; O(tetrahedra + points), and the points in new
     /// tetrahedra or outside of all times the depth of trees.
     float measure(std::span<const DelaunayTetrahedron> tetrahedra, double limit, std::vector<Worst>& found);
+
+    /// Of the same grid.
+    void archive(StateArchive& archive)
+    {
+        for (std::atomic<std::uint64_t>& measured : measured_) {
+            std::uint64_t bits = measured;
+            archive(bits);
+            measured = bits;
+        }
+        archive(tetrahedra_, isNew_, outside_);
+    }
 
 private:
     /// Points to be found by place.

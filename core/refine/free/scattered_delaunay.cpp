@@ -86,6 +86,9 @@ struct ScatteredDelaunay::Mesh {
         return corners;
     }
 
+    /// Cells and vertices as they are, by numbers: what an insertion makes depends on more than the geometry.
+    void archive(StateArchive& archive);
+
     /// Gives the cell a slot, and its points, that of `first` in front.
     Cell take(Delaunay::Cell_handle handle, Delaunay::Vertex_handle first)
     {
@@ -103,6 +106,88 @@ struct ScatteredDelaunay::Mesh {
         return {slot, withCornerFirst(corners, static_cast<std::size_t>(handle->index(first)))};
     }
 };
+
+void ScatteredDelaunay::Mesh::archive(StateArchive& archive)
+{
+    struct VertexRecord {
+        std::uint32_t point = none; ///< none: the one at infinity
+        std::uint32_t cell = none;
+    };
+    struct CellRecord {
+        std::array<std::uint32_t, 4> vertices{none, none, none, none}; ///< of a free slot none
+        std::array<std::uint32_t, 4> neighbours{};
+    };
+    auto& structure = delaunay.tds();
+    std::uint64_t slotCount = cells.size(), cellCount = slotCount;
+    // The cells at infinity have no slots; for now they are numbered on from these.
+    std::vector<Delaunay::Cell_handle> all = cells;
+    std::vector<Delaunay::Vertex_handle> vertices;
+    std::vector<std::uint32_t> numbers; ///< of vertices, by points
+    if (!archive.isLoading()) {
+        for (const std::uint32_t slot : freeSlots)
+            all[slot] = {};
+        for (const Delaunay::Cell_handle cell : delaunay.all_cell_handles())
+            if (delaunay.is_infinite(cell)) {
+                cell->info() = static_cast<std::uint32_t>(all.size());
+                all.push_back(cell);
+            }
+        cellCount = all.size();
+        vertices.push_back(delaunay.infinite_vertex());
+        numbers.resize(points.size());
+        for (const Delaunay::Vertex_handle vertex : delaunay.finite_vertex_handles()) {
+            numbers[vertex->info()] = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(vertex);
+        }
+    }
+    archive(slotCount, cellCount, freeSlots);
+    std::vector<VertexRecord> vertexRecords;
+    for (const Delaunay::Vertex_handle vertex : vertices)
+        vertexRecords.push_back({delaunay.is_infinite(vertex) ? none : vertex->info(), vertex->cell()->info()});
+    archive(vertexRecords);
+    const auto numberOf = [&](Delaunay::Vertex_handle vertex) {
+        return delaunay.is_infinite(vertex) ? 0 : numbers[vertex->info()];
+    };
+    if (!archive.isLoading()) {
+        for (const Delaunay::Cell_handle cell : all) {
+            CellRecord record;
+            for (int i = 0; i < 4 && cell != Delaunay::Cell_handle(); ++i) {
+                record.vertices[static_cast<std::size_t>(i)] = numberOf(cell->vertex(i));
+                record.neighbours[static_cast<std::size_t>(i)] = cell->neighbor(i)->info();
+            }
+            archive(record);
+        }
+        return;
+    }
+    std::vector<CellRecord> records(cellCount);
+    archive.elements(std::span(records));
+    structure.clear();
+    structure.set_dimension(3);
+    for (const VertexRecord& record : vertexRecords) {
+        vertices.push_back(structure.create_vertex());
+        vertices.back()->info() = record.point;
+        if (record.point != none)
+            vertices.back()->set_point(points[record.point]);
+    }
+    delaunay.set_infinite_vertex(vertices.front());
+    all.assign(cellCount, {});
+    for (std::uint32_t number = 0; number < cellCount; ++number)
+        if (const auto& [a, b, c, d] = records[number].vertices; a != none) {
+            all[number] = structure.create_cell(vertices[a], vertices[b], vertices[c], vertices[d]);
+            all[number]->info() = number;
+        }
+    for (std::uint32_t number = 0; number < cellCount; ++number)
+        for (int i = 0; i < 4 && all[number] != Delaunay::Cell_handle(); ++i)
+            all[number]->set_neighbor(i, all[records[number].neighbours[static_cast<std::size_t>(i)]]);
+    for (std::size_t number = 0; number < vertices.size(); ++number)
+        vertices[number]->set_cell(all[vertexRecords[number].cell]);
+    all.resize(slotCount);
+    cells = std::move(all);
+}
+
+void ScatteredDelaunay::archive(StateArchive& archive)
+{
+    archive(*mesh_);
+}
 
 ScatteredDelaunay::ScatteredDelaunay(std::span<const Eigen::Vector3d> positions) : mesh_(std::make_unique<Mesh>())
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
+
 #include <tan/base.h>
 
 #include <Eigen/Core>
@@ -45,6 +47,9 @@ public:
     /// What the last insertion, or the start, made and removed. The inserted point is the first of each created cell's.
     std::span<const Cell> created() const noexcept { return created_; }
     std::span<const std::uint32_t> destroyed() const noexcept { return destroyed_; } ///< slots, free again
+
+    /// The mesh, of the same positions.
+    void archive(StateArchive& archive);
 
 private:
     struct Mesh;

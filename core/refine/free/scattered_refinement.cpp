@@ -6,6 +6,7 @@
 #include "core/refine/free/scattered_delaunay.h"
 #include "core/refine/greedy.h"
 #include "core/refine/interpolation.h"
+#include "core/refine/noted_history.h"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +30,8 @@ struct CellState {
     std::vector<std::uint32_t> inside;     ///< points in it that are no sites
     std::uint32_t worst = noCell;          ///< that of the largest error, the first of them; none: no point has one
     float error = 0;                       ///< its error, never rounded down
+
+    void archive(StateArchive& archive) { archive(history, points, inside, worst, error); }
 };
 
 /// The worst point of a cell when it was made; outdated if the slot's cell is another one now.
@@ -60,6 +63,8 @@ public:
     std::uint64_t work() const { return 16 * (50 + moved_.size()); } // exact predicates take their time
     std::uint64_t pointsAboveStop() const { return pointsAboveStop_; }
     void sweep() {} // the queue is small beside what cells keep
+
+    void archive(StateArchive& archive);
 
     std::uint32_t siteCount() const noexcept { return siteCount_; }
     std::uint64_t tetrahedronCount() const noexcept { return tetrahedronCount_; }
@@ -207,6 +212,16 @@ Status ScatteredSpace::addHull()
     return {};
 }
 
+void ScatteredSpace::archive(StateArchive& archive)
+{
+    archive(delaunay_, cells_, siteOfPoint_, pointsAboveStop_, siteCount_, tetrahedronCount_);
+    if (!archive.isLoading())
+        return;
+    for (std::uint32_t slot = 0; slot < cells_.size(); ++slot)
+        if (cells_[slot].worst != noCell)
+            queue_.push({cells_[slot].error, cells_[slot].worst, slot});
+}
+
 /// What waits and belongs to a cell that is no more is dropped.
 ScatteredSpace::Next ScatteredSpace::next()
 {
@@ -263,16 +278,17 @@ Status ScatteredSpace::insert(const Next& next)
 } // namespace
 
 Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points, double stopError, HistorySink& sink,
-                                                  const Progress& progress)
+                                                  const Progress& progress, SavedState* state)
 {
     if (points.positions.size() >= noCell)
         return Error{ErrorKind::OutOfResource,
                      Message::say("At most 4294967294 scattered points can be refined. Take a part.")};
     const auto refine = [&]() -> Result<ScatteredRefinementResult> {
-        ScatteredSpace space(points, stopError, sink);
-        if (Status started = space.start(progress); !started)
+        NotedHistory history(sink, state);
+        ScatteredSpace space(points, stopError, history);
+        if (Status started = history.goesOn() ? history.goOn(space, progress) : space.start(progress); !started)
             return started.error();
-        const Result<float> key = refineWorstFirst(space, stopError, sink, progress);
+        const Result<float> key = refineWorstFirst(space, stopError, history, progress, state);
         if (!key)
             return key.error();
         return ScatteredRefinementResult{space.siteCount(), space.tetrahedronCount(), *key};

@@ -11,6 +11,8 @@
 
 namespace tetra {
 
+class SavedState;
+
 /// Points anywhere in space, no two on one place, each with a value. Owns nothing.
 struct ScatteredPoints {
     std::span<const Eigen::Vector3d> positions; ///< finite
@@ -30,10 +32,11 @@ struct ScatteredRefinementResult {
 
 /// Greedy refinement of scattered points (R1, 3.1, R8): starting from the corners of their convex hull, inserts the
 /// point of the largest error until no point's error exceeds `stopError`, in units of the values. Ties go to the first
-/// point. The history goes to `sink` while it is made, then sink.finish(). One thread; about 700 bytes a site and 150 a
-/// point. Errors: fewer than four points, all of them on a line or in a plane, two on one place, refused memory, the
-/// sink's, cancelled.
+/// point. The history goes to `sink` while it is made, then sink.finish(). If there is a `state` of these points and
+/// this stop, goes on from there, and keeps it up to date. One thread; about 700 bytes a site and 150 a point. Errors:
+/// fewer than four points, all of them on a line or in a plane, two on one place, refused memory, the sink's,
+/// cancelled.
 Result<ScatteredRefinementResult> refineScattered(const ScatteredPoints& points, double stopError, HistorySink& sink,
-                                                  const Progress& progress = {});
+                                                  const Progress& progress = {}, SavedState* state = nullptr);
 
 } // namespace tetra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/saved_state.h"
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <algorithm>
@@ -55,6 +56,9 @@ public:
     /// Drops what has changed; worth calling when `live` buckets are far fewer than entryCount().
     void sweep(std::span<const PointBucket> buckets);
     std::uint64_t entryCount() const noexcept { return entryCount_; }
+
+    /// After start().
+    void archive(StateArchive& archive) { archive(classes_, sorted_, heap_, foremost_, entryCount_); }
 
 private:
     /// Classes take ten bits of the fraction, over 24 octaves below the largest error; what is smaller shares the last.

@@ -113,6 +113,13 @@ public:
     std::span<const std::uint32_t> created() const noexcept { return created_; }
     /// Slots of the tetrahedra that the last insertion destroyed; some are in created() again.
     std::span<const std::uint32_t> destroyed() const noexcept { return destroyed_; }
+    /// The mesh, after start() or addBox() of the same box.
+    void archive(StateArchive& archive)
+    {
+        archive(slotCount_, freeSlots_, star_);
+        archive.elements(std::span(tetrahedra_.data(), std::size_t(slotCount_) + 1));
+    }
+
     /// The most slots there can ever be.
     std::uint64_t capacity() const noexcept { return slotCapacity_; }
 

@@ -7,6 +7,7 @@
 #include "core/refine/lattice/error_queue.h"
 #include "core/refine/lattice/point_pool.h"
 #include "core/refine/lattice/redistribution.h"
+#include "core/refine/noted_history.h"
 
 #include <algorithm>
 #include <span>
@@ -51,6 +52,7 @@ public:
     std::uint64_t work() const { return 200 + points_.size(); }
     std::uint64_t pointsAboveStop() const { return pointsAboveStop_; }
     void sweep();
+    void archive(StateArchive& archive);
 
 private:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -134,6 +136,7 @@ Result<LatticeRefinementResult> refineLattice(const LatticeRefinementOptions& op
     whole.metric = *metric;
     whole.valueExtent = options.valueExtent;
     whole.stopError = options.stopError;
+    whole.state = options.state;
     return LatticeRefiner().refine(whole, samples, sink, progress);
 }
 
@@ -143,14 +146,25 @@ Result<LatticeRefinementResult> LatticeRefiner::State::run(const LatticeBoxOptio
 {
     options_ = options;
     samples_ = &samples;
-    sink_ = &sink;
+    NotedHistory history(sink, options.state);
+    sink_ = &history;
     progress.report(0, Message::marked("Distributing the points"));
     if (Status status = start(); !status)
         return status.error();
-    const Result<float> key = refineWorstFirst(*this, options.stopError, sink, progress);
+    if (Status status = history.goOn(*this, progress); !status)
+        return status.error();
+    const Result<float> key = refineWorstFirst(*this, options.stopError, history, progress, options.state);
     if (!key)
         return key.error();
     return LatticeRefinementResult{siteCount_, tetrahedronCount_, *key};
+}
+
+/// What changes after start().
+void LatticeRefiner::State::archive(StateArchive& archive)
+{
+    archive(delaunay_, pool_, bucketCount_, freeBuckets_, queue_, pointsAboveStop_, siteCount_, tetrahedronCount_);
+    archive.elements(std::span(buckets_.data(), bucketCount_));
+    archive.elements(std::span(slots_.data(), delaunay_.slotCount()));
 }
 
 Status LatticeRefiner::State::distributeStart()

@@ -16,11 +16,15 @@
 
 namespace tetra {
 
+class SavedState;
+
 struct LatticeRefinementOptions {
     std::array<std::uint32_t, 3> size{2, 2, 2}; ///< points along each axis, at least two
     Eigen::Vector3d spacing{1, 1, 1};           ///< the Delaunay criterion holds in physical space
     double valueExtent = 1;                     ///< largest minus smallest value; only the speed depends on it
     double stopError = 0;                       ///< stop at the first mesh with no larger error, in units of the values
+    /// That the refinement goes on from, if there is one, and keeps up to date; of this lattice and these options.
+    SavedState* state = nullptr;
 };
 
 struct LatticeRefinementResult {
@@ -44,8 +48,9 @@ struct LatticeBoxOptions {
     LatticeMetric metric{1, 1, 1};
     /// Which diagonals the start has on the box's faces; must alternate from box to box along each axis.
     bool centreAtOrigin = true;
-    double valueExtent = 1; ///< of the whole lattice; only the speed depends on it
-    double stopError = 0;   ///< in units of the values
+    double valueExtent = 1;      ///< of the whole lattice; only the speed depends on it
+    double stopError = 0;        ///< in units of the values
+    SavedState* state = nullptr; ///< LatticeRefinementOptions
 };
 
 /// Refines boxes one after another in the same memory, each as refineLattice() does. Boxes that share a face have the

@@ -3,6 +3,7 @@
 
 #include "core/base/free_blocks.h"
 #include "core/base/reserved_array.h"
+#include "core/base/saved_state.h"
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <tan/base.h>
@@ -72,6 +73,13 @@ public:
             std::memcpy(to + i, storage_.data() + place + i, copyPadding * sizeof(PackedPoint));
     }
     static constexpr std::uint32_t copyPadding = 4;
+
+    /// After reserve().
+    void archive(StateArchive& archive)
+    {
+        archive(used_, freeBlocks_);
+        archive.elements(std::span(storage_.data(), used_));
+    }
 
 private:
     static constexpr std::uint32_t minimumBlock = 2;

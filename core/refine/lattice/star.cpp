@@ -93,6 +93,13 @@ Status Star::attach(const PackedLattice& lattice)
                          Message::marked("the marks of the refinement's points"));
 }
 
+void Star::archive(StateArchive& archive)
+{
+    const auto& size = lattice_->size();
+    archive(linkStart_, linkCount_);
+    archive.elements(std::span(marks_.data(), std::uint64_t(size[0]) * size[1] * size[2]));
+}
+
 /// After two thousand million link vertices. Memory that was never written is not even read: some kernels give memory
 /// to huge pages that are only read.
 void Star::beginStampsAnew()

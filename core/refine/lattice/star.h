@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/reserved_array.h"
+#include "core/base/saved_state.h"
 #include "core/refine/lattice/packed_lattice.h"
 
 #include <tan/base.h>
@@ -57,6 +58,9 @@ public:
     /// For each face and each corner the name of the face on the other side of the edge opposite to that corner, or
     /// `absent` if the star ends there (on the hull). `absent` must be the same in every call.
     std::span<const std::array<std::uint32_t, 3>> partners(std::span<const std::uint32_t> names, std::uint32_t absent);
+
+    /// The labels, after attach().
+    void archive(StateArchive& archive);
 
 private:
     template <class Stride> void linkFaces(std::span<const std::uint32_t> names, Stride stride);

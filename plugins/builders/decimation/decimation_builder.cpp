@@ -138,7 +138,7 @@ ParameterValues DecimationBuilder::detail(double percent, DomainClass /*domain*/
 /// The history runs from the last collapse back, and there may be a last one at any time.
 BuildAbilities DecimationBuilder::abilities(const Dataset&, const ParameterValues&) const
 {
-    return {.usesThreads = false, .resumes = false, .keeps = true};
+    return {.usesThreads = false, .resumes = true, .keeps = true};
 }
 
 std::optional<BuildEstimate> DecimationBuilder::estimate(const BuildSize& size, const ParameterValues& values,

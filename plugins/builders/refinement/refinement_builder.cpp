@@ -226,16 +226,16 @@ BuildAbilities RefinementBuilder::abilities(const Dataset& dataset, const Parame
 {
     const auto block = blockOf(parameterValue<std::string>(parameters(), values, "block"));
     if (!isOnLattice(dataset.domain) || !block)
-        return {};
+        return {.resumes = true};
     const auto chosen = [&](const char* id) { return parameterValue<std::string>(parameters(), values, id); };
     if (dataset.domain == DomainClass::Curvilinear &&
         (chosen("selection") == paper || (dataset.convex && chosen("space") != computational)))
-        return {}; // these take no blocks
+        return {.resumes = true}; // these take no blocks
     if (dataset.domain == DomainClass::Curvilinear && chosen("error-in") == inSpace)
-        return {.usesThreads = true}; // nor does this, but it measures on all of them
+        return {.usesThreads = true, .resumes = true}; // nor does this, but it measures on all of them
     const auto cells = chooseBlocks(*block, dataset.lattice, usableBytes());
     const bool inBlocks = cells && *cells > 0;
-    return {.usesThreads = inBlocks, .resumes = inBlocks};
+    return {.usesThreads = inBlocks, .resumes = true};
 }
 
 std::optional<BuildEstimate> RefinementBuilder::estimate(const BuildSize& size, const ParameterValues& values,
