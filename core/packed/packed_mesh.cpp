@@ -38,7 +38,7 @@ struct PackedMeshHeader {
 static_assert(sizeof(PackedMeshHeader) == 48 && std::endian::native == std::endian::little);
 
 /// No decision costs less than about 1/700 bit, and a tetrahedron takes at least one.
-constexpr std::uint64_t mostTetrahedraInByte = 8 * 1024;
+constexpr std::uint64_t mostTetrahedraInByte = std::uint64_t(8) << 10;
 constexpr std::uint32_t mostFactBytes = 1 << 20;
 
 /// Floats as integers of the same order, all bits of each.

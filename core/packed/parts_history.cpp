@@ -443,8 +443,17 @@ private:
     bool codeKey();
     void refillHot(double key);
     bool codeDying();
+    struct Seed {
+        std::uint32_t tetrahedron = nowhere;
+        bool isHot = false;     ///< one of HistoryState::hot
+        bool holdsSite = false; ///< the group's only site lies in it
+    };
+    Seed trueSeed(bool isFirst);
     bool codeSeed(bool isFirst, std::uint32_t& seed);
+    bool placeBySeed(std::uint32_t seed, bool holdsSite);
     bool walkFrom(std::uint32_t seed);
+    bool codeDies(std::uint32_t t);
+    bool isDying(std::uint32_t t) const { return state_.marks[t] == state_.mark + 1; }
     bool addDying(std::uint32_t t, std::uint32_t parent);
     std::uint32_t codeOwner(std::uint32_t t, std::uint32_t parent);
     std::uint32_t codeLocal(NumberModel& model, std::uint32_t truth, std::uint32_t near);
@@ -462,13 +471,18 @@ private:
     bool codeSites();
     bool codePoint(std::uint32_t local);
     bool codePointIn(std::uint32_t host, std::uint32_t& point);
+    Place middleOfNeighbours(std::uint32_t site) const;
     bool codeFreePoint(std::uint32_t local);
     void codePosition(std::uint32_t site, const Place& predicted);
     std::uint32_t hostOfFreeSite(std::uint32_t local);
     void sortByOwner();
     std::span<const std::uint32_t> hostsOf(std::uint32_t local, bool owned) const;
+    std::optional<double> valueInHost(std::uint32_t site) const;
+    double meanOfNeighbours(std::uint32_t site) const;
     void codeValue(std::uint32_t local);
+    double unitOfVolume() const;
     void codeOwn();
+    void codeOwnBound(std::uint32_t t, std::size_t kind, std::size_t size, std::uint32_t key, std::size_t& before);
     void finish();
 
     std::uint32_t truePoint(std::uint32_t local) const { return encodes ? truth_.model->points()[first_ + local] : 0; }
@@ -614,50 +628,55 @@ template <class Coder> bool GroupCoder<Coder>::codeDying()
     }
 }
 
+/// The encoder's choice of one that dies.
+template <class Coder> auto GroupCoder<Coder>::trueSeed(bool isFirst) -> Seed
+{
+    Seed best;
+    if constexpr (encodes) {
+        const bool mayHold = onLattice() && count_ == 1;
+        const Place site = onLattice() ? state_.placeOfPoint(truePoint(0)) : Place{};
+        const int highest = (state_.hot.empty() ? 0 : 2) + (mayHold ? 1 : 0);
+        int score = -1;
+        if (isFirst)
+            death_ = truth_.deathOffsets[first_];
+        while (isDying(truth_.deaths[death_]))
+            ++death_;
+        for (std::uint64_t i = death_; i < truth_.deathOffsets[first_ + count_] && score < highest; ++i) {
+            const std::uint32_t t = truth_.deaths[i];
+            if (isDying(t))
+                continue;
+            const Seed one{t, std::ranges::binary_search(state_.hot, t), mayHold && state_.contains(t, site)};
+            const int scoreOfOne = (one.isHot ? 2 : 0) + (one.holdsSite ? 1 : 0);
+            if (scoreOfOne > score) {
+                score = scoreOfOne;
+                best = one;
+            }
+        }
+    }
+    return best;
+}
+
 /// One that dies: of those whose own bound is the reason for the group, if one of these does.
 template <class Coder> bool GroupCoder<Coder>::codeSeed(bool isFirst, std::uint32_t& seed)
 {
     const std::vector<std::uint32_t>& hot = state_.hot;
-    const bool isSingle = count_ == 1;
-    std::uint64_t place = 0;
-    bool isHot = false, holdsSite = false;
-    if constexpr (encodes) {
-        int best = -1;
-        const Place site = onLattice() ? state_.placeOfPoint(truePoint(0)) : Place{};
-        if (isFirst)
-            death_ = truth_.deathOffsets[first_];
-        while (state_.marks[truth_.deaths[death_]] == state_.mark + 1)
-            ++death_;
-        for (std::uint64_t i = death_; i < truth_.deathOffsets[first_ + count_]; ++i) {
-            const std::uint32_t t = truth_.deaths[i];
-            if (state_.marks[t] == state_.mark + 1)
-                continue;
-            const bool holds = onLattice() && isSingle && state_.contains(t, site);
-            const bool warm = std::ranges::binary_search(hot, t);
-            const int score = (warm ? 2 : 0) + (holds ? 1 : 0);
-            if (score > best) {
-                best = score;
-                seed = t;
-                isHot = warm;
-                holdsSite = holds;
-            }
-            if (best == (hot.empty() ? 0 : 2) + (onLattice() && isSingle ? 1 : 0))
-                break;
-        }
-        place = isHot ? static_cast<std::uint64_t>(std::ranges::lower_bound(hot, seed) - hot.begin()) : seed;
-    }
-    if (!hot.empty() && bit(models_.seedIsHot[isFirst ? 1 : 0], isHot)) {
-        seed = hot[oneOf(place, hot.size())];
+    const Seed truth = trueSeed(isFirst);
+    if (!hot.empty() && bit(models_.seedIsHot[isFirst ? 1 : 0], truth.isHot)) {
+        const auto place = std::ranges::lower_bound(hot, truth.tetrahedron) - hot.begin();
+        seed = hot[oneOf(static_cast<std::uint64_t>(place), hot.size())];
     } else {
         if (base_ == 0)
             return false;
-        seed = static_cast<std::uint32_t>(oneOf(seed, base_));
+        seed = static_cast<std::uint32_t>(oneOf(truth.tetrahedron, base_));
     }
-    if (!state_.alive(seed) || state_.marks[seed] == state_.mark + 1)
+    if (!state_.alive(seed) || isDying(seed))
         return false;
-    if (!isFirst || !isSingle)
-        return true;
-    // Where the site is tells what it destroys.
+    return !isFirst || count_ > 1 || placeBySeed(seed, truth.holdsSite);
+}
+
+/// The place of a group's only site, where that tells what it destroys.
+template <class Coder> bool GroupCoder<Coder>::placeBySeed(std::uint32_t seed, bool holdsSite)
+{
     if (onLattice()) {
         if (!bit(models_.hostIsSeed[0], holdsSite))
             return true;
@@ -685,9 +704,7 @@ template <class Coder> bool GroupCoder<Coder>::codeSeed(bool isFirst, std::uint3
 
 template <class Coder> bool GroupCoder<Coder>::walkFrom(std::uint32_t seed)
 {
-    const bool isSingle = count_ == 1;
-    const bool predicts = placedEarly_ && state_.facts.delaunay;
-    if (!isSingle)
+    if (count_ > 1)
         common_.clear();
     std::size_t at = at_.dying.size();
     if (!addDying(seed, nowhere))
@@ -701,30 +718,15 @@ template <class Coder> bool GroupCoder<Coder>::walkFrom(std::uint32_t seed)
                 atHull = true;
                 continue;
             }
-            std::uint32_t& mark = state_.marks[other];
-            if (mark == state_.mark + 1)
+            if (isDying(other))
                 continue;
-            if (mark != state_.mark) {
-                const auto dies = [&](std::uint32_t t) { return t != nowhere && state_.marks[t] == state_.mark + 1; };
-                const auto beside = static_cast<std::size_t>(std::ranges::count_if(state_.next[other], dies)) - 1;
-                const auto& corners = state_.corners[other];
-                const auto shared = static_cast<std::size_t>(std::ranges::count_if(
-                    common_, [&](std::uint32_t site) { return std::ranges::find(corners, site) != corners.end(); }));
-                const std::size_t told = predicts ? 1 + (state_.inSphere(other, state_.places[first_]) ? 1 : 0) : 0;
-                bool truth = false;
-                if constexpr (encodes) {
-                    const std::uint32_t destroyer = truth_.model->destroyers()[other];
-                    truth = destroyer >= first_ && destroyer < first_ + count_;
-                }
-                if (bit(models_.dies[isSingle ? 0 : 1][told][std::min<std::size_t>(beside, 3)]
-                                    [std::min<std::size_t>(shared, 3)],
-                        truth)) {
-                    if (!addDying(other, static_cast<std::uint32_t>(at)))
-                        return false;
-                    continue;
-                }
-                mark = state_.mark;
+            std::uint32_t& mark = state_.marks[other];
+            if (mark != state_.mark && codeDies(other)) {
+                if (!addDying(other, static_cast<std::uint32_t>(at)))
+                    return false;
+                continue;
             }
+            mark = state_.mark;
             at_.outers.push_back({inside, face});
         }
         for (std::uint32_t face = 0; atHull && face < 4; ++face)
@@ -732,6 +734,26 @@ template <class Coder> bool GroupCoder<Coder>::walkFrom(std::uint32_t seed)
                 at_.outers.push_back({inside, face});
     }
     return true;
+}
+
+/// Whether a neighbour of one that dies does, too.
+template <class Coder> bool GroupCoder<Coder>::codeDies(std::uint32_t t)
+{
+    const auto dies = [&](std::uint32_t other) { return other != nowhere && isDying(other); };
+    const auto beside = static_cast<std::size_t>(std::ranges::count_if(state_.next[t], dies)) - 1;
+    const auto& corners = state_.corners[t];
+    const auto shared = static_cast<std::size_t>(std::ranges::count_if(
+        common_, [&](std::uint32_t site) { return std::ranges::find(corners, site) != corners.end(); }));
+    const bool predicts = placedEarly_ && state_.facts.delaunay;
+    const std::size_t told = predicts ? 1 + (state_.inSphere(t, state_.places[first_]) ? 1 : 0) : 0;
+    bool truth = false;
+    if constexpr (encodes) {
+        const std::uint32_t destroyer = truth_.model->destroyers()[t];
+        truth = destroyer >= first_ && destroyer < first_ + count_;
+    }
+    return bit(
+        models_.dies[count_ == 1 ? 0 : 1][told][std::min<std::size_t>(beside, 3)][std::min<std::size_t>(shared, 3)],
+        truth);
 }
 
 template <class Coder> bool GroupCoder<Coder>::addDying(std::uint32_t t, std::uint32_t parent)
@@ -898,7 +920,7 @@ template <class Coder> bool GroupCoder<Coder>::codeFace(std::uint32_t number)
     if constexpr (encodes) {
         bool odd = false;
         const std::uint32_t key = at_.truthNumbers.find(sortedTriangle(face.corners, odd));
-        truth = key == at_.truthNumbers.none ? nowhere : at_.truthFaces[key][odd ? 1 : 0];
+        truth = key == decltype(at_.truthNumbers)::none ? nowhere : at_.truthFaces[key][odd ? 1 : 0];
         if (truth != nowhere) {
             const std::uint64_t t = base_ + std::uint64_t(truth / 4);
             const auto offsets = truth_.model->starOffsets().subspan(first_, count_ + std::size_t(1));
@@ -944,7 +966,7 @@ template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face
             return true;
         }
     const std::uint32_t place = encodes ? at_.cavity.find(truth) : 0;
-    if (at_.cavity.size() > 0 && bit(models_.otherIsInCavity[type == 2 ? 1 : 0], place != at_.cavity.none)) {
+    if (at_.cavity.size() > 0 && bit(models_.otherIsInCavity[type == 2 ? 1 : 0], place != decltype(at_.cavity)::none)) {
         apex = at_.cavity.keys()[oneOf(place, at_.cavity.size())];
         return true;
     }
@@ -1402,35 +1424,34 @@ template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, 
         if (!onLattice())
             state_.places.push_back(place);
     };
-    if (state_.facts.coordinateBytes == 4)
-        code(float());
-    else
-        code(double());
+    state_.facts.coordinateBytes == 4 ? code(float()) : code(double());
+}
+
+/// The middle of those that have a place.
+template <class Coder> Place GroupCoder<Coder>::middleOfNeighbours(std::uint32_t site) const
+{
+    Place middle{};
+    std::uint32_t neighbours = 0;
+    for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
+        for (const std::uint32_t other : arrays_.otherSites[t])
+            if (placed(other)) {
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    middle[axis] += state_.places[other][axis];
+                ++neighbours;
+            }
+    if (neighbours == 0)
+        return site > 0 ? state_.places.back() : middle;
+    for (double& coordinate : middle)
+        coordinate /= neighbours;
+    return middle;
 }
 
 /// Irregular and scattered data: where the site is and then which point it is.
 template <class Coder> bool GroupCoder<Coder>::codeFreePoint(std::uint32_t local)
 {
     const std::uint32_t site = first_ + local;
-    if (!placedEarly_) {
-        // The middle of its neighbours that have a place.
-        Place middle{};
-        std::uint32_t neighbours = 0;
-        for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
-            for (const std::uint32_t other : arrays_.otherSites[t])
-                if (placed(other)) {
-                    for (std::size_t axis = 0; axis < 3; ++axis)
-                        middle[axis] += state_.places[other][axis];
-                    ++neighbours;
-                }
-        if (neighbours == 0 && site > 0) {
-            middle = state_.places.back();
-            neighbours = 1;
-        }
-        for (double& coordinate : middle)
-            coordinate /= std::max(neighbours, 1u);
-        codePosition(site, middle);
-    }
+    if (!placedEarly_)
+        codePosition(site, middleOfNeighbours(site));
     // Points that are near have numbers that are.
     std::uint32_t nearest = site > 0 ? site - 1 : nowhere;
     double least = std::numeric_limits<double>::infinity();
@@ -1475,28 +1496,40 @@ template <class Coder> std::uint32_t GroupCoder<Coder>::hostOfFreeSite(std::uint
     return best;
 }
 
+/// What the mesh has there; nothing where the site's host is not known, or flat.
+template <class Coder> std::optional<double> GroupCoder<Coder>::valueInHost(std::uint32_t site) const
+{
+    std::array<double, 4> weights{};
+    if (host_ == nowhere || !state_.weightsAt(host_, state_.places[site], weights))
+        return {};
+    double value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value += weights[i] * state_.value(state_.corners[host_][i]);
+    return value;
+}
+
+/// Of those that came before it; of the last one if it has none.
+template <class Coder> double GroupCoder<Coder>::meanOfNeighbours(std::uint32_t site) const
+{
+    double sum = 0;
+    std::uint32_t neighbours = 0;
+    for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
+        for (const std::uint32_t other : arrays_.otherSites[t])
+            if (other < site) {
+                sum += state_.value(other);
+                ++neighbours;
+            }
+    if (neighbours > 0)
+        return sum / neighbours;
+    return site > 0 ? state_.value(site - 1) : 0;
+}
+
 /// The value differs from the mesh's by the key where the site was the reason for it (S19).
 template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
 {
     const std::uint32_t site = first_ + local;
-    double predicted = site > 0 ? state_.value(site - 1) : 0;
-    std::array<double, 4> weights{};
-    const bool interpolates = host_ != nowhere && state_.weightsAt(host_, state_.places[site], weights);
-    if (interpolates) {
-        predicted = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            predicted += weights[i] * state_.value(state_.corners[host_][i]);
-    } else {
-        double sum = 0;
-        std::uint32_t neighbours = 0;
-        for (std::uint64_t t = arrays_.starOffsets[site]; t < arrays_.starOffsets[site + std::size_t(1)]; ++t)
-            for (const std::uint32_t other : arrays_.otherSites[t])
-                if (other < site) {
-                    sum += state_.value(other);
-                    ++neighbours;
-                }
-        predicted = neighbours > 0 ? sum / neighbours : predicted;
-    }
+    const std::optional<double> interpolated = valueInHost(site);
+    const double predicted = interpolated ? *interpolated : meanOfNeighbours(site);
     visitSampleType(state_.facts.sampleType, [&]<class T>() {
         constexpr unsigned bits = 8 * sizeof(T);
         T truth{};
@@ -1506,7 +1539,7 @@ template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
         const auto from = [&](double expected) { return orderedBits(nearestSample<T>(expected)); };
         const auto distance = [&](double expected) { return zigzag(orderedBits(truth), from(expected), bits); };
         bool byKey = false, above = false;
-        if (interpolates && key > 0 && std::isfinite(key)) {
+        if (interpolated && key > 0 && std::isfinite(key)) {
             if constexpr (encodes) {
                 above = distance(predicted + key) < distance(predicted - key);
                 byKey = distance(above ? predicted + key : predicted - key) < distance(predicted);
@@ -1525,6 +1558,19 @@ template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
 
 // The tetrahedra's own bounds.
 
+/// A cell of the lattice, or else a share of the mean volume of what was made.
+template <class Coder> double GroupCoder<Coder>::unitOfVolume() const
+{
+    if (onLattice()) {
+        const auto& spacing = state_.facts.lattice.spacing;
+        return spacing[0] * spacing[1] * spacing[2];
+    }
+    double sum = 0;
+    for (std::uint32_t t = base_; t < state_.tetrahedronCount(); ++t)
+        sum += std::abs(state_.volume(t));
+    return sum / std::max<double>(1, static_cast<double>(at_.made.size())) / 64;
+}
+
 template <class Coder> void GroupCoder<Coder>::codeOwn()
 {
     const bool warps = canWarp(state_.facts.domain);
@@ -1535,16 +1581,7 @@ template <class Coder> void GroupCoder<Coder>::codeOwn()
     };
     const std::array<std::uint32_t, 2> key{expected(state_.facts.extent),
                                            expected(state_.facts.diagonal * state_.facts.warpingWeight)};
-    double unit = 1;
-    if (!onLattice()) {
-        // The mean volume of what was made.
-        double sum = 0;
-        for (std::uint32_t t = base_; t < state_.tetrahedronCount(); ++t)
-            sum += std::abs(state_.volume(t));
-        unit = sum / std::max<double>(1, static_cast<double>(at_.made.size())) / 64;
-    } else {
-        unit = state_.facts.lattice.spacing[0] * state_.facts.lattice.spacing[1] * state_.facts.lattice.spacing[2];
-    }
+    const double unit = unitOfVolume();
     std::array<std::size_t, 2> before{2, 2};
     for (std::uint32_t t = base_; t < state_.tetrahedronCount(); ++t) {
         int exponent = 0;
@@ -1552,24 +1589,31 @@ template <class Coder> void GroupCoder<Coder>::codeOwn()
         if (share > 0 && share < 1e9)
             std::frexp(share + 0.25, &exponent);
         const auto size = static_cast<std::size_t>(std::clamp(exponent, 0, 15));
-        for (std::size_t kind = 0; kind < (warps ? 2u : 1u); ++kind) {
-            std::vector<std::uint16_t>& own = kind == 0 ? arrays_.ownErrors : arrays_.ownWarpings;
-            std::uint16_t truth = 0;
-            if constexpr (encodes)
-                truth = kind == 0 ? truth_.model->ownErrors()[t] : truth_.model->ownWarpings()[t];
-            const std::uint32_t parent = at_.parents[t - base_];
-            const std::size_t parentClass = parent == nowhere ? 2 : own[parent] == 0 ? 0 : 1;
-            const bool isZero = bit(models_.ownIsZero[kind][size][before[kind]][parentClass], truth == 0);
-            before[kind] = isZero ? 0 : 1;
-            std::uint64_t half = 0;
-            const std::uint32_t near = parentClass == 1 ? own[parent] : key[kind];
-            if (!isZero)
-                half = unzigzag(number(models_.own[kind][parentClass], zigzag(truth, near, 16)), near, 16);
-            own.push_back(static_cast<std::uint16_t>(half));
-        }
+        for (std::size_t kind = 0; kind < (warps ? 2u : 1u); ++kind)
+            codeOwnBound(t, kind, size, key[kind], before[kind]);
         if (const double bound = state_.ownKey(t); bound > 0)
             state_.queue.emplace(bound, t);
     }
+}
+
+/// `kind` 0: the error, 1: the warping; `before`: 0 if that of the last tetrahedron was zero, 1 if not, 2 for the
+/// first.
+template <class Coder> void GroupCoder<Coder>::codeOwnBound(std::uint32_t t, std::size_t kind, std::size_t size,
+                                                            std::uint32_t key, std::size_t& before)
+{
+    std::vector<std::uint16_t>& own = kind == 0 ? arrays_.ownErrors : arrays_.ownWarpings;
+    std::uint16_t truth = 0;
+    if constexpr (encodes)
+        truth = kind == 0 ? truth_.model->ownErrors()[t] : truth_.model->ownWarpings()[t];
+    const std::uint32_t parent = at_.parents[t - base_];
+    const std::size_t parentClass = parent == nowhere ? 2 : own[parent] == 0 ? 0 : 1;
+    const bool isZero = bit(models_.ownIsZero[kind][size][before][parentClass], truth == 0);
+    before = isZero ? 0 : 1;
+    std::uint64_t half = 0;
+    const std::uint32_t near = parentClass == 1 ? own[parent] : key;
+    if (!isZero)
+        half = unzigzag(number(models_.own[kind][parentClass], zigzag(truth, near, 16)), near, 16);
+    own.push_back(static_cast<std::uint16_t>(half));
 }
 
 template <class Coder> void GroupCoder<Coder>::finish()
