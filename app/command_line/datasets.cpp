@@ -200,26 +200,44 @@ void addRemarks(const Dataset& dataset, Outcome& outcome)
     addFaultyCells(dataset, outcome);
 }
 
-void addFaultyCells(const Dataset& dataset, Outcome& outcome)
+void addFaultyCells(std::span<const FaultyCell> cells, std::string_view where, Outcome& outcome)
 {
-    if (!dataset.faultyCells)
+    if (cells.empty())
         return;
     constexpr std::array<const char*, 7> names = {"not-finite",   "no-volume", "warped", "duplicate",
                                                   "crowded-face", "inverted",  "overlap"};
     constexpr std::size_t mostListed = 10'000, mostLines = 5;
-    const std::vector<FaultyCell>& cells = *dataset.faultyCells;
     QJsonArray list;
-    for (const FaultyCell& one : std::span(cells).first(std::min(cells.size(), mostListed))) {
+    for (const FaultyCell& one : cells.first(std::min(cells.size(), mostListed))) {
         list.append(QJsonObject{{"cell", static_cast<qint64>(one.cell)},
                                 {"fault", names.at(static_cast<std::size_t>(one.fault))}});
         if (static_cast<std::size_t>(list.size()) <= mostLines)
-            outcome.text +=
-                "Cell " + std::to_string(one.cell) + " was left out: " + std::string(cellFaultText(one.fault)) + ".\n";
+            outcome.text += "Cell " + std::to_string(one.cell) + std::string(where) + ": " +
+                            std::string(cellFaultText(one.fault)) + ".\n";
     }
     if (cells.size() > mostLines)
         outcome.text += "... and " + std::to_string(cells.size() - mostLines) + " more; --json lists them.\n";
     outcome.figures["faulty_cells"] = list;
     outcome.figures["faulty_cell_count"] = static_cast<qint64>(cells.size());
+}
+
+void addFaultyCells(const Dataset& dataset, Outcome& outcome)
+{
+    if (dataset.faultyCells)
+        addFaultyCells(*dataset.faultyCells, " was left out", outcome);
+}
+
+Status addFaultyCells(const Model& model, Outcome& outcome)
+{
+    if (faultyCellCount(model) == 0)
+        return {};
+    const auto cells = faultyCells(model);
+    if (!cells)
+        return cells.error();
+    outcome.text += "\n";
+    addFaultyCells(*cells, model.description().domain == DomainClass::Curvilinear ? " of the grid" : " was left out",
+                   outcome);
+    return {};
 }
 
 } // namespace tetra

@@ -9,6 +9,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string_view>
 
 namespace tetra {
 
@@ -42,9 +44,13 @@ QJsonObject datasetFigures(const DatasetSummary& summary);
 /// The same for people, a line.
 std::string datasetText(const DatasetSummary& summary);
 
-/// The cells that were taken out of the mesh: "faulty_cells", the first ten thousand, "faulty_cell_count", and a few
-/// lines of the text. Nothing if there are none.
+/// Faulty cells, "left out" or as who lists them says: "faulty_cells", the first ten thousand, "faulty_cell_count", and
+/// a few lines of the text. Nothing if there are none.
+void addFaultyCells(std::span<const FaultyCell> cells, std::string_view where, Outcome& outcome);
+/// Those that were taken out of the mesh.
 void addFaultyCells(const Dataset& dataset, Outcome& outcome);
+/// Those that a model lists. Errors: a damaged file.
+Status addFaultyCells(const Model& model, Outcome& outcome);
 /// What reading the dataset changed: "remarks", and a line of the text each; and addFaultyCells().
 void addRemarks(const Dataset& dataset, Outcome& outcome);
 

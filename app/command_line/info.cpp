@@ -183,6 +183,8 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
                    guaranteeText(description);
     if (found->anyInverted)
         outcome.text += "\nTetrahedra are inverted where the data's own cells are folded or bent too far.\n";
+    if (const Status listed = addFaultyCells(model, outcome); !listed)
+        return listed.error();
     if (const Status measured = addMeasured(invocation, model, levels, outcome); !measured)
         return measured.error();
     return outcome;

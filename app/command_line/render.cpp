@@ -188,6 +188,12 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     if (request.query.range && invocation.arguments.has(boundaryId))
         return Error{ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary for "
                                             "'--boundary'. Leave one of the two out."};
+    const bool faulty = invocation.arguments.has("faulty-cells");
+    if (faulty && faultyCellCount(*view.model) == 0)
+        return Error{
+            ErrorKind::WrongUsage,
+            "The model lists no faulty cells for '--faulty-cells' to outline: its data have none, or an earlier "
+            "version of TAn built it. Leave it out, or build the model again."};
     if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
@@ -203,6 +209,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return query.error();
     view.scene = {
         view.model, renderer.plugin, *query, std::move(shown), *camera, request.picture.width, request.picture.height};
+    view.scene.faultyCells = faulty;
     view.lens = request.lens;
     view.picture.annotations = annotationsOf(invocation.arguments);
     view.picture.annotations.camera = *camera;
@@ -282,6 +289,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     figures["extraction_seconds"] = built->extractionSeconds;
     figures["scene_seconds"] = built->sceneSeconds;
     figures["tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra);
+    if (view.scene.faultyCells)
+        figures["faulty_cells_outlined"] = static_cast<qint64>(built->faultyCells);
     if (built->mesh.isBlended)
         figures["focus_tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra - mesh.mesh.tetrahedra.size());
     AnnotationContent& asked = view.picture.annotations;

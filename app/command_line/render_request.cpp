@@ -188,6 +188,11 @@ std::vector<Option> pictureOptions(PluginHost& host)
                         "(shares of width and height from the upper left corner), out to R (a share of the shorter "
                         "side), with a mesh whose error there is E percent of the value range, or 0.25, if that is "
                         "smaller than the picture's. 'square:' before the numbers makes it a square."},
+        {.name = "faulty-cells",
+         .placeholder = "",
+         .explanation = "Outlines, over the picture, the cells that the model lists as faulty: those of a mesh that "
+                        "were left out because something is wrong with them, and those of a grid that are folded or "
+                        "have no volume."},
         {.name = "surfaces",
          .placeholder = fileChoices(host, WrittenContent::Surface),
          .explanation = "Writes the surfaces that are drawn, too, as the window's Save Surfaces does: those of "

@@ -27,8 +27,8 @@ struct RenderRequest {
     std::string backend; ///< "cpu" or "gl"
 };
 
-/// --camera, --size, --samples, --background, --backend, --threads, --depth, --lens, --output; --surfaces has the
-/// endings of the writers.
+/// --camera, --size, --samples, --background, --backend, --threads, --depth, --lens, --faulty-cells, --output;
+/// --surfaces has the endings of the writers.
 std::vector<Option> pictureOptions(PluginHost& host);
 
 /// What these and the options of query_options.h ask for. Errors (WrongUsage): values that do not fit, options that do

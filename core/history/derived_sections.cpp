@@ -61,10 +61,28 @@ DerivedSections derivedSections(const Model& model)
     map(derived.blockCells, SectionId::Blocks);
     if (layout->has(SectionId::Faults))
         map(derived.faults.emplace(), SectionId::Faults);
+    map(derived.faultyCells, SectionId::FaultyCells);
     return derived;
 }
 
 // Writing.
+
+std::vector<format::FaultyCell> faultyCellsOf(const Dataset& dataset)
+{
+    std::vector<format::FaultyCell> cells;
+    if (dataset.faultyCells)
+        for (const FaultyCell& one : *dataset.faultyCells) {
+            if (one.corners.empty())
+                continue;
+            format::FaultyCell& cell = cells.emplace_back();
+            cell.number = one.cell;
+            cell.fault = static_cast<std::uint32_t>(one.fault);
+            cell.corners = static_cast<std::uint32_t>(one.corners.size());
+            for (std::size_t corner = 0; corner < one.corners.size(); ++corner)
+                Eigen::Map<Eigen::Vector3d>(cell.places[corner].data()) = one.corners[corner];
+        }
+    return cells;
+}
 
 namespace {
 
@@ -204,6 +222,9 @@ public:
                 return written;
         if (const Status written = writeLevels(); !written)
             return written;
+        if (from_.dataset != nullptr)
+            if (const Status written = writeCellsLeftOut(); !written)
+                return written;
         const bool knowsFaults = from_.dataset != nullptr || from_.faults != nullptr;
         return from_.description.domain == DomainClass::Curvilinear && knowsFaults ? writeFaults() : Status();
     }
@@ -213,6 +234,7 @@ private:
     Status planSmallSections();
     Status writeBatchBounds();
     Status writeLevels();
+    Status writeCellsLeftOut();
     Status writeFaults();
     Status addKnownCells();
     Status addFaultyCells();
@@ -338,6 +360,17 @@ Status DerivedWriter::writeLevels()
             return got;
     }
     return add(sections_, SectionId::LevelIndex, levels);
+}
+
+/// Those of an irregular mesh, if there are any.
+Status DerivedWriter::writeCellsLeftOut()
+{
+    const std::vector<format::FaultyCell> cells = faultyCellsOf(*from_.dataset);
+    if (cells.empty())
+        return {};
+    const PlannedSection section{SectionId::FaultyCells, sizeof(format::FaultyCell), cells.size(), 0};
+    const Status planned = sections_.plan(std::span(&section, 1));
+    return planned ? add(sections_, SectionId::FaultyCells, cells) : planned;
 }
 
 Status DerivedWriter::writeFaults()

@@ -17,16 +17,17 @@
 
 namespace tetra {
 
-/// What a file tells beside the arrays that every model has (FORMAT.md, sections 4 and 48 to 52): levels, batches,
+/// What a file tells beside the arrays that every model has (FORMAT.md, sections 4 and 48 to 53): levels, batches,
 /// blocks and faults. All of it follows from the other sections and the dataset, and is there so that nobody need look
 /// for it. Empty where the file has none.
 struct DerivedSections {
     std::span<const format::LevelEntry> levels;
     std::span<const std::uint32_t> batchEnds;
-    std::span<const float> batchErrors;        ///< one a batch, as are the next: of data that warp
-    std::span<const float> batchWarpings;      ///< in units of length
-    std::span<const std::uint32_t> blockCells; ///< three: cells along an edge of a block on each axis
-    std::optional<std::span<const format::Fault>> faults;
+    std::span<const float> batchErrors;                   ///< one a batch, as are the next: of data that warp
+    std::span<const float> batchWarpings;                 ///< in units of length
+    std::span<const std::uint32_t> blockCells;            ///< three: cells along an edge of a block on each axis
+    std::optional<std::span<const format::Fault>> faults; ///< of curvilinear data
+    std::span<const format::FaultyCell> faultyCells;      ///< of irregular data
 };
 
 /// Whether the parameter `distance` claims that no place of a mesh's boundary is farther from the original's than its
@@ -43,6 +44,9 @@ inline bool claimsByKeysAlone(const ModelDescription& description)
 
 /// Refers to the mapped file. Reads no more than its header and its table: elements want Model::check(), as all do.
 DerivedSections derivedSections(const Model& model);
+
+/// The section FaultyCells of a dataset: its cells whose corners are known.
+std::vector<format::FaultyCell> faultyCellsOf(const Dataset& dataset);
 
 /// What the faults of a model of curvilinear data are found by where the grid is not at hand.
 struct KnownFaults {

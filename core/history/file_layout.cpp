@@ -341,14 +341,17 @@ Status LayoutReader::checkDerived() const
     };
     const std::uint64_t batches = countOf(SectionId::BatchEnds, 4, header.siteCount);
     const std::uint64_t levels = countOf(SectionId::LevelIndex, sizeof(format::LevelEntry), format::mostLevels);
-    const std::uint64_t faults = countOf(SectionId::Faults, sizeof(format::Fault), ~std::uint64_t(0));
+    constexpr auto any = ~std::uint64_t(0);
+    const std::uint64_t faults = countOf(SectionId::Faults, sizeof(format::Fault), any);
+    const std::uint64_t faultyCells = countOf(SectionId::FaultyCells, sizeof(format::FaultyCell), any);
     const std::pair<Expected, std::uint64_t> all[] = {
         {{SectionId::LevelIndex, sizeof(format::LevelEntry)}, std::max<std::uint64_t>(levels, 1)},
         {{SectionId::BatchEnds, 4}, std::max<std::uint64_t>(batches, 1)},
         {{SectionId::BatchErrors, 4}, batches},
         {{SectionId::BatchWarpings, 4}, batches},
         {{SectionId::Blocks, 4}, 3},
-        {{SectionId::Faults, sizeof(format::Fault)}, faults}};
+        {{SectionId::Faults, sizeof(format::Fault)}, faults},
+        {{SectionId::FaultyCells, sizeof(format::FaultyCell)}, faultyCells}};
     for (const auto& [expected, count] : all)
         if (layout_.has(expected.id))
             if (const Status counted = checkCount(expected, count); !counted)

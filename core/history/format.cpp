@@ -32,6 +32,7 @@ std::string_view sectionName(std::uint32_t id) noexcept
     case SectionId::BatchWarpings: return "batch warpings";
     case SectionId::Blocks: return "blocks";
     case SectionId::Faults: return "faults";
+    case SectionId::FaultyCells: return "faulty cells";
     }
     return "unknown";
 }

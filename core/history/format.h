@@ -62,6 +62,7 @@ enum class SectionId : std::uint32_t {
     BatchWarpings = 50,
     Blocks = 51,
     Faults = 52,
+    FaultyCells = 53,
 };
 
 /// What the section HistoryKind says; a file without it holds a history of Delaunay meshes.
@@ -142,6 +143,15 @@ struct Fault {
     std::uint64_t number = 0;
 };
 static_assert(sizeof(Fault) == 16);
+
+/// A cell of the file that is no part of an irregular mesh.
+struct FaultyCell {
+    std::uint64_t number = 0;
+    std::uint32_t fault = 0;   ///< CellFault
+    std::uint32_t corners = 0; ///< 4 to 8: a tetrahedron, pyramid, prism or hexahedron, numbered as in VTK
+    std::array<std::array<double, 3>, 8> places{}; ///< of the corners; 0 behind them
+};
+static_assert(sizeof(FaultyCell) == 208);
 
 /// What a packed model says of itself and of the one that was packed.
 struct PackedFacts {

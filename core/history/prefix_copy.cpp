@@ -47,7 +47,8 @@ constexpr PrefixPart prefixParts[] = {{SectionId::StarOffsets, PrefixShare::Site
                                       {SectionId::HistoryKind, PrefixShare::Whole},
                                       {SectionId::Text, PrefixShare::Whole},
                                       {SectionId::Blocks, PrefixShare::Whole, false},
-                                      {SectionId::Faults, PrefixShare::Whole, false}};
+                                      {SectionId::Faults, PrefixShare::Whole, false},
+                                      {SectionId::FaultyCells, PrefixShare::Whole}};
 
 Error damagedModel(const std::string& name, const Message& what)
 {

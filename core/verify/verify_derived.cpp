@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -97,7 +98,7 @@ public:
     Status run(const Progress& progress);
     void moveTo(std::vector<std::string>& failures)
     {
-        for (Findings* findings : {&ends_, &bounds_, &levels_, &blocks_, &faults_})
+        for (Findings* findings : {&ends_, &bounds_, &levels_, &blocks_, &faults_, &faultyCells_})
             findings->moveTo(failures);
     }
 
@@ -112,6 +113,7 @@ private:
     Status checkBlocks(const Progress& progress);
     void checkStarInBlocks(std::uint32_t creator);
     Status checkFaults(const Progress& progress);
+    void checkFaultyCells();
     double weight() const { return model_.description().warpingWeight; }
 
     const Model& model_;
@@ -124,6 +126,7 @@ private:
     Findings levels_;
     Findings blocks_;
     Findings faults_;
+    Findings faultyCells_;
 };
 
 Status DerivedCheck::run(const Progress& progress)
@@ -133,6 +136,7 @@ Status DerivedCheck::run(const Progress& progress)
     if (progress.cancelled())
         return cancelledError(Message::marked("Verifying the model"));
     checkLevels();
+    checkFaultyCells();
     if (const Status checked = checkBlocks(progress.part(0, 0.5)); !checked)
         return checked;
     return checkFaults(progress.part(0.5, 1));
@@ -307,6 +311,30 @@ void DerivedCheck::checkStarInBlocks(std::uint32_t creator)
                 break;
             }
     }
+}
+
+/// The cells that were left out (C10); files of earlier versions do not list them.
+void DerivedCheck::checkFaultyCells()
+{
+    const std::span<const format::FaultyCell> stored = derived_.faultyCells;
+    if (stored.empty())
+        return;
+    const std::vector<format::FaultyCell> expected = faultyCellsOf(original_.dataset);
+    const auto textOf = [](const format::FaultyCell& cell) {
+        return "cell " + std::to_string(cell.number) + " was left out, with " + std::to_string(cell.corners) +
+               " corners, for fault " + std::to_string(cell.fault);
+    };
+    if (stored.size() != expected.size())
+        faultyCells_.add(0, [&] {
+            return "The file lists " + std::to_string(stored.size()) + " faulty cells, and there are " +
+                   std::to_string(expected.size()) + ".";
+        });
+    for (std::size_t i = 0; i < std::min(stored.size(), expected.size()); ++i)
+        if (std::memcmp(&stored[i], &expected[i], sizeof expected[i]) != 0)
+            faultyCells_.add(i + 1, [&] {
+                return "The file says that " + textOf(stored[i]) + "; the data, that " + textOf(expected[i]) +
+                       " or lies elsewhere.";
+            });
 }
 
 std::string nameOf(const std::pair<std::uint32_t, std::uint64_t>& fault)

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace tetra {
 
@@ -255,7 +257,65 @@ private slots:
             tan({"build", "c60.nrrd", "--builder", "decimation", "--distance", "two-sided", "-o", "no.tan"});
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.messages.contains("--distance"), refused.messages);
+        const Run ofModel = tan({"info", "faulty.tan", "--json"});
+        QCOMPARE(ofModel.json()["faulty_cells"].toArray(), faulty);
+        faultyCellsAreOutlined("cpu");
+        if (!QTest::currentTestFailed() && tan({"render", "c60.tan", "--backend", "gl", "-o", "gl.png"}).exitCode == 0)
+            faultyCellsAreOutlined("gl");
     }
+
+private:
+    /// Those of faulty.tan, tetrahedra of the edge 0.5 with their corners at 1.2 and 2.3, seen along y: the picture
+    /// differs along their edges, all of them, and nowhere else.
+    void faultyCellsAreOutlined(const QString& backend)
+    {
+        QVERIFY(writeFile(path("along-y.json"), R"({"azimuth": 0, "elevation": 0, "perspective": false,
+                                                    "target": [2, 2, 2], "distance": 10, "fieldOfView": 30})"));
+        const auto picture = [&](const QStringList& options) {
+            const Run run = tan(QStringList{"render", "faulty.tan", "--camera", "along-y.json", "--size", "300x300",
+                                            "--backend", backend, "-o", "cells.png", "--json"} +
+                                options);
+            return std::pair(run.exitCode == 0 ? QImage(path("cells.png")) : QImage(),
+                             run.json()["faulty_cells_outlined"].toInt(-1));
+        };
+        const auto [plain, none] = picture({});
+        const auto [outlined, two] = picture({"--faulty-cells"});
+        QCOMPARE(none, -1);
+        QCOMPARE(two, 2);
+        QCOMPARE(outlined.size(), QSize(300, 300));
+        const double scale = 150 / (10 * std::tan(15 * 3.14159265358979 / 180));
+        const auto place = [&](double x, double z) { return QPointF(150 + scale * (x - 2), 150 - scale * (z - 2)); };
+        std::vector<QPointF> along;
+        for (const double at : {1.2, 2.3})
+            for (int step = 0; step <= 50; ++step) {
+                const double share = 0.01 * step; // of the edges' length
+                along.insert(along.end(),
+                             {place(at + share, at), place(at, at + share), place(at + share, at + 0.5 - share)});
+            }
+        constexpr double rim = 4.5; // half its width, around corners, and what a pixel adds
+        int differing = 0;
+        for (int y = 0; y < outlined.height(); ++y)
+            for (int x = 0; x < outlined.width(); ++x) {
+                if (outlined.pixel(x, y) == plain.pixel(x, y))
+                    continue;
+                ++differing;
+                const bool isNear = std::ranges::any_of(along, [&](const QPointF& point) {
+                    return std::hypot(x + 0.5 - point.x(), y + 0.5 - point.y()) < rim;
+                });
+                QVERIFY2(isNear, qPrintable(QString("%1: pixel %2, %3").arg(backend).arg(x).arg(y)));
+            }
+        QVERIFY(differing > 500);
+        for (const QPointF& point : along) {
+            const QColor core = outlined.pixelColor(int(point.x()), int(point.y()));
+            QVERIFY2(core.red() > 150 && core.red() > core.blue() + 80,
+                     qPrintable(QString("%1: %2 at %3, %4").arg(backend, core.name()).arg(point.x()).arg(point.y())));
+        }
+        const Run refused = tan({"render", "c60.tan", "--faulty-cells", "-o", "no.png"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains("lists no faulty cells"), refused.messages);
+    }
+
+private slots:
 
     void verifySaysNo()
     {

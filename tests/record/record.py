@@ -119,7 +119,8 @@ HEADER_FIELDS = slice(32, 200)  # what FORMAT.md says of the dataset and the mes
 TEXT, CHECKSUMS = 1, 3
 SECTIONS = {2: "kind", 16: "points", 17: "values", 18: "running errors", 19: "stars", 20: "mesh sizes", 21: "groups", 22: "positions",
             23: "samples", 24: "sample positions", 32: "other sites", 33: "destroyers", 34: "own errors", 35: "own warpings",
-            4: "level index", 48: "batch ends", 49: "batch errors", 50: "batch warpings", 51: "blocks", 52: "faults"}
+            4: "level index", 48: "batch ends", 49: "batch errors", 50: "batch warpings", 51: "blocks", 52: "faults",
+            53: "faulty cells"}
 
 
 def short_hash(data):

@@ -5,6 +5,7 @@
 #include "tests/ui/sample_window.h"
 #include "ui/panels/model_statistics.h"
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/session_document.h"
 
 #include <tan/build.h>
 #include <tan/model.h>
@@ -12,6 +13,7 @@
 #include <tan/render.h>
 #include <tan/transfer.h>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
 #include <QFileDialog>
@@ -19,6 +21,7 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace tetra;
 
@@ -36,6 +39,7 @@ private slots:
     void theTableIsSaved();
     void cyclesOfTheOrderAreCounted();
     void whichErrorIsSaid();
+    void faultyCellsAreShown();
     void withoutAModelThereIsNothing();
 
 private:
@@ -110,6 +114,60 @@ void StatisticsTest::whichErrorIsSaid()
     QCOMPARE(said(false), QString("in the grid; in space it may be larger"));
     const auto facts = modelFacts(*session().model()); // a lattice has one
     QVERIFY(std::ranges::none_of(facts, [](const auto& one) { return one.name == "Error"; }));
+}
+
+/// C10: the cells at fault are counted, and outlined on request: a step to undo, which the session keeps. Where there
+/// are none the check box says so.
+void StatisticsTest::faultyCellsAreShown()
+{
+    auto& box = window_->find<QCheckBox>("statistics.faultyCells");
+    QVERIFY(!box.isEnabled() && !box.isChecked());
+    QVERIFY2(box.toolTip().contains("no faulty cells"), qPrintable(box.toolTip()));
+
+    constexpr std::uint32_t side = 5;
+    std::vector<Eigen::Vector3d> positions;
+    const auto values = std::make_shared<std::vector<float>>();
+    for (std::uint32_t point = 0; point < side * side * side; ++point) {
+        const Eigen::Vector3d place(point % side, point / side % side, point / side / side);
+        positions.push_back(place + 0.1 * place.cwiseProduct(Eigen::Vector3d(place.y(), place.z(), place.x())));
+        values->push_back(static_cast<float>(std::sin(place.x()) + place.y() * place.z()));
+    }
+    positions[(2 * side + 2) * side + 2].x() -= 4; // through its neighbours
+    const ScalarField field(SampleType::Float32, values->size(),
+                            {values, reinterpret_cast<const std::byte*>(values->data())});
+    const auto grid = curvilinearDataset({side, side, side}, std::move(positions), field, "folded");
+    QVERIFY(grid.ok());
+    const std::filesystem::path path = window_->folderPath() + "/folded.tan";
+    QVERIFY(tetra::buildModel(*grid, path, Refinement{}).ok());
+    window_->find<QAction>("action.close").trigger();
+    window_->window.open(QString::fromStdString(path.string()));
+    QTRY_VERIFY(session().model() && window_->settled());
+    const std::uint64_t count = faultyCellCount(*session().model());
+    QVERIFY(count > 0);
+    const auto factOf = [this](const char* name) {
+        window_->find<QPushButton>("statistics.copy").click();
+        const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
+        const auto line = std::ranges::find_if(lines, [&](const QString& one) { return one.startsWith(name); });
+        return line == lines.end() ? QString() : line->section('\t', 1);
+    };
+    QCOMPARE(factOf("Faulty cells\t"), QString::number(count));
+    const auto isOutlined = [this] { return drawableOf(*window_->viewport().scene(), "faulty-cells") != nullptr; };
+    QVERIFY(box.isEnabled() && !box.isChecked() && !isOutlined());
+    const QImage before = window_->viewport().grab().toImage();
+    box.setFocus();
+    QTest::keyClick(&box, Qt::Key_Space);
+    QTRY_VERIFY(window_->settled() && isOutlined());
+    QCOMPARE(factOf("Faulty cells outlined"), QString::number(count));
+    QTRY_VERIFY(window_->viewport().grab().toImage() != before);
+    const std::filesystem::path folder = window_->folderPath();
+    const auto kept = sessionFromText(sessionToText({.model = path, .view = session().view()}, folder), folder);
+    QVERIFY(kept.ok() && showsFaultyCells(kept->view.appearance));
+    session().setMode("volume"); // whatever the mode
+    QTRY_VERIFY(window_->settled() && isOutlined() && hasVolume(*window_->viewport().scene()));
+    window_->find<QAction>("action.undo").trigger();
+    window_->find<QAction>("action.undo").trigger();
+    QVERIFY(!box.isChecked());
+    QTRY_VERIFY(window_->settled() && !isOutlined());
 }
 
 void StatisticsTest::theTableFollowsTheSession()

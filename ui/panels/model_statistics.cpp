@@ -92,6 +92,8 @@ std::vector<StatisticsFact> modelFacts(const Model& model)
         facts.push_back({Statistics::tr("Error"), inSpace ? Statistics::tr("in the grid and in space")
                                                           : Statistics::tr("in the grid; in space it may be larger")});
     }
+    if (const std::uint64_t faulty = faultyCellCount(model); faulty > 0)
+        facts.push_back({Statistics::tr("Faulty cells"), countText(faulty)});
     return facts;
 }
 
@@ -119,6 +121,8 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
         {Statistics::tr("Guaranteed"), errorText(scene.mesh)}};
     if (const QString pieces = piecesText(scene.mesh); !pieces.isEmpty())
         facts.push_back({Statistics::tr("Cut"), pieces});
+    if (scene.faultyCells > 0)
+        facts.push_back({Statistics::tr("Faulty cells outlined"), countText(scene.faultyCells)});
     if (scene.triangles > 0)
         facts.push_back({Statistics::tr("Triangles"), countText(scene.triangles)});
     if (scene.extractionSeconds > 0)

@@ -7,6 +7,7 @@
 #include "ui/panels/histogram_view.h"
 #include "ui/viewport/viewport.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGridLayout>
 #include <QGuiApplication>
@@ -52,17 +53,20 @@ void fitHeight(QTreeWidget& table)
 
 StatisticsPanel::StatisticsPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
     : QWidget(parent), session_(workbench.session()), scenes_(workbench.scenes().sceneBuilder()),
-      curve_(new AccuracyCurve), table_(makeTable()), factGrid_(new QGridLayout), histogram_(new HistogramView),
+      curve_(new AccuracyCurve), table_(makeTable()), factGrid_(new QGridLayout),
+      faultyCells_(new QCheckBox(tr("Show &faulty cells"))), histogram_(new HistogramView),
       copy_(new QPushButton(tr("Cop&y"))), save_(new QPushButton(tr("&Save…")))
 {
     setObjectName("statistics");
     curve_->setObjectName("statistics.curve");
     factGrid_->setColumnStretch(1, 1);
+    faultyCells_->setObjectName("statistics.faultyCells");
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->addWidget(table_);
     column->addWidget(curve_, 1);
     column->addLayout(factGrid_);
+    column->addWidget(faultyCells_);
     column->addWidget(histogram_);
     column->addLayout(makeButtons());
     auto* outer = new QVBoxLayout(this);
@@ -95,11 +99,14 @@ void StatisticsPanel::connectSources(Viewport& viewport)
     });
     connect(curve_, &AccuracyCurve::chosen, this, [this](double percent) { session_.setError(percent); });
     connect(curve_, &AccuracyCurve::budgetChosen, this, [this](quint64 budget) { session_.setBudget(budget); });
+    connect(faultyCells_, &QCheckBox::clicked, this, [this](bool shown) { session_.setSetting(faultyCellsId, shown); });
     new GestureWatcher(curve_, session_);
     new GestureWatcher(table_, session_);
     connect(&session_, &Session::modelChanged, this, &StatisticsPanel::showModel);
     connect(&session_, &Session::modelGrown, this, &StatisticsPanel::showLevels);
+    connect(&session_, &Session::modelGrown, this, &StatisticsPanel::showFaultyCells);
     session_.whenChanged(ViewPart::Query, this, &StatisticsPanel::showQuery);
+    session_.whenChanged(ViewPart::Settings, this, &StatisticsPanel::showFaultyCells);
     connect(&scenes_, &SceneBuilder::sceneReady, this, &StatisticsPanel::showScene);
     connect(&viewport, &Viewport::framePainted, this, [this](const FrameReport& report) {
         const auto faults =
@@ -121,6 +128,19 @@ void StatisticsPanel::showModel()
     histogram_->setHistogram(nullptr);
     showLevels();
     showFacts();
+    showFaultyCells();
+}
+
+void StatisticsPanel::showFaultyCells()
+{
+    const auto& model = session_.model();
+    const bool hasSome = model && faultyCellCount(*model) > 0;
+    faultyCells_->setEnabled(hasSome);
+    faultyCells_->setChecked(hasSome && showsFaultyCells(session_.view().appearance));
+    faultyCells_->setToolTip(
+        hasSome ? tr("Outline, over the picture, the cells that were left out because something is wrong with them, "
+                     "and those of a grid that are folded or have no volume")
+                : tr("This model lists no faulty cells: its data have none, or an earlier version of TAn built it"));
 }
 
 void StatisticsPanel::showLevels()

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -36,6 +37,7 @@ private:
     void showQuery();
     void showScene(const BuiltScene& scene);
     void showFacts();
+    void showFaultyCells();
     void copy() const;
 
     Session& session_;
@@ -43,6 +45,7 @@ private:
     AccuracyCurve* curve_;
     QTreeWidget* table_;
     QGridLayout* factGrid_;
+    QCheckBox* faultyCells_;
     HistogramView* histogram_;
     QPushButton* copy_;
     QPushButton* save_;

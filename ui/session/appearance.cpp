@@ -80,6 +80,13 @@ double middleOfWidestGap(const std::vector<Isovalue>& existing, const ValueRange
 
 } // namespace
 
+bool showsFaultyCells(const Appearance& appearance)
+{
+    const auto found = appearance.settings.find(faultyCellsId);
+    const bool* const shown = found != appearance.settings.end() ? std::get_if<bool>(&found->second) : nullptr;
+    return shown != nullptr && *shown;
+}
+
 std::vector<Provided<Renderer>> renderingModes(PluginHost& host)
 {
     auto modes = host.renderers();

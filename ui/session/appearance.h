@@ -21,6 +21,10 @@ struct Appearance {
     bool operator==(const Appearance&) const = default;
 };
 
+/// The setting that shows the faulty cells of the data, whatever the mode (C10).
+inline constexpr const char* faultyCellsId = "faulty-cells";
+bool showsFaultyCells(const Appearance& appearance);
+
 /// The plugins that can show a model: isosurfaces, volume and both first, then others by id.
 std::vector<Provided<Renderer>> renderingModes(PluginHost& host);
 

@@ -17,6 +17,28 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The edges of faulty cells, seen before any colours: dark lines with a bright core, in a colour that is told apart by
+/// people who do not see red or green as others do, too.
+void addOutlines(Scene& scene, const std::vector<FaultyCell>& cells)
+{
+    constexpr float coreWidth = 2, rimWidth = 5;
+    LineSet core{.points = {}, .segments = {}, .colour = distinctColour(0), .width = coreWidth};
+    for (const FaultyCell& cell : cells)
+        for (const std::array<Eigen::Vector3d, 2>& edge : edgesOf(cell)) {
+            const auto first = static_cast<std::uint32_t>(core.points.size());
+            core.segments.push_back({first, first + 1});
+            for (const Eigen::Vector3d& end : edge) {
+                core.points.emplace_back(end.cast<float>());
+                scene.bounds.extend(end); // one may lie outside of the mesh that is left
+            }
+        }
+    LineSet rim = core;
+    rim.colour = {0, 0, 0};
+    rim.width = rimWidth;
+    scene.drawables.push_back({.id = "faulty-cells/rim", .shape = std::move(rim), .overlay = true});
+    scene.drawables.push_back({.id = "faulty-cells", .shape = std::move(core), .overlay = true});
+}
+
 Error outOfMemory()
 {
     return {ErrorKind::OutOfResource,
@@ -49,7 +71,7 @@ void scaleLines(Scene& scene, double factor)
 bool haveSameScene(const SceneRequest& one, const SceneRequest& other)
 {
     if (one.model != other.model || one.renderer != other.renderer || !(one.query == other.query) ||
-        one.values != other.values)
+        one.values != other.values || one.faultyCells != other.faultyCells)
         return false;
     return one.renderer == nullptr || !one.renderer->needs().view ||
            (one.camera == other.camera && one.width == other.width && one.height == other.height);
@@ -171,6 +193,26 @@ ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
     return shown;
 }
 
+Status ScenePipeline::outlineFaultyCells(BuiltScene& built)
+{
+    if (outlinedModel_ != built.model) {
+        outlinedModel_.reset();
+        auto cells = faultyCells(*built.model);
+        if (!cells)
+            return cells.error();
+        std::erase_if(*cells, [](const FaultyCell& cell) { return cell.corners.empty(); });
+        outlined_ = *std::move(cells);
+        outlinedModel_ = built.model;
+    }
+    built.faultyCells = outlined_.size();
+    if (outlined_.empty())
+        return {};
+    const auto scene = std::make_shared<Scene>(*built.scene);
+    addOutlines(*scene, outlined_);
+    built.scene = scene;
+    return {};
+}
+
 Result<BuiltScene> ScenePipeline::make(const SceneRequest& request, const Progress& progress)
 try {
     if (built_ && haveSameScene(last_, request))
@@ -207,6 +249,9 @@ try {
             Message::say("A range of accuracies has tetrahedra that lie over each other, so their volume cannot "
                          "be drawn. Choose isosurfaces, or births and deaths that leave one mesh.")};
     built.scene = *std::move(scene);
+    if (request.faultyCells)
+        if (const Status outlined = outlineFaultyCells(built); !outlined)
+            return outlined.error();
     built.mesh = shownMesh(request.query);
     built.triangles = triangleCount(*built.scene);
     built.sceneSeconds = secondsSince(start) - built.extractionSeconds;
@@ -279,6 +324,8 @@ void ScenePipeline::clear()
     focus_.reset();
     extractor_->reset();
     model_.reset();
+    outlinedModel_.reset();
+    outlined_.clear();
     built_.reset();
     last_ = {};
 }

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 namespace tetra {
 
@@ -27,6 +28,7 @@ struct SceneRequest {
     Camera camera; ///< this and the size of the picture matter if the renderer needs them
     int width = 1024;
     int height = 768;
+    bool faultyCells = false; ///< outlined over the rest, as far as the model knows where they lie (C10)
 };
 
 /// Of all its surfaces.
@@ -54,8 +56,9 @@ struct BuiltScene {
     std::shared_ptr<const Scene> scene;
     ShownMesh mesh;
     std::uint64_t triangles = 0;
-    double extractionSeconds = 0; ///< of the mesh; zero if the last one was used again
-    double sceneSeconds = 0;      ///< of the renderer
+    std::uint64_t faultyCells = 0; ///< that are outlined
+    double extractionSeconds = 0;  ///< of the mesh; zero if the last one was used again
+    double sceneSeconds = 0;       ///< of the renderer
 };
 
 /// The way from a model to a picture of it, for the window, its drafts, films and the command line: extracts the mesh,
@@ -97,6 +100,7 @@ private:
     Status extractFine(const SceneRequest& request, const NeededMeshes& needed, const Progress& progress);
     void open(const SceneRequest& request, const NeededMeshes& needed);
     ShownMesh shownMesh(const MeshQuery& asked) const;
+    Status outlineFaultyCells(BuiltScene& built);
 
     std::unique_ptr<RenderBackend> backend_;
     Extractor extractor_;
@@ -110,7 +114,9 @@ private:
     std::unique_ptr<RendererSession> session_;
     std::shared_ptr<const ValueHistogram> histogram_; ///< of the mesh
     std::shared_ptr<const ValueHistogram> logarithmic_;
-    mutable std::mutex mutex_; ///< guards the next one
+    std::shared_ptr<const Model> outlinedModel_; ///< of which the next one is
+    std::vector<FaultyCell> outlined_;           ///< faulty cells with known places
+    mutable std::mutex mutex_;                   ///< guards the next one
     std::shared_ptr<const ExtractedMesh> mesh_;
 };
 

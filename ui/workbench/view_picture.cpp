@@ -124,8 +124,10 @@ const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const s
 SceneRequest sceneOf(const std::shared_ptr<const Model>& model, const Renderer* renderer,
                      const std::vector<Parameter>& parameters, const ViewValue& view)
 {
-    return {model, renderer, meshQuery(view.query, *model, presentView(view)),
-            rendererValues(parameters, view.appearance, view.isovalues), view.camera};
+    SceneRequest request{model, renderer, meshQuery(view.query, *model, presentView(view)),
+                         rendererValues(parameters, view.appearance, view.isovalues), view.camera};
+    request.faultyCells = showsFaultyCells(view.appearance);
+    return request;
 }
 
 Colour usualBackground(bool isDark)

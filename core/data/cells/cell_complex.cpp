@@ -67,6 +67,16 @@ bool isQuadratic(CellShape shape)
     return shape >= CellShape::QuadraticTetrahedron && shape <= CellShape::TriquadraticHexahedron;
 }
 
+std::vector<std::array<Eigen::Vector3d, 2>> edgesOf(const FaultyCell& cell)
+{
+    std::vector<std::array<Eigen::Vector3d, 2>> edges;
+    for (const CellTopology* shape : {&tetrahedron, &pyramid, &prism, &hexahedron})
+        if (shape->cornerCount == cell.corners.size())
+            for (const auto& [from, to] : shape->edges)
+                edges.push_back({cell.corners[from], cell.corners[to]});
+    return edges;
+}
+
 std::string_view cellShapeName(CellShape shape)
 {
     switch (shape) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
+#include "core/data/cells/cell_complex.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
 #include "core/data/cells/faulty_cells.h"
@@ -149,14 +150,27 @@ Result<CutCells> cutChecked(const CellComplex& complex, CleanCells& cells, Repai
     return cutCells(complex.positions, cells, repairs, progress);
 }
 
-/// Each once, with the first of its faults.
-std::shared_ptr<const std::vector<FaultyCell>> listed(std::vector<FaultyCell> faulty)
+std::vector<Eigen::Vector3d> placesOfCorners(const CellComplex& complex, std::uint64_t cell)
+{
+    const CellShape shape = complex.shapes[cell];
+    std::vector<Eigen::Vector3d> places(cellTopology(shape).cornerCount);
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+        places[shape == CellShape::Voxel ? hexahedronCorner(i) : i] =
+            complex.positions[complex.corners[complex.offsets[cell] + i]];
+    return places;
+}
+
+/// Each once, with the first of its faults. Holes by their value may be most of the cells: they get no corners.
+std::shared_ptr<const std::vector<FaultyCell>> listed(std::vector<FaultyCell> faulty, const CellComplex& complex)
 {
     if (faulty.empty())
         return nullptr;
     std::ranges::sort(faulty, {}, [](const FaultyCell& one) { return std::pair(one.cell, one.fault); });
     const auto again = std::ranges::unique(faulty, {}, &FaultyCell::cell);
     faulty.erase(again.begin(), again.end());
+    for (FaultyCell& one : faulty)
+        if (one.fault != CellFault::NotFinite)
+            one.corners = placesOfCorners(complex, one.cell);
     return std::make_shared<const std::vector<FaultyCell>>(std::move(faulty));
 }
 
@@ -214,7 +228,7 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
     dataset.source = source;
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     dataset.remarks = repairRemarks(repairs);
-    dataset.faultyCells = listed(std::move(repairs.faulty));
+    dataset.faultyCells = listed(std::move(repairs.faulty), complex);
     return dataset;
 }
 

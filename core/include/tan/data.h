@@ -269,8 +269,14 @@ TAN_API MarkedText cellFaultText(CellFault fault) noexcept;
 struct FaultyCell {
     std::uint64_t cell = 0; ///< its number in the file, from 0; over all its pieces
     CellFault fault = CellFault::NotFinite;
+    /// Where its corners lie: those of a tetrahedron, pyramid, prism or hexahedron, numbered as in VTK. Empty where
+    /// that is not known, and for cells that are holes by their value.
+    std::vector<Eigen::Vector3d> corners{};
     bool operator==(const FaultyCell&) const = default;
 };
+
+/// The edges between the corners of such a cell; none without corners.
+TAN_API std::vector<std::array<Eigen::Vector3d, 2>> edgesOf(const FaultyCell& cell);
 
 /// The reference model (2.3): points with one scalar each. Immutable, cheap to copy.
 ///

@@ -236,4 +236,12 @@ private:
     std::span<const Eigen::Vector3d> doubleSamplePositions_;
 };
 
+/// How many cells its file lists as faulty (C10): of irregular data those that were left out, but for holes by their
+/// value; of a grid those that are folded or have no volume. 0 as well for files that do not tell. O(log cells).
+TAN_API std::uint64_t faultyCellCount(const Model& model);
+/// These cells, ascending; a grid's are Folded or NoVolume, numbered x fastest, those without volume behind the others,
+/// and have corners where the model knows all eight: it has the positions of all samples, or each corner is a site.
+/// Errors: a damaged file. O(sites log cells). May throw std::bad_alloc.
+TAN_API Result<std::vector<FaultyCell>> faultyCells(const Model& model);
+
 } // namespace tetra

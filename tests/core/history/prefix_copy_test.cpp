@@ -65,7 +65,7 @@ const std::vector<Kind>& kinds()
         {"grid in blocks", bentBumps(SampleType::Int16, {9, 5, 6}, true, true), 3},
         {"grid with faults", folded()},
         {"scattered", scattered()},
-        {"irregular", randomIrregular(3)},
+        {"irregular", withFaultyCells(randomIrregular(3))},
         {"irregular, two-sided", randomIrregular(4), 0, true},
     };
     return all;

@@ -78,7 +78,7 @@ const std::vector<Kind>& kinds()
          },
          Decimation{}},
         {"scattered points", scattered, Refinement{}},
-        {"irregular", [] { return randomIrregular(1); }, Decimation{}},
+        {"irregular", [] { return withFaultyCells(randomIrregular(1)); }, Decimation{}},
         {"irregular, two parts", [] { return randomIrregular(6); },
          Decimation{.order = DecimationOrder::PaperEstimates}},
         {"irregular, both sides", [] { return randomIrregular(4); }, Decimation{.twoSided = true}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file tells beside the arrays that every model has (FORMAT.md, sections 4 and 48 to 52) is what follows from
+// What a file tells beside the arrays that every model has (FORMAT.md, sections 4 and 48 to 53) is what follows from
 // them; the checker finds what is not, and does without.
 #include "core/base/rounding.h"
 #include "core/history/derived_sections.h"
@@ -128,6 +128,34 @@ private slots:
         const auto verdict = verdictOf(readBytes(path("grid with faults")), faultyGrid(), {{0, 0}});
         QVERIFY(verdict.levels[0].inverted > 0);
         QCOMPARE(std::uint64_t(faults[3].size()), verdict.levels[0].inverted);
+    }
+
+    /// C10: the same cells with their places: all of them where every point is a site, else those that the model knows.
+    void faultyCellsOfGridsHavePlaces()
+    {
+        QCOMPARE(faultyCellCount(**Model::open(path("grid"))), std::uint64_t(0));
+        const Dataset grid = faultyGrid();
+        const auto model = Model::open(path("grid with faults"));
+        QCOMPARE(faultyCellCount(**model), std::uint64_t(5));
+        const auto cells = faultyCells(**model);
+        QVERIFY2(cells.ok(), cells ? "" : cells.error().text().c_str());
+        constexpr std::array<std::uint32_t, 8> across{0, 1, 1, 0, 0, 1, 1, 0}, along{0, 0, 1, 1, 0, 0, 1, 1};
+        std::vector<FaultyCell> expected;
+        for (const std::uint32_t number : {13, 14, 17, 18, 44}) {
+            FaultyCell& cell = expected.emplace_back();
+            cell = {number, number == 44 ? CellFault::NoVolume : CellFault::Folded, {}};
+            for (std::uint32_t corner = 0; corner < 8; ++corner)
+                cell.corners.push_back(grid.position(grid.lattice.index(
+                    number % 4 + across[corner], number / 4 % 3 + along[corner], number / 12 + corner / 4)));
+        }
+        QVERIFY(*cells == expected);
+        const auto coarse = buildModel(grid, path("coarse"), Refinement{.error = 30, .block = 0});
+        QVERIFY2(coarse.ok(), coarse.ok() ? "" : coarse.error().text().c_str());
+        const auto few = faultyCells(**Model::open(path("coarse")));
+        QVERIFY(few.ok() && few->size() == 5);
+        for (std::size_t i = 0; i < few->size(); ++i)
+            QVERIFY((*few)[i].corners.empty() || (*few)[i] == expected[i]);
+        QVERIFY(std::ranges::any_of(*few, [](const FaultyCell& cell) { return cell.corners.empty(); }));
     }
 
     void theyAreProved_data() { everyKind(); }

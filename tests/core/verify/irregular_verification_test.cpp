@@ -432,6 +432,49 @@ private slots:
         }
     }
 
+    /// C10: a model lists the cells that were left out of its mesh, with their places; the judge knows better, and does
+    /// without.
+    void faultyCellsAreTold()
+    {
+        using format::SectionId;
+        const Dataset sound = randomIrregular(4), dataset = withFaultyCells(sound);
+        QCOMPARE(faultyCellCount(*modelOf(path(), sound, decimated(sound))), std::uint64_t(0));
+        const auto model = modelOf(path(), dataset, decimated(dataset));
+        const auto told = faultyCells(*model);
+        QVERIFY2(told.ok(), told ? "" : told.error().text().c_str());
+        QCOMPARE(faultyCellCount(*model), std::uint64_t(2)); // a hole by its value is no faulty shape
+        QVERIFY(*told == std::vector<FaultyCell>(dataset.faultyCells->begin() + 1, dataset.faultyCells->end()));
+        QCOMPARE(edgesOf((*told)[0]).size(), std::size_t(6));
+        QCOMPARE(edgesOf((*told)[1]).size(), std::size_t(12));
+        const auto proved = verify(*model, dataset, {{0, 0}});
+        QVERIFY2(proved.ok() && proved->ok(), qPrintable(textOf(proved)));
+        const auto other = verify(*model, sound, {{0, 0}});
+        QVERIFY2(textOf(other).contains("lists 2 faulty cells, and there are 0"), qPrintable(textOf(other)));
+
+        const std::vector<std::byte> bytes = readBytes(path());
+        const auto damaged = [&](const Lie& lie) {
+            FileParts parts(bytes);
+            lie(parts);
+            parts.repairChecksums();
+            writeBytes(path(), parts.content);
+            return Model::open(path());
+        };
+        const auto moved = damaged([](FileParts& parts) {
+            parts.elements<format::FaultyCell>(SectionId::FaultyCells)[1].places[6][0] += 0.1;
+        });
+        const auto verdict = verify(**moved, dataset, {{0, 0}});
+        QVERIFY2(textOf(verdict).contains("cell 20 was left out, with 8 corners"), qPrintable(textOf(verdict)));
+        const auto unlisted = damaged([](FileParts& parts) { parts.section(SectionId::FaultyCells).id = 1053; });
+        QCOMPARE(faultyCellCount(**unlisted), std::uint64_t(0));
+        const auto without = verify(**unlisted, dataset, {{0, 0}});
+        QVERIFY2(without.ok() && without->ok(), qPrintable(textOf(without)));
+        const auto nonsense = damaged(
+            [](FileParts& parts) { parts.elements<format::FaultyCell>(SectionId::FaultyCells)[0].corners = 9; });
+        QVERIFY(!faultyCells(**nonsense).ok());
+        const auto cutShort = damaged([](FileParts& parts) { parts.section(SectionId::FaultyCells).bytes -= 8; });
+        QVERIFY(!cutShort.ok());
+    }
+
     /// Meshes that conform, whose cells are positive and whose errors and warpings are zero, but for their domain.
     void otherDomainsAreFound_data()
     {

@@ -350,8 +350,11 @@ private slots:
         ComplexValues values = linearValues(complex);
         auto dataset = datasetOf(complex, values);
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
-        const std::vector<FaultyCell> expected{
+        std::vector<FaultyCell> expected{
             {count, CellFault::Overlap}, {count + 1, CellFault::Duplicate}, {count + 2, CellFault::NoVolume}};
+        for (FaultyCell& cell : expected)
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                cell.corners.push_back(complex.positions[complex.corners[complex.offsets[cell.cell] + corner]]);
         QVERIFY(dataset->faultyCells && *dataset->faultyCells == expected);
         QCOMPARE(totalVolume6(*dataset), 6 * sound.volume());
         QVERIFY2(remarksOf(*dataset).contains("1 cell was left out: it overlaps others."),

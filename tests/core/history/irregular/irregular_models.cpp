@@ -54,6 +54,18 @@ Dataset randomIrregular(std::uint32_t seed)
     return datasetOfTetrahedra(std::move(mesh.positions), mesh.values, std::move(mesh.tetrahedra), type);
 }
 
+Dataset withFaultyCells(Dataset dataset)
+{
+    std::vector<FaultyCell> cells{
+        {3, CellFault::NotFinite, {}},
+        {8, CellFault::Overlap, {{1, 1, 1}, {2, 1, 1}, {1, 2.5, 1}, {1, 1, 1.75}}},
+        {20,
+         CellFault::Warped,
+         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0.1, 1, 1}, {0, 1, 1}}}};
+    dataset.faultyCells = std::make_shared<const std::vector<FaultyCell>>(std::move(cells));
+    return dataset;
+}
+
 namespace {
 
 std::vector<double> valuesOf(const Dataset& dataset)

@@ -23,6 +23,9 @@ Dataset withoutUnused(const Dataset& dataset);
 /// A small mesh with holes, cavities and one or two parts; every third along the axes, others with points moved about.
 Dataset randomIrregular(std::uint32_t seed);
 
+/// The same with a list of cells that were left out of it: a hole by its value, a tetrahedron and a hexahedron.
+Dataset withFaultyCells(Dataset dataset);
+
 /// The history of its decimation, which may limit the distance of the boundary from both sides (S13). What fails here
 /// fails the test.
 RecordedHistory decimated(const Dataset& dataset, const std::vector<float>& weights = {}, bool twoSided = false);
