@@ -472,7 +472,7 @@ public:
 private:
     Status readChunk(std::uint32_t count, const Progress& progress, InsertionWatch* watch);
     Status readPart(RangeDecoder& positions, RangeDecoder& values, std::uint32_t count, const Progress& progress);
-    Status beginStep(RangeDecoder& positions);
+    Status beginStep(std::uint32_t count, RangeDecoder& positions);
     std::uint32_t siteCount() const
     {
         return static_cast<std::uint32_t>(sites_.size()) +
@@ -539,7 +539,7 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
         if (leftInStep_ == 0) {
             if (begun_ && siteCount() == count) // what follows belongs to the next level
                 return {};
-            if (const Status begins = beginStep(positions); !begins)
+            if (const Status begins = beginStep(count, positions); !begins)
                 return begins;
         }
         const bool corners = !begun_;
@@ -570,10 +570,13 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
     return {};
 }
 
-Status ReplayReader::beginStep(RangeDecoder& positions)
+/// A level ends with a step: no step leads beyond the sites that are asked for.
+Status ReplayReader::beginStep(std::uint32_t count, RangeDecoder& positions)
 {
     const std::uint64_t sites = sizes_.code(positions, 0);
     if (sites == 0 || sites > free_.count() || positions.overrun() || (!begun_ && sites != mesh_.corners().size()))
+        return damaged();
+    if (begun_ && sites > count - siteCount())
         return damaged();
     leftInStep_ = static_cast<std::uint32_t>(sites);
     mean_ = free_.count() / sites;

@@ -177,6 +177,36 @@ private slots:
         }
     }
 
+    /// Levels that end where no step of the sites ends, with all checksums right: nothing is read or kept beyond them.
+    void levelsThatEndWithinAStepAreRefused()
+    {
+        const Dataset dataset = wavesOf(SampleType::UInt16, {9, 8, 7}, 0.1, 3);
+        QVERIFY(buildModel(dataset, path("a.tan"), Refinement{.block = 4u}).ok());
+        QVERIFY(packModel(**Model::open(path("a.tan")), path("a.packed.tan")).ok());
+        const std::vector<char> whole = contentOf(path("a.packed.tan"));
+        const auto packed = *PackedModel::open(path("a.packed.tan"));
+        std::size_t refused = 0;
+        for (std::size_t level = 1; level < packed->levels().size(); ++level) {
+            format::PackedLevelEntry entry = packed->file().levels()[level];
+            const auto* bytes = reinterpret_cast<const char*>(&entry);
+            std::vector<char> changed = whole;
+            const auto found = std::search(changed.begin(), changed.end(), bytes, bytes + sizeof entry);
+            QVERIFY(found != changed.end());
+            --entry.sites;
+            std::copy(bytes, bytes + sizeof entry, found);
+            repairPackedChecksums(std::as_writable_bytes(std::span(changed)));
+            write(path("d.tan"), changed);
+            const auto opened = PackedModel::open(path("d.tan"));
+            if (!opened.ok()) // no longer rising
+                continue;
+            const Status made = unpackPrefix(**opened, level, path("e.tan"));
+            // A step of one site ends there, too.
+            QVERIFY(made.ok() || made.error().kind == ErrorKind::BadInput);
+            refused += made.ok() ? 0 : 1;
+        }
+        QVERIFY(refused > 0);
+    }
+
     /// B5: asked to, it stops within a second, and leaves nothing behind.
     void canBeCancelled()
     {
