@@ -41,6 +41,7 @@ private slots:
     void allMessagesAreShownAndClosed();
     void aBuildIsCancelledAndLeavesNoFile();
     void aBuildIsWatchedWhileItGrows();
+    void aBuildIsStoppedAndKept_data();
     void aBuildIsStoppedAndKept();
     void aBuildWithNothingToKeepSaysSo();
     void aBuildThatCannotWriteSaysSo();
@@ -62,6 +63,7 @@ private slots:
 
 private:
     void openSample();
+    void setBlock(const QString& cells);
 
     std::unique_ptr<WindowFixture> window_;
 };
@@ -90,6 +92,13 @@ void WindowTest::openSample()
     const auto path = buildSampleModel(*window_->host, sampleDataset(16), window_->folderPath());
     window_->window.open(QString::fromStdString(path));
     QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
+}
+
+void WindowTest::setBlock(const QString& cells)
+{
+    auto& block = window_->find<QLineEdit>("build.option.block");
+    block.setText(cells);
+    emit block.editingFinished();
 }
 
 void WindowTest::emptyInvites()
@@ -267,32 +276,39 @@ void WindowTest::aBuildIsWatchedWhileItGrows()
     QCOMPARE(window_->messages(), QStringList());
 }
 
+void WindowTest::aBuildIsStoppedAndKept_data()
+{
+    QTest::addColumn<QString>("block");
+    QTest::newRow("as a whole") << "none";
+    QTest::newRow("in blocks, B8") << "16";
+}
+
 void WindowTest::aBuildIsStoppedAndKept()
 {
+    QFETCH(QString, block);
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(96), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
+    setBlock(block);
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
     QTRY_VERIFY(window_->workbench.session().model() != nullptr);
+    QVERIFY(window_->workbench.building().canKeepBuild());
     QTest::mouseClick(&window_->find<QPushButton>("build.keep"), Qt::LeftButton);
-    QTRY_VERIFY(!window_->workbench.building().running());
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
     QTRY_COMPARE(QString::fromStdString(window_->workbench.session().model()->path().string()), target);
     QVERIFY(window_->workbench.session().model()->finalKey() > 0);
     QVERIFY(window_->find<QLabel>("accuracy.limit").text().contains("nothing finer"));
     QCOMPARE(window_->messages(), QStringList());
 }
 
-/// A build in blocks has a mesh when its blocks are merged, not before.
+/// Stopped at once, before there is a mesh.
 void WindowTest::aBuildWithNothingToKeepSaysSo()
 {
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(64), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
-    auto& block = window_->find<QLineEdit>("build.option.block");
-    block.setText("8");
-    emit block.editingFinished();
+    setBlock("8");
     const QString target = window_->find<QLineEdit>("build.target").text();
     window_->find<QPushButton>("build.start").click();
-    QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
     QVERIFY(!window_->workbench.building().canKeepBuild());
     window_->find<QPushButton>("build.keep").click();
     QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 60'000);
