@@ -157,7 +157,7 @@ void ServedModelTest::picturesAreThoseOfTheModel()
         PictureOrder order;
         order.camera = session().view().camera;
         order.width = order.height = 300;
-        order.lens = LensOrder{session().view().lens, request};
+        order.lens = std::make_shared<const LensOrder>(LensOrder{session().view().lens, request});
         const auto picture = drawPicture(order, request, {});
         return picture ? *picture : QImage();
     };
