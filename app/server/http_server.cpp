@@ -10,9 +10,15 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <condition_variable>
+#include <deque>
+#include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -269,6 +275,71 @@ ServedAnswer errorAnswer(int status, std::string_view text)
     return textAnswer(status, "application/json", json + "\"}\n");
 }
 
+namespace {
+
+/// Threads that serve connections: as many as are asked for, or as the system gives. The library's own pool ends the
+/// program, or waits for ever, where the system does not give all.
+class Workers final : public httplib::TaskQueue {
+public:
+    /// Throws if it gives none.
+    explicit Workers(std::size_t most)
+    {
+        threads_.reserve(most);
+        try {
+            while (threads_.size() < most)
+                threads_.emplace_back([this] { work(); });
+        } catch (const std::exception&) {
+            if (threads_.empty())
+                throw;
+        }
+    }
+
+    ~Workers() override { Workers::shutdown(); }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    std::size_t count() const noexcept { return threads_.size(); }
+    void enqueue(std::function<void()> task) override
+    {
+        const std::lock_guard lock(mutex_);
+        tasks_.push_back(std::move(task));
+        changed_.notify_one();
+    }
+    /// Ends when all is done.
+    void shutdown() override
+    {
+        {
+            const std::lock_guard lock(mutex_);
+            ends_ = true;
+            changed_.notify_all();
+        }
+        threads_.clear();
+    }
+
+private:
+    void work()
+    {
+        for (;;) {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [&] { return ends_ || !tasks_.empty(); });
+            if (tasks_.empty())
+                return;
+            const std::function<void()> task = std::move(tasks_.front());
+            tasks_.pop_front();
+            lock.unlock();
+            task();
+        }
+    }
+
+    std::mutex mutex_; ///< of what follows
+    std::condition_variable changed_;
+    std::deque<std::function<void()>> tasks_;
+    bool ends_ = false;
+    std::vector<std::jthread> threads_;
+};
+
+} // namespace
+
 class HttpServer::Server final : public httplib::Server {
 public:
     Server(HttpLimits limits, Handle handle, Log log)
@@ -280,9 +351,12 @@ public:
             ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
         });
         // A few more than there are connections tell the rest to come again.
-        constexpr std::size_t spare = 4;
-        new_task_queue = [threads = static_cast<std::size_t>(limits_.connections) + spare] {
-            return new httplib::ThreadPool(threads); // NOLINT(cppcoreguidelines-owning-memory): the library owns it
+        constexpr int spare = 4;
+        new_task_queue = [this] {
+            auto workers = std::make_unique<Workers>(static_cast<std::size_t>(limits_.connections + spare));
+            limits_.connections =
+                std::min(limits_.connections, std::max(1, static_cast<int>(workers->count()) - spare));
+            return workers.release(); // the library owns it
         };
         set_keep_alive_max_count(static_cast<std::size_t>(limits_.requestsOfConnection));
         set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(limits_.idleTime).count());
@@ -312,12 +386,17 @@ public:
 
     Status run(const Progress& progress)
     {
-        const std::jthread watcher([&](const std::stop_token& ended) { watch(ended, progress); });
-        const bool sound = listen_after_bind();
-        if (sound || progress.cancelled())
-            return {};
+        int problem = 0;
+        try {
+            const std::jthread watcher([&](const std::stop_token& ended) { watch(ended, progress); });
+            if (listen_after_bind() || progress.cancelled())
+                return {};
+            problem = errno;
+        } catch (const std::system_error& noThread) {
+            problem = noThread.code().value();
+        }
         return Error{ErrorKind::OutOfResource, Message::say("The system takes no more connections: %1. %2",
-                                                            systemErrorText(errno), resourceRemedy)};
+                                                            systemErrorText(problem), resourceRemedy)};
     }
 
 private:
@@ -535,7 +614,7 @@ private:
         log_(connection.record);
     }
 
-    const HttpLimits limits_;
+    HttpLimits limits_;
     const Handle handle_;
     const Log log_;
     std::mutex mutex_; ///< of what follows

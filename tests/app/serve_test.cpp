@@ -30,6 +30,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -800,6 +801,37 @@ private slots:
         QCOMPARE(run.exitCode, 0);
         QVERIFY(run.json()["requests"].toInt() >= 2);
         QVERIFY2(run.messages.contains("\"GET /lattice.tan?error=5\" 200"), run.messages);
+    }
+
+    /// Where the system gives fewer threads than there may be connections, it serves with those, or says why not.
+    void fewThreadsAreEnough()
+    {
+        int served = 0;
+        for (const rlim_t megabytes : {200, 300, 400}) {
+            QProcess process;
+            process.setWorkingDirectory(place_.path());
+            process.setChildProcessModifier([megabytes] {
+                const rlimit limit{megabytes << 20, megabytes << 20};
+                ::setrlimit(RLIMIT_AS, &limit);
+            });
+            process.start(tanProgram(), {"serve", "models", "--port", "0"});
+            process.setReadChannel(QProcess::StandardError);
+            while (process.state() != QProcess::NotRunning && !process.canReadLine())
+                process.waitForReadyRead(1000);
+            const QByteArray line = process.readLine();
+            if (process.state() != QProcess::NotRunning && line.startsWith("Serving")) {
+                QTest::qSleep(100);
+                const Answer answer = ask(line.mid(line.lastIndexOf(':') + 1).split('/')[0].toInt(), "/lattice.tan",
+                                          "Range: bytes=0-9\r\n");
+                served += answer.status == 206 ? 1 : 0;
+                ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+            }
+            QVERIFY(process.waitForFinished(10'000));
+            QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+            QVERIFY2(process.exitCode() == 0 || process.exitCode() == 4 || process.exitCode() == 127,
+                     line + process.readAllStandardError());
+        }
+        QVERIFY(served > 0);
     }
 
     void wrongUseIsRefused()
