@@ -333,6 +333,12 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
                                     const std::shared_ptr<const WholeElsewhere>& whole) const
 {
     struct Held {
+        ~Held()
+        {
+            std::error_code ignored;
+            if (!model->checkIntact()) // what a disk damaged is made again the next time
+                std::filesystem::remove(file.path(), ignored);
+        }
         CachedFile file;
         std::shared_ptr<const Model> model;
     };

@@ -125,7 +125,16 @@ std::vector<Entry> entriesOf(const std::filesystem::path& folder)
         if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
             continue;
         const bool isFile = isOurName(name);
-        entries.push_back({std::move(path), std::uint64_t(status.st_blocks) * 512, status.st_atim, isFile});
+        std::uint64_t bytes = std::uint64_t(status.st_blocks) * 512;
+        if (name.ends_with(lockEnding)) { // its size is that of the file that is being made: what is still to come
+            struct stat making {};
+            const std::filesystem::path beside = std::filesystem::path(path).replace_extension(makingEnding);
+            const std::uint64_t made =
+                ::lstat(beside.c_str(), &making) == 0 ? std::uint64_t(making.st_blocks) * 512 : 0;
+            const auto expected = static_cast<std::uint64_t>(status.st_size);
+            bytes = expected - std::min(expected, made);
+        }
+        entries.push_back({std::move(path), bytes, status.st_atim, isFile});
     }
     return entries;
 }
@@ -258,8 +267,11 @@ Result<CachedFile> CacheFolder::take(std::string_view key, std::uint64_t expecte
         }
         ::unlink(making.c_str()); // by a program that was killed
         Status made = makeRoom(expectedBytes);
-        if (made)
+        if (made) {
+            // Others that look how much there is count it; where that fails, they count what is there.
+            [[maybe_unused]] const int ignored = ::ftruncate(lock.descriptor(), static_cast<off_t>(expectedBytes));
             made = make(making, progress);
+        }
         if (!made) {
             finish();
             return made.error();

@@ -6,6 +6,7 @@
 #include "tests/core/remote/http_server.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
@@ -187,6 +188,29 @@ private slots:
         QVERIFY(!QFile::exists(path("x.ply")));
         damages = false;
         make({"extract", address, "--error", "3", "-o", "x.ply"});
+    }
+
+    /// What a disk damages in the cache is told at most once, and made again.
+    void damageInTheCacheIsMended()
+    {
+        make({"build", "c60.nrrd", "--packed", "-o", "kept.packed.tan"});
+        const QStringList words = {"extract", "kept.packed.tan", "--error", "0", "-o", "kept.ply"};
+        make(words);
+        const QByteArray right = meshIn("kept.ply");
+        QDirIterator entries(path("cache"), QDir::Files, QDirIterator::Subdirectories);
+        while (entries.hasNext()) {
+            QFile entry(entries.next());
+            QVERIFY(entry.open(QIODevice::ReadWrite));
+            for (const qint64 part : {2, 3}) {
+                const QByteArray zeros(std::min<qint64>(5000, entry.size() / 4), 0);
+                QVERIFY(entry.seek(entry.size() / part) && entry.write(zeros) == zeros.size());
+            }
+        }
+        QVERIFY(QFile::remove(path("kept.ply")));
+        const Run told = runIn(words);
+        QVERIFY2(told.exitCode == 0 || (told.exitCode == 3 && !QFile::exists(path("kept.ply"))), told.messages);
+        make(words);
+        QVERIFY(meshIn("kept.ply") == right);
     }
 
     void whatIsNoModelIsTold()

@@ -142,6 +142,21 @@ private slots:
         QVERIFY(folder.bytes() <= folder.limit());
     }
 
+    /// Others leave room for what is still to come.
+    void whatIsBeingMadeCounts()
+    {
+        const QTemporaryDir home;
+        const CacheFolder folder = folderIn(home, 100 * kibibyte);
+        const auto file = folder.take("first", 64 * kibibyte, [&](const auto& path, const Progress& progress) {
+            const bool hadRoom = folder.makeRoom(64 * kibibyte).ok();
+            const Status written = writing(48 * kibibyte)(path, progress);
+            const std::uint64_t counted = folder.bytes();
+            return hadRoom || counted != 64 * kibibyte ? Status(Error{ErrorKind::BadInput, "not counted"}) : written;
+        });
+        QVERIFY2(file.ok(), file ? "" : file.error().text().c_str());
+        QCOMPARE(folder.bytes(), 48 * kibibyte);
+    }
+
     void whatIsInUseStays()
     {
         const QTemporaryDir home;
