@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""serve_load.py TAN FOLDER [--requests 10000] [--clients 16] [--minutes N]: starts `TAN serve FOLDER` and asks it at random, for the list, for
-ranges of the folder's models and for meshes of them, so many times or for so long, with so many clients at once. Prints how many requests a second
-were answered, the times they took, by what was asked for, and the server's memory at the start, after a tenth and at the end. Fails if
-an answer is wrong, or if memory has grown by more than a quarter since that tenth."""
+"""serve_load.py TAN FOLDER [--requests 10000] [--clients 16] [--minutes N] [--pause S]: starts `TAN serve FOLDER` and asks it at random, for the
+list, for ranges of the folder's models and for meshes of them, so many times or for so long, with so many clients at once, of which each
+pauses S seconds after an answer. Prints how many requests a second were answered, the times they took, by what was asked for, and the
+server's memory at the start, after a tenth, each minute if it goes on for minutes, and at the end. Fails if an answer is wrong, or if memory
+has grown by more than a quarter since that tenth."""
 import argparse
 import http.client
 import json
@@ -33,6 +34,7 @@ class Load:
     def __init__(self, folder, port, arguments):
         self.folder, self.port, self.left, self.end = folder, port, arguments.requests, time.time() + 60 * (arguments.minutes or 0)
         self.timed, self.lock, self.times, self.failures = bool(arguments.minutes), threading.Lock(), {}, []
+        self.pause = arguments.pause
         connection = http.client.HTTPConnection("127.0.0.1", port)
         connection.request("GET", "/")
         self.models = json.load(connection.getresponse())["models"]
@@ -93,6 +95,7 @@ class Load:
             with self.lock:
                 self.done += 1
                 self.times.setdefault(kind if answer.status != 503 else "refused, busy", []).append(time.time() - begun)
+            time.sleep(self.pause)
 
 
 def main():
@@ -102,6 +105,7 @@ def main():
     parser.add_argument("--requests", type=int, default=10_000)
     parser.add_argument("--clients", type=int, default=16)
     parser.add_argument("--minutes", type=float)
+    parser.add_argument("--pause", type=float, default=0)
     arguments = parser.parse_args()
     server = subprocess.Popen([arguments.tan, "serve", str(arguments.folder), "--port", "0"], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
                               text=True)
@@ -112,12 +116,15 @@ def main():
     clients = [threading.Thread(target=load.client, args=(seed,)) for seed in range(arguments.clients)]
     for client in clients:
         client.start()
-    tenth = None
+    tenth, minutes = None, []
     while any(client.is_alive() for client in clients):
         time.sleep(0.2)
         far = (time.time() - begun) / (60 * arguments.minutes) if arguments.minutes else load.done / arguments.requests
         if tenth is None and far >= 0.1:
             tenth = anonymous(server.pid)
+        if arguments.minutes and time.time() - begun >= 60 * (len(minutes) + 1):
+            minutes.append(anonymous(server.pid))
+            print(f"{len(minutes)} min: {minutes[-1]:.0f} MB, {load.done} requests", file=sys.stderr, flush=True)
     last, seconds, mapped = anonymous(server.pid), time.time() - begun, resident(server.pid)
     server.send_signal(signal.SIGINT)
     stopping = time.time()
@@ -130,6 +137,8 @@ def main():
               f"{1000 * times[len(times) * 99 // 100]:.1f} ms, longest {1000 * times[-1]:.1f} ms")
     print(f"  memory without mapped files: {first:.0f} MB at the start, {tenth or last:.0f} after a tenth, {last:.0f} at the end; with them "
           f"{mapped:.0f}")
+    if minutes:
+        print("  each minute: " + " ".join(f"{megabytes:.0f}" for megabytes in minutes))
     for failure in load.failures:
         print("FAIL:", failure)
     return 1 if load.failures or code != 0 or last > 1.25 * (tenth or last) + 20 else 0

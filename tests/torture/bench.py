@@ -69,6 +69,10 @@ class Kind:
     size: int
     options: tuple = ()
 
+    @property
+    def is_packed(self):
+        return "--packed" in self.options
+
 
 KINDS = (
     Kind("lattice", "c60", "c60.nrrd", 14),
@@ -76,6 +80,8 @@ KINDS = (
     Kind("decimated", "hydrogen", "hydrogen.nrrd", 12, ("--builder", "decimation")),
     Kind("curvilinear", "o-grid", "grid.xyz", 9),
     Kind("irregular", "part", "part.vtu", 8, ("--builder", "decimation")),
+    Kind("packed", "marschner-lobb", "ml.nrrd", 13, ("--block", "6", "--packed")),
+    Kind("packed by parts", "hydrogen", "hydrogen.nrrd", 9, ("--builder", "decimation", "--packed")),
 )
 
 # What is asked of a model; OUT is the file that is written.
@@ -90,6 +96,8 @@ QUERIES = {
     "surface": ("render", "--error", "5", "--size", "64x48", "--backend", "cpu", "-o", "OUT.png"),
     "info": ("info", "--json"),
 }
+# From one form into the other, of the kinds that have it.
+FORMS = {"pack": ("pack", "-o", "OUT.tan"), "unpack": ("unpack", "-o", "OUT.tan")}
 
 
 class Bench:
@@ -105,7 +113,7 @@ class Bench:
         self.found = {}
         self.environment = dict(os.environ, LC_ALL="C.UTF-8", QT_QPA_PLATFORM="offscreen", HOME=str(home),
                                 XDG_CONFIG_HOME=str(home / "config"), XDG_DATA_HOME=str(home / "data"),
-                                XDG_CACHE_HOME=str(home / "cache"), XDG_RUNTIME_DIR=str(home / "runtime"))
+                                XDG_RUNTIME_DIR=str(home / "runtime"))
         for folder in (self.work, self.whole, home / "runtime"):
             folder.mkdir(parents=True, exist_ok=True)
         (home / "runtime").chmod(0o700)
@@ -123,9 +131,15 @@ class Bench:
     def command(self, arguments):
         return [str(self.tan), *[str(one) for one in arguments]]
 
+    @staticmethod
+    def cache(folder):
+        """The cache of programs that work in a folder, beside it: what one attempt leaves there serves no other."""
+        return folder.with_name(folder.name + ".cache")
+
     def start(self, arguments, folder, limits=None, environment=None, **how):
+        environment = {"XDG_CACHE_HOME": str(self.cache(folder)), **(environment or {})}
         how = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
-        return subprocess.Popen(arguments, cwd=folder, env=dict(self.environment, **(environment or {})),
+        return subprocess.Popen(arguments, cwd=folder, env=dict(self.environment, **environment),
                                 preexec_fn=limited(limits or {}), start_new_session=True, **how)
 
     def run(self, arguments, folder, **how):
@@ -177,7 +191,7 @@ class Bench:
 
     def query(self, kind, name):
         """Its arguments, and the file that it writes, if any."""
-        arguments = list(QUERIES[name])
+        arguments = list({**QUERIES, **FORMS}[name])
         arguments.insert(1, "model.tan")
         target = None
         for at, one in enumerate(arguments):

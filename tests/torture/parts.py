@@ -12,7 +12,8 @@ import zlib
 from dataclasses import dataclass
 from typing import Callable
 
-from bench import BAD_INPUT, CANCELLED, DONE, KINDS, OUT_OF_RESOURCE, QUERIES, USAGE, content
+import serving
+from bench import BAD_INPUT, CANCELLED, DONE, FORMS, KINDS, OUT_OF_RESOURCE, QUERIES, USAGE, content
 
 
 @dataclass(frozen=True)
@@ -43,13 +44,21 @@ def unexpected(ran, allowed):
     return []
 
 
+PACKED = [kind for kind in KINDS if kind.is_packed]
+
+
 def written_commands():
-    """The kinds of models that are built (query None), and the queries that write a file."""
+    """The kinds of models that are built (query None), and what writes a file: the queries, of packed models those that unpack all or
+    the beginning into the cache, and the ways from one form into the other."""
     for kind in KINDS:
         yield kind, None
     for name, query in QUERIES.items():
         if query[-1].startswith("OUT."):
             yield KINDS[0], name
+    for kind in PACKED:
+        yield from ((kind, name) for name in ("unpack", "extract", "finest"))
+    for name in ("lattice", "blocks", "decimated"):
+        yield next(kind for kind in KINDS if kind.name == name), "pack"
 
 
 WRITTEN = tuple(written_commands())
@@ -64,8 +73,9 @@ def kill(bench, folder, chance, number):
         return kill_session_writes(bench, folder, chance)
     kind, query = WRITTEN[case]
     arguments, target, whole, seconds = bench.prepare(kind, query, folder)
-    # Another model, so that old and new can be told apart.
-    old = b"what was there before" if query else bench.model(KINDS[(KINDS.index(kind) + 1) % len(KINDS)])[0]
+    # Another model, so that old and new can be told apart. Only models are overwritten by models.
+    of_model = query is None or query in FORMS
+    old = bench.model(KINDS[(KINDS.index(kind) + 1) % len(KINDS)])[0] if of_model else b"what was there before"
     before = set(content(folder))
     overwrites = chance.random() < 0.7
     if overwrites:
@@ -426,6 +436,222 @@ def change_in_use(bench, folder, chance, number):
     return ("answered" if ran.code == DONE else "refused") + ", " + way, ["%s of %s, %s: %s" % (name, kind.name, way, one) for one in failures]
 
 
+# --- Packed models -----------------------------------------------------------------------------------------------------------------
+
+DAMAGED_AT_ONCE = 50
+
+
+def damaged_packed(bench, folder, chance, number):
+    """Packed files damaged in many ways, with checksums that are wrong, and with right ones as somebody may make them: refused, or the
+    same model. With right ones it may be another model that says so."""
+    files = []
+    for kind in PACKED:
+        files.append(folder / (kind.name.replace(" ", "-") + ".tan"))
+        files[-1].write_bytes(bench.model(kind)[0])
+    program = bench.build / "tests/tan-damaged-packed"
+    ran = bench.finish(bench.start([str(one) for one in (program, chance.randrange(2 ** 31), 0, DAMAGED_AT_ONCE, *files)], folder))
+    counts = json.loads(ran.out) if ran.out else {}
+    failures = unexpected(ran, (DONE,))
+    if sum(counts.values()) != DAMAGED_AT_ONCE:
+        failures.append("%d of %d files were judged" % (sum(counts.values()), DAMAGED_AT_ONCE))
+    return "judged" if not failures else "went wrong", failures, counts
+
+
+# --- The cache, and servers --------------------------------------------------------------------------------------------------------
+
+def cache_entries(bench, folder):
+    place = bench.cache(folder) / "tan"
+    return {path.name: path for path in place.iterdir()} if place.is_dir() else {}
+
+
+def unfinished(bench, folder):
+    left = [name for name in cache_entries(bench, folder) if name.endswith((".making", ".lock"))]
+    return ["left in the cache: " + ", ".join(left)] if left else []
+
+
+class CacheUser:
+    """One attempt's model, here or at a server, of which queries go through a cache."""
+
+    def __init__(self, bench, folder, kind, address):
+        self.bench, self.folder, self.kind = bench, folder, kind
+        self.place = address or "model.tan"
+        if not address:
+            (folder / "model.tan").write_bytes(bench.model(kind)[0])
+
+    def start(self, query, tag, **how):
+        arguments, _ = self.bench.query(self.kind, query)
+        target = "%s-%s.vtu" % (query, tag)
+        arguments = [self.place if one == "model.tan" else target if one.endswith(".vtu") else one for one in arguments]
+        return target, self.bench.start(self.bench.command(arguments), self.folder, **how)
+
+    def judge(self, query, target, ran, allowed=(DONE,)):
+        failures = unexpected(ran, allowed)
+        found = (self.folder / target).read_bytes() if (self.folder / target).exists() else None
+        if ran.code == DONE and found != self.bench.answer(self.kind, query)[0]:
+            failures.append("a wrong answer with exit code 0")
+        if ran.code != DONE and found is not None:
+            failures.append("an answer is left although the command failed")
+        return ["%s: %s" % (query, one) for one in failures]
+
+    def ask(self, query, tag, allowed=(DONE,), **how):
+        target, process = self.start(query, tag, **how)
+        ran = self.bench.finish(process)
+        return ran, self.judge(query, target, ran, allowed)
+
+
+# No focus: of a lattice here it may insert points, of one at a server it chooses among those that have come.
+CACHED_QUERIES = ("extract", "finest", "budget", "range")
+
+
+def cache_kill(user, chance):
+    query = chance.choice(CACHED_QUERIES)
+    seconds = user.bench.answer(user.kind, query)[1]
+    target, process = user.start(query, "killed")
+    time.sleep(chance.random() * seconds)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.communicate()
+    (user.folder / target).unlink(missing_ok=True)
+    for partial in user.folder.glob(target + ".*"):
+        partial.unlink()
+    return "killed, then asked again", user.ask(query, "again")[1]
+
+
+def cache_interrupt(user, chance):
+    query = chance.choice(CACHED_QUERIES)
+    target, process = user.start(query, "stopped")
+    time.sleep(chance.random() * user.bench.answer(user.kind, query)[1])
+    which = chance.choice((signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
+    os.kill(process.pid, which)
+    ran = user.bench.finish(process)
+    failures = [] if ran.code == -which else user.judge(query, target, ran, (DONE, CANCELLED))
+    failures += unfinished(user.bench, user.folder) if ran.code != -which else []
+    return "interrupted, then asked again", failures + user.ask(query, "again")[1]
+
+
+def cache_together(user, chance):
+    """Three programs at once, of which one may be killed."""
+    running = []
+    for tag in range(3):
+        query = chance.choice(CACHED_QUERIES)
+        running.append((query, *user.start(query, tag)))
+        time.sleep(chance.random() * 0.05)
+    failures = []
+    if chance.random() < 0.3:
+        _, target, process = running.pop(chance.randrange(3))
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        (user.folder / target).unlink(missing_ok=True)
+        for partial in user.folder.glob(target + ".*"):
+            partial.unlink()
+    for query, target, process in running:
+        failures += user.judge(query, target, user.bench.finish(process))
+    # What a killed one was making goes when the same is asked for again.
+    return "at once", failures + (unfinished(user.bench, user.folder) if len(running) == 3 else [])
+
+
+def cache_damage(user, chance):
+    """What a disk damaged in the cache is made or fetched again, at the latest by the program after the one that finds it."""
+    query = chance.choice(CACHED_QUERIES)
+    failures = user.ask(query, "before")[1]
+    entries = [path for path in cache_entries(user.bench, user.folder).values() if path.stat().st_size >= PAGE]
+    if not entries:
+        return "damaged", failures + ["nothing is in the cache"]
+    victim = chance.choice(sorted(entries))
+    victim.write_bytes(damage(victim.read_bytes(), chance))
+    ran, wrong = user.ask(query, "damaged", (DONE, BAD_INPUT))
+    failures += wrong
+    if ran.code == BAD_INPUT:
+        failures += user.ask(query, "afterwards")[1]
+    return "damaged, " + ("told once" if ran.code == BAD_INPUT else "not noticed or made again"), failures
+
+
+def cache_limit(user, chance):
+    """The cache keeps its limit, whatever is asked for; what does not fit is told."""
+    limit = chance.choice((0, 1, 1, 2))
+    failures, told = [], 0
+    for tag, query in enumerate(chance.sample(CACHED_QUERIES, 3)):
+        ran, wrong = user.ask(query, tag, (DONE, OUT_OF_RESOURCE), environment={"TAN_CACHE_MB": str(limit)})
+        told += ran.code == OUT_OF_RESOURCE
+        failures += wrong
+        taken = sum(path.stat().st_blocks * 512 for path in cache_entries(user.bench, user.folder).values())
+        if taken > limit * 10 ** 6:
+            failures.append("the cache takes %d bytes, and its limit is %d MB" % (taken, limit))
+    if limit == 0 and told == 0:
+        failures.append("a cache of no bytes was enough")
+    return "with little room, " + ("told" if told else "done"), failures + unfinished(user.bench, user.folder)
+
+
+def cache_full_disk(user, chance):
+    query = chance.choice(CACHED_QUERIES)
+    size = chance.randrange(len(user.bench.model(user.kind)[0]))
+    ran, failures = user.ask(query, "full", (DONE, OUT_OF_RESOURCE), limits={resource.RLIMIT_FSIZE: size})
+    failures += unfinished(user.bench, user.folder)
+    return "small files, " + ("told" if ran.code else "done"), failures + user.ask(query, "afterwards")[1]
+
+
+CACHE_WAYS = (cache_kill, cache_interrupt, cache_together, cache_damage, cache_limit, cache_full_disk)
+CACHE_PLACES = tuple((kind, False) for kind in PACKED) + tuple((kind, True) for kind in (KINDS[0], KINDS[1], KINDS[2], *PACKED))
+
+
+def cached(bench, folder, chance, number):
+    """Queries through the cache of unpacked models and of what came from servers."""
+    kind, is_remote = CACHE_PLACES[number % len(CACHE_PLACES)]
+    way = CACHE_WAYS[number // len(CACHE_PLACES) % len(CACHE_WAYS)]
+    for query in CACHED_QUERIES:
+        bench.answer(kind, query)
+    address = serving.address_of(bench, kind) if is_remote else None
+    outcome, failures = way(CacheUser(bench, folder, kind, address), chance)
+    return outcome, ["%s of %s%s: %s" % (way.__name__, kind.name, " at a server" if is_remote else "", one) for one in failures]
+
+
+def served(bench, folder, chance, number):
+    """A server under load is stopped, killed, or has little memory or few descriptors: what it answers is right until then, and it ends
+    within seconds; programs that were asking it say so."""
+    how = ("stopped", "killed", "with little", "twice")[number % 4]
+    models = folder / "models"
+    for kind in (KINDS[0], KINDS[2], *PACKED):
+        serving.put_model(bench, kind, models)
+    before = content(folder)
+    limits = {}
+    if how == "with little":
+        limits = chance.choice(({resource.RLIMIT_AS: chance.randrange(150 << 20, 500 << 20)}, {resource.RLIMIT_NOFILE: chance.randint(8, 40)}))
+    server = serving.Server(bench, models, limits)
+    if not server.port:
+        ran = server.finish()
+        return "not started", unexpected(ran, (OUT_OF_RESOURCE, USAGE, 127) if how == "with little" else ())
+    failures = []
+    load = serving.Load(models, server.port, chance.randrange(2 ** 31), lenient=how == "with little")
+    asking = bench.start(bench.command(("extract", "http://127.0.0.1:%d/%s" % (server.port, serving.model_name(KINDS[0])), "--error", "0", "-o", "mesh.vtu")), folder)
+    if how == "twice":
+        other = bench.run(("serve", "models", "--port", str(server.port)), folder)
+        failures += unexpected(other, (USAGE,))
+    time.sleep(0.1 + 0.6 * chance.random())
+    which = signal.SIGKILL if how == "killed" else chance.choice((signal.SIGINT, signal.SIGTERM))
+    load.stopping = True
+    sent = time.monotonic()
+    os.kill(server.process.pid, which)
+    ran = server.finish()
+    seconds = time.monotonic() - sent
+    answers, wrong = load.end()
+    failures += wrong
+    if which != signal.SIGKILL:
+        failures += unexpected(ran, (DONE,))
+        if seconds > 5:
+            failures.append("went on for %.1f s" % seconds)
+        if ran.code == DONE and json.loads(ran.out)["requests"] < answers:
+            failures.append("counted %d requests and gave %d answers" % (json.loads(ran.out)["requests"], answers))
+    if answers == 0 and how != "with little":
+        failures.append("gave no answer")
+    client = bench.finish(asking)
+    failures += unexpected(client, (DONE, BAD_INPUT, OUT_OF_RESOURCE))
+    mesh = (folder / "mesh.vtu").read_bytes() if (folder / "mesh.vtu").exists() else None
+    if (mesh == bench.answer(KINDS[0], "finest")[0]) != (client.code == DONE) or (mesh is not None) != (client.code == DONE):
+        failures.append("a program that asked it has a wrong answer")
+    if content(folder) != (before if mesh is None else {**before, "mesh.vtu": mesh}):
+        failures.append("the folder is not as it was")
+    return how, ["%s: %s" % (how, one) for one in failures], {"right answers": answers}
+
+
 # --- Hard shapes -----------------------------------------------------------------------------------------------------------------
 
 EIGHT = "100,30,10,4,2,1,.2,0"
@@ -509,6 +735,11 @@ PARTS = (
     Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 500, 40),
     Part("races", "two programs write one file", race, 300, 24),
     Part("changes", "a model is changed while it is in use", change_in_use, 500, 40),
+    Part("packed", "packed models damaged in 50 ways: bits, ends, chunks exchanged, doubled or left out, also with right checksums",
+         damaged_packed, 200, 3),
+    Part("cache", "queries through the cache of unpacked models and of files from servers: killed, interrupted, three at once, a damaged "
+         "or full cache, a limit", cached, 840, 42),
+    Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 8),
     Part("grids", "a curvilinear grid, even, folded, wrapped or collapsed, some with holes: built by both builders and in blocks, proved at "
          "eight accuracies, drawn", hard_grid, 100, 6),
     Part("meshes", "a mesh with overlaps, flips, slivers, doubles, parts that only touch, NaN: built, proved at eight accuracies, drawn",

@@ -63,7 +63,8 @@ class Journal:
 def attempt(bench, part, seed, number, keep_folder=False):
     """One attempt in a folder of its own: what was tried, and what went wrong."""
     folder = bench.work / ("%s-%d-%d" % (part.name, seed, number))
-    shutil.rmtree(folder, ignore_errors=True)
+    for old in (folder, bench.cache(folder)):
+        shutil.rmtree(old, ignore_errors=True)
     folder.mkdir(parents=True)
     chance = random.Random("%s:%d:%d" % (part.name, seed, number))
     try:
@@ -71,7 +72,8 @@ def attempt(bench, part, seed, number, keep_folder=False):
     except Exception as problem:  # a mistake of the bench is no success of the program
         outcome, failures, counts = "bench failed", ["%s: %s" % (type(problem).__name__, problem)], []
     if not keep_folder:
-        shutil.rmtree(folder, ignore_errors=True)
+        for old in (folder, bench.cache(folder)):
+            shutil.rmtree(old, ignore_errors=True)
     return {"number": number, "outcome": outcome, "failures": failures, "counts": counts[0] if counts else {}}
 
 
