@@ -32,7 +32,7 @@ void addPacking(const PackReport& report, std::uint64_t unpackedBytes, Outcome& 
 
 Syntax packSyntax(PluginHost&)
 {
-    return {.purpose = "pack a model for archives and for the way over a network",
+    return {.purpose = "pack a model, to archive it or to send it over a network",
             .explanation =
                 "A packed model is a small part of the size, and gives the model back byte for byte. Every command, "
                 "and the window, takes it in place of the model: they unpack it into a cache folder, and of what "

@@ -118,8 +118,8 @@ Result<ServedFolder> ServedFolder::open(const std::filesystem::path& folder)
 {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
-        return Error{ErrorKind::BadInput,
-                     Message::say("The folder '%1' cannot be served: %2.", folder.native(), systemErrorText(errno))};
+        return Error{ErrorKind::BadInput, Message::say("The folder '%1' cannot be served: %2. Check its name.",
+                                                       folder.native(), systemErrorText(errno))};
     ServedFolder served;
     served.path_ = folder;
     served.descriptor_ = owned(descriptor);

@@ -90,6 +90,9 @@ Result<ServerMesh> meshAtServer(const std::string& address, const std::string& t
 Result<std::string> tokenIn(const std::string& file)
 {
     std::ifstream stream(file);
+    if (!stream)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("The token's file '%1' cannot be read. Check its name and permissions.", file)};
     std::string token;
     std::getline(stream, token);
     const bool isVisible = std::ranges::all_of(token, [](char c) { return c > ' ' && c < 0x7f; });
