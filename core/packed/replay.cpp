@@ -541,8 +541,6 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
                 return {};
             if (const Status begins = beginStep(count, positions); !begins)
                 return begins;
-            if (begun_ && leftInStep_ > count - siteCount()) // a level ends with a step
-                return damaged();
         }
         const bool corners = !begun_;
         const auto part = static_cast<std::uint32_t>(std::min<std::size_t>({left, leftInStep_, replayedAtOnce}));
