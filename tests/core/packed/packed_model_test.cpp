@@ -155,31 +155,6 @@ private slots:
         QVERIFY(outcomes[static_cast<std::size_t>(DamageOutcome::Refused)] > 300);
     }
 
-    /// Found by the fuzzer: a step that went on behind the last level of a prefix was looked up behind the table of
-    /// levels.
-    void aStepEndsWithItsLevel()
-    {
-        QVERIFY(buildModel(wavesOf(SampleType::UInt8, {9, 8, 7}, 0.1, 3), path("a.tan"), Refinement{.block = 0u}).ok());
-        QVERIFY(packModel(**Model::open(path("a.tan")), path("a.packed.tan")).ok());
-        const std::vector<std::byte> whole = bytesOfFile(path("a.packed.tan"));
-        const auto levels = (*PackedModel::open(path("a.packed.tan")))->file().levels();
-        const auto table = std::ranges::search(whole, std::as_bytes(levels));
-        QVERIFY(!table.empty());
-        for (std::size_t level = 1; level < levels.size(); ++level) {
-            format::PackedLevelEntry fewer = levels[level];
-            fewer.sites = levels[level - 1].sites + 1;
-            if (fewer.sites == levels[level].sites)
-                continue;
-            std::vector<std::byte> changed = whole;
-            std::memcpy(changed.data() + (table.begin() - whole.begin()) + level * sizeof fewer, &fewer, sizeof fewer);
-            repairPackedChecksums(changed);
-            putFile(path("d.tan"), changed);
-            const auto opened = PackedModel::open(path("d.tan"));
-            QVERIFY2(opened.ok(), textOf(opened));
-            QCOMPARE(unpackPrefix(**opened, level, path("e.tan")).error().kind, ErrorKind::BadInput);
-        }
-    }
-
     /// Levels that end where no step of the sites ends, with all checksums right: nothing is read or kept beyond them.
     void levelsThatEndWithinAStepAreRefused()
     {
