@@ -468,6 +468,8 @@ public:
     Status readOthers(const Progress& progress);
     /// In their order, without the corners.
     std::span<const std::uint32_t> sites() const noexcept { return sites_; }
+    /// Where they were found, for who adds them again: so the same tetrahedra come in the same order.
+    std::span<const std::uint32_t> slots() const noexcept { return slots_; }
 
 private:
     Status readChunk(std::uint32_t count, const Progress& progress, InsertionWatch* watch);
@@ -489,7 +491,7 @@ private:
     GapCoder gaps_;
     std::unique_ptr<AnyValueCoder> valueCoder_;
     std::vector<std::uint32_t> sites_;
-    std::vector<std::uint32_t> slots_; ///< of the step's sites
+    std::vector<std::uint32_t> slots_; ///< of each site
     ReplayMesh::Expectations expected_;
     bool begun_ = false;        ///< the corners are known
     std::size_t stepBegin_ = 0; ///< in sites_
@@ -562,10 +564,9 @@ Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, In
         if (leftInStep_ > 0 || corners)
             continue;
         const auto step = std::span<const std::uint32_t>(sites_).subspan(stepBegin_);
-        if (const Status added = mesh_.add(step, slots_, progress, watch); !added)
+        if (const Status added = mesh_.add(step, std::span(slots_).subspan(stepBegin_), progress, watch); !added)
             return added;
         stepBegin_ = sites_.size();
-        slots_.clear();
     }
     return {};
 }
@@ -951,7 +952,8 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
     const std::span<const std::uint32_t> sites = reader.sites();
     for (std::size_t first = 0; first < sites.size(); first += replayedAtOnce) {
         const auto part = sites.subspan(first, std::min(replayedAtOnce, sites.size() - first));
-        if (const Status added = replayed.add(part, {}, progress, &history); !added)
+        if (const Status added = replayed.add(part, reader.slots().subspan(first, part.size()), progress, &history);
+            !added)
             return added;
         if (!history.status())
             return history.status();

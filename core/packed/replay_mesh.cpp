@@ -192,36 +192,54 @@ Status ReplayMesh::load(const std::vector<std::array<PackedPoint, 4>>& start, co
 
 Status ReplayMesh::expect(std::span<const std::uint32_t> points, Expectations& expected, const Progress& progress) const
 {
-    constexpr std::size_t atOnce = 1024;
+    constexpr std::size_t atOnce = 512;
     expected.values.resize(points.size());
     expected.slots.resize(points.size());
     std::atomic<bool> lost = false;
     const std::uint32_t rowPoints = lattice_.size()[0], planePoints = rowPoints * lattice_.size()[1];
-    const auto expectOf = [&]<class T>(const T* samples, std::size_t i) {
-        const std::uint32_t z = points[i] / planePoints, y = points[i] % planePoints / rowPoints,
-                            x = points[i] % rowPoints;
-        const Part& part = *parts_[partAlong(2, z) * partCounts_[1] + partAlong(1, y)];
+    const auto partOf = [&](std::uint32_t point) {
+        return partAlong(2, point / planePoints) * partCounts_[1] + partAlong(1, point % planePoints / rowPoints);
+    };
+    const auto expectIn = [&]<class T>(const T* samples, std::size_t begin, std::size_t end) {
+        const Part& part = *parts_[partOf(points[begin])];
         const PackedLattice& lattice = part.delaunay.lattice();
-        const PlacedPoint placed = part.delaunay.place(lattice.pack(x, y - part.box.origin[1], z - part.box.origin[2]));
-        if (placed.slot == LatticeDelaunay::none)
-            return false;
+        std::array<PackedPoint, atOnce> there;
+        std::array<PlacedPoint, atOnce> placed;
+        const std::size_t count = end - begin;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t point = points[begin + i];
+            there[i] = lattice.pack(point % rowPoints, point % planePoints / rowPoints - part.box.origin[1],
+                                    point / planePoints - part.box.origin[2]);
+        }
+        part.delaunay.place(std::span(there).first(count), std::span(placed).first(count));
         const auto sampleAt = [&](PackedPoint vertex) {
             return samples[part.first + static_cast<std::uint32_t>(lattice.z(vertex)) * planePoints +
                            static_cast<std::uint32_t>(lattice.y(vertex)) * rowPoints +
                            static_cast<std::uint32_t>(lattice.x(vertex))];
         };
-        expected.slots[i] = placed.slot;
-        expected.values[i] = interpolatedAt<T>(sampleAt, part.delaunay.mesh()[placed.slot].vertices, placed.volumes);
-        return true;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& [slot, volumes] = placed[i];
+            if (slot == LatticeDelaunay::none) {
+                lost = true;
+                return;
+            }
+            expected.slots[begin + i] = slot;
+            expected.values[begin + i] = interpolatedAt<T>(sampleAt, part.delaunay.mesh()[slot].vertices, volumes);
+        }
     };
     visitSampleType(type_, [&]<class T>() {
         const T* const samples = reinterpret_cast<const T*>(samples_.get());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), atOnce), [&](const auto& range) {
-            if (progress.cancelled() || lost)
-                return;
-            for (std::size_t i = range.begin(); i < range.end(); ++i)
-                if (!expectOf(samples, i))
-                    lost = true;
+        // Where one run ends must not depend on the threads: which of several tetrahedra is found does.
+        tbb::parallel_for(std::size_t(0), (points.size() + atOnce - 1) / atOnce, [&](std::size_t run) {
+            const std::size_t last = std::min(points.size(), (run + 1) * atOnce);
+            for (std::size_t begin = run * atOnce, end = begin; begin < last; begin = end) {
+                if (progress.cancelled() || lost)
+                    return;
+                const std::uint32_t part = partOf(points[begin]);
+                while (end < last && partOf(points[end]) == part)
+                    ++end;
+                expectIn(samples, begin, end);
+            }
         });
     });
     if (progress.cancelled())

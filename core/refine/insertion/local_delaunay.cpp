@@ -2,6 +2,7 @@
 #include "core/refine/insertion/local_delaunay.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 namespace tetra {
@@ -186,6 +187,7 @@ void LocalDelaunay::restore()
             hints_[cells[i]] = firstHints_[cells[i]];
     }
     added_.clear();
+    std::ranges::fill(lastOfBlocks_, HintGrid::none);
 }
 
 void LocalDelaunay::acceptChanges()
@@ -279,10 +281,29 @@ bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t slot, std::uint32_
     return true;
 }
 
-PlacedPoint LocalDelaunay::place(PackedPoint point) const
+/// Of a point from a corner of a tetrahedron, about.
+inline std::int32_t LocalDelaunay::distance(PackedPoint point, std::uint32_t slot) const
 {
-    const std::uint32_t start = startFor(cellOf(point));
-    return start == HintGrid::none ? PlacedPoint() : placeIn(mesh_, point, start);
+    const PackedLattice& lattice = mesh_.lattice();
+    const PackedPoint corner = mesh_[slot].vertices[0];
+    return std::abs(lattice.x(corner) - lattice.x(point)) + std::abs(lattice.y(corner) - lattice.y(point)) +
+           std::abs(lattice.z(corner) - lattice.z(point));
+}
+
+void LocalDelaunay::place(std::span<const PackedPoint> points, std::span<PlacedPoint> placed) const
+{
+    std::uint32_t before = HintGrid::none;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        fetchAhead(points, {}, i);
+        const std::uint32_t cell = cellOf(points[i]);
+        std::uint32_t start = startFor(cell);
+        if (before != HintGrid::none && start != HintGrid::none &&
+            distance(points[i], before) < distance(points[i], start) &&
+            (!hints_.dividesBlocks() || lies(before, hints_.blockOf(cell))))
+            start = before;
+        placed[i] = start == HintGrid::none ? PlacedPoint() : placeIn(mesh_, points[i], start);
+        before = placed[i].slot;
+    }
 }
 
 std::uint32_t LocalDelaunay::blockOf(const std::array<HintGrid::Bounds, 3>& bounds) const

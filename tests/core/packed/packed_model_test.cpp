@@ -14,6 +14,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -125,6 +128,31 @@ private slots:
         QVERIFY(unpacked->derived.empty());
         QVERIFY(contentOf(path("a.tan")) == contentOf(path("b.tan")));
         provePrefixes(**packed, dataset);
+    }
+
+    /// C16, B5: what comes out does not depend on the threads, nor on the parts in which the mesh of blocks is kept:
+    /// neither the model nor those of its levels.
+    void threadsMakeNoDifference()
+    {
+        const Dataset dataset = wavesOf(SampleType::UInt8, {7, 38, 41}, 0.2, 5);
+        QVERIFY(buildModel(dataset, path("a.tan"), Refinement{.block = 4u}).ok());
+        QVERIFY(packModel(**Model::open(path("a.tan")), path("a.packed.tan")).ok());
+        const auto packed = *PackedModel::open(path("a.packed.tan"));
+        const auto levels = packed->levels();
+        std::vector<std::vector<char>> made;
+        for (const int threads : {1, 2, 7}) {
+            const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                              static_cast<std::size_t>(threads));
+            tbb::task_arena arena(threads);
+            QVERIFY(arena.execute([&] { return unpackModel(*packed, path("b.tan")).ok(); }));
+            QVERIFY(contentOf(path("b.tan")) == contentOf(path("a.tan")));
+            for (const std::size_t level : {levels.size() / 2, levels.size() - 1}) {
+                QVERIFY(arena.execute([&] { return unpackPrefix(*packed, level, path("p.tan")).ok(); }));
+                made.push_back(contentOf(path("p.tan")));
+            }
+        }
+        for (std::size_t i = 2; i < made.size(); ++i)
+            QVERIFY(made[i] == made[i - 2]);
     }
 
     /// Nothing read is trusted: what is damaged gives an error with a sentence, or what it should; with right sums, as
