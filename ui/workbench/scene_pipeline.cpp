@@ -17,12 +17,12 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The edges of faulty cells, seen before any colours: dark lines with a bright core, in a colour that is told apart by
-/// people who do not see red or green as others do, too.
+/// The edges of faulty cells, seen before any colours and by all eyes: black lines with a yellow core, which few
+/// surfaces have.
 void addOutlines(Scene& scene, const std::vector<FaultyCell>& cells)
 {
     constexpr float coreWidth = 2, rimWidth = 5;
-    LineSet core{.points = {}, .segments = {}, .colour = distinctColour(0), .width = coreWidth};
+    LineSet core{.points = {}, .segments = {}, .colour = distinctColour(6), .width = coreWidth};
     for (const FaultyCell& cell : cells)
         for (const std::array<Eigen::Vector3d, 2>& edge : edgesOf(cell)) {
             const auto first = static_cast<std::uint32_t>(core.points.size());
