@@ -3,11 +3,14 @@
 // takes to the first picture of the whole domain and to meshes of so many tetrahedra: requests, bytes, round trips and
 // seconds, each with an empty cache.
 
+#include "plugins/samples/samples.h"
 #include "tests/bench/bench_report.h"
 #include "tests/bench/delaying_proxy.h"
 #include "tests/core/remote/http_server.h"
 
+#include <tan/build.h>
 #include <tan/open.h>
+#include <tan/packed.h>
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -90,6 +93,22 @@ struct Reached {
     std::uint64_t readBytes = 0;
 };
 
+/// Models of a sample in both forms, made in the folder.
+Result<QStringList> sampleModels(const QString& folder, std::uint32_t size)
+{
+    const auto dataset = makeSample({"c60", size, SampleType::UInt8});
+    if (!dataset)
+        return dataset.error();
+    const QStringList models = {folder + "/c60.tan", folder + "/c60.packed.tan"};
+    if (const auto built = buildModel(*dataset, models[0].toStdString()); !built)
+        return built.error();
+    const auto model = Model::open(models[0].toStdString());
+    if (!model)
+        return model.error();
+    const auto packed = packModel(**model, models[1].toStdString());
+    return packed ? Result<QStringList>(models) : packed.error();
+}
+
 Result<Reached> reach(const std::string& address, const Milestone& milestone)
 {
     const QTemporaryDir cache;
@@ -139,15 +158,24 @@ int main(int argc, char** argv)
     const QCoreApplication application(argc, argv);
     QCommandLineParser parser;
     parser.addHelpOption();
-    parser.addPositionalArgument("MODEL", "Models of either form, in one folder.", "MODEL...");
+    parser.addPositionalArgument("MODEL", "Models of either form, in one folder; without any C60 in both.",
+                                 "[MODEL...]");
+    parser.addOption({"size", "Points along an edge of C60.", "N", "64"});
     parser.addOption({"json", "Print one JSON object."});
     parser.addOption({"delay", "Milliseconds each way.", "N", "50"});
     parser.addOption({"tetrahedra", "Sizes of meshes that are waited for.", "N,N,...", "100000,1000000"});
     parser.addOption({"serve", "Print the addresses and serve until the input ends."});
     parser.process(application);
-    const QStringList models = parser.positionalArguments();
-    if (models.isEmpty())
-        parser.showHelp(2);
+    const QTemporaryDir home;
+    QStringList models = parser.positionalArguments();
+    if (models.isEmpty()) {
+        const auto made = sampleModels(home.path(), parser.value("size").toUInt());
+        if (!made) {
+            std::fprintf(stderr, "%s\n", made.error().text().c_str());
+            return 4;
+        }
+        models = *made;
+    }
     const QString folder = QFileInfo(models[0]).absolutePath();
     const Nginx nginx(folder);
     std::unique_ptr<HttpServer> own;

@@ -44,6 +44,8 @@ STEPS = (
          "--meshes {meshes} --sizes 0 --data {data}", 1.5),
     Step("growth", "how the time of decimation grows", "tan-bench-decimation",
          "--meshes none --sizes {small},{middle},{large}", 1.5),
+    Step("packed", "packing and unpacking", "tan-bench-packed", "c60:{small}:uint8 c60:{middle}:uint16 c60:{middle}:float", 1),
+    Step("remote", "models by URL, far away", "tan-bench-remote", "--size {middle} --tetrahedra 100000", 0.5, one_core=False),
     Step("paper", "the paper's tables, made again", "tan",
          "reproduce --tables {tables} --data {data} -o {folder}/reproduction --json", 0.7, one_core=False,
          data="paper/table4.csv"),
