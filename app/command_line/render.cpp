@@ -172,8 +172,11 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
                                 const Provided<Renderer>& renderer)
 {
     ModelView view{.opened = isAtHand(request.input) ? 0 : openingEnd, .renderer = renderer};
-    const auto found =
-        openInput(invocation, request.input, finestQuery(request), invocation.progress.part(0, view.opened));
+    const bool faulty = invocation.arguments.has("faulty-cells");
+    // The beginning of a packed model does not list them.
+    const MeshQuery needed =
+        faulty && !isAddress(request.input.string()) ? MeshQuery{.error = 0.0, .warping = 0.0} : finestQuery(request);
+    const auto found = openInput(invocation, request.input, needed, invocation.progress.part(0, view.opened));
     if (!found)
         return found.error();
     view.found = *found;
@@ -188,12 +191,10 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     if (request.query.range && invocation.arguments.has(boundaryId))
         return Error{ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary for "
                                             "'--boundary'. Leave one of the two out."};
-    const bool faulty = invocation.arguments.has("faulty-cells");
     if (faulty && faultyCellCount(*view.model) == 0)
-        return Error{
-            ErrorKind::WrongUsage,
-            "The model lists no faulty cells for '--faulty-cells' to outline: its data have none, or an earlier "
-            "version of TAn built it. Leave it out, or build the model again."};
+        return Error{ErrorKind::WrongUsage,
+                     "The model lists no faulty cells for '--faulty-cells' to outline: its data have none, or an "
+                     "earlier version of TAn built it. Leave it out, or build the model again."};
     if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
@@ -289,8 +290,8 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     figures["extraction_seconds"] = built->extractionSeconds;
     figures["scene_seconds"] = built->sceneSeconds;
     figures["tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra);
-    if (view.scene.faultyCells)
-        figures["faulty_cells_outlined"] = static_cast<qint64>(built->faultyCells);
+    if (built->faultyCells)
+        figures["faulty_cells_outlined"] = static_cast<qint64>(*built->faultyCells);
     if (built->mesh.isBlended)
         figures["focus_tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra - mesh.mesh.tetrahedra.size());
     AnnotationContent& asked = view.picture.annotations;
@@ -500,6 +501,10 @@ Result<Outcome> runRender(const Invocation& invocation)
                     .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
                             std::to_string(picture->height) + " pixels, " +
                             contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
+    const std::uint64_t faulty = faultyCellCount(*prepared->built.model);
+    if (const auto outlined = prepared->built.faultyCells; outlined && *outlined < faulty)
+        outcome.text += std::to_string(*outlined) + " of " + std::to_string(faulty) +
+                        " faulty cells are outlined: the model does not have all corners of the others.\n";
     tellPart(prepared->found, outcome);
     return outcome;
 }

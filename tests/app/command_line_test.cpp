@@ -262,6 +262,11 @@ private slots:
         faultyCellsAreOutlined("cpu");
         if (!QTest::currentTestFailed() && tan({"render", "c60.tan", "--backend", "gl", "-o", "gl.png"}).exitCode == 0)
             faultyCellsAreOutlined("gl");
+        QCOMPARE(tan({"pack", "faulty.tan", "-o", "faulty-packed.tan"}).exitCode, 0); // whose beginning lists none
+        const Run packed =
+            tan({"render", "faulty-packed.tan", "--error", "10", "--faulty-cells", "-o", "packed.png", "--json"});
+        QVERIFY2(packed.exitCode == 0, packed.messages);
+        QCOMPARE(packed.json()["faulty_cells_outlined"].toInt(), 2);
     }
 
 private:

@@ -121,8 +121,8 @@ std::vector<StatisticsFact> sceneFacts(const BuiltScene& scene, double frameSeco
         {Statistics::tr("Guaranteed"), errorText(scene.mesh)}};
     if (const QString pieces = piecesText(scene.mesh); !pieces.isEmpty())
         facts.push_back({Statistics::tr("Cut"), pieces});
-    if (scene.faultyCells > 0)
-        facts.push_back({Statistics::tr("Faulty cells outlined"), countText(scene.faultyCells)});
+    if (scene.faultyCells)
+        facts.push_back({Statistics::tr("Faulty cells outlined"), countText(*scene.faultyCells)});
     if (scene.triangles > 0)
         facts.push_back({Statistics::tr("Triangles"), countText(scene.triangles)});
     if (scene.extractionSeconds > 0)

@@ -56,9 +56,9 @@ struct BuiltScene {
     std::shared_ptr<const Scene> scene;
     ShownMesh mesh;
     std::uint64_t triangles = 0;
-    std::uint64_t faultyCells = 0; ///< that are outlined
-    double extractionSeconds = 0;  ///< of the mesh; zero if the last one was used again
-    double sceneSeconds = 0;       ///< of the renderer
+    std::optional<std::uint64_t> faultyCells{}; ///< that are outlined, if that was asked for
+    double extractionSeconds = 0;               ///< of the mesh; zero if the last one was used again
+    double sceneSeconds = 0;                    ///< of the renderer
 };
 
 /// The way from a model to a picture of it, for the window, its drafts, films and the command line: extracts the mesh,
