@@ -204,7 +204,7 @@ std::uint64_t BuildInBlocks::fingerprint(double stopKey) const
 std::vector<double> coarseErrors(const SiteDensity& density, double finalError)
 {
     // In sites for each point of the dataset: refining takes some time for each point, however few of them enter.
-    constexpr double passCost = 1.0 / 30, budget = 1.0 / 12;
+    constexpr double passCost = 1.0 / 30, budget = 1.0 / 16;
     const auto cost = [&](double error) { return density.share(error) + passCost; };
     std::vector<double> errors{1};
     double finest = 1;

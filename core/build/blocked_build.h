@@ -33,7 +33,7 @@ struct BlockedBuild {
 
 /// The errors, as shares of the extent and falling, that all blocks are refined to before the first one is refined to
 /// the end at `finalError`, if the build is watched or may be kept: only then is there a mesh of the whole domain. The
-/// first are the blocks' corners; the last takes a twelfth of the build's time, as it seems from the density.
+/// first are the blocks' corners; both take about a tenth of the build's time, as far as the density tells.
 std::vector<double> coarseErrors(const SiteDensity& density, double finalError);
 
 /// Refines the blocks one by one, and merges them into one model, whose bytes are the same whether it was watched,
