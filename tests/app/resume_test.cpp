@@ -116,8 +116,9 @@ private slots:
         file.close();
 
         std::mt19937 random(static_cast<unsigned>(sample.last().size()));
-        for (int kill = 0; kill < 2; ++kill)
-            QVERIFY(killed(again, [&](QProcess& process) { waitAtMost(process, random, usual); }));
+        const auto wait = [&](QProcess& process) { waitAtMost(process, random, usual); };
+        QVERIFY(killed(again, wait));
+        QVERIFY(killed(again + QStringList{"--keep"}, wait, SIGINT)); // there may be a model then, and the rest as well
         const Run run = runTan(again, folder_.path());
         QVERIFY2(run.exitCode == 0, run.messages);
         QVERIFY(modelBytes() == right);
@@ -126,7 +127,7 @@ private slots:
 
 private:
     /// Whether a program of these words could be started; wait(process) says when it is killed.
-    template <class Wait> bool killed(const QStringList& words, const Wait& wait) const
+    template <class Wait> bool killed(const QStringList& words, const Wait& wait, int signal = SIGKILL) const
     {
         QProcess process;
         process.setWorkingDirectory(folder_.path());
@@ -135,7 +136,7 @@ private:
             return false;
         wait(process);
         if (process.state() != QProcess::NotRunning)
-            ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+            ::kill(static_cast<pid_t>(process.processId()), signal);
         return process.state() == QProcess::NotRunning || process.waitForFinished();
     }
     static void waitAtMost(QProcess& process, std::mt19937& random, qint64 milliseconds)
