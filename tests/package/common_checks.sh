@@ -32,6 +32,13 @@ check_command_line()
         '$bin/tan' verify c60.tan --against c60.nrrd --lod 1"
     check 'the picture is that of the build, bit for bit' "cd /work
         '$bin/tan' render c60.tan --error 1 --isovalue 140:orange --size 320x240 -o picture.png; cmp picture.png expected/picture.png"
+    # By the libraries that serve and that ask.
+    check 'a packed model is served, and opened by its address' "cd /work; mkdir models; '$bin/tan' pack c60.tan -o models/c60.tan
+        '$bin/tan' serve models --port 0 2>serve.log & server=\$!
+        until address=\$(grep -o 'http://[^ ]*' serve.log); do sleep 0.1; done
+        '$bin/tan' info \${address}c60.tan --json | grep -F '\"form\": \"packed\"'
+        '$bin/tan' extract \${address}c60.tan --at-server --error 4 -o served.vtu
+        kill -INT \$server; wait \$server; rm -r models"
 }
 
 check_vtk() { check 'a file that only VTK reads' "cd /work; '$bin/tan' info image.vti --json | grep -E '\"points\": 18'"; }
