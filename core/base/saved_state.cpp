@@ -169,7 +169,7 @@ Result<std::unique_ptr<SavedState>> SavedState::open(const std::filesystem::path
 
 SavedState::SavedState(const std::filesystem::path& folder, std::uint64_t fingerprint, bool resume, const Pace& pace)
     : folder_(folder), path_(folder / "state"), journalPath_(folder / "journal"), fingerprint_(fingerprint),
-      resume_(resume), pace_(pace), next_(Clock::now() + pace.shortest)
+      resume_(resume), pace_(pace), next_(start_ + pace.shortest)
 {
 }
 
@@ -298,25 +298,37 @@ void SavedState::append(std::uint64_t stream, std::span<const std::byte> bytes)
     journalSize_ += bytes.size();
 }
 
-void SavedState::save(const std::function<void(StateArchive& archive)>& archiveObject)
+/// Before anything was saved it is not known how long that takes; a large state had better be saved once, and late,
+/// than as soon as the build has begun.
+bool SavedState::comesTooEarly(std::uint64_t bytes)
+{
+    constexpr double bytesAMillisecond = 1e6;
+    if (std::exchange(putOff_, true))
+        return false;
+    const auto wait = static_cast<std::int64_t>(pace_.share * static_cast<double>(bytes) / bytesAMillisecond);
+    next_ = std::max(next_, start_ + std::chrono::milliseconds(wait));
+    return Clock::now() < next_;
+}
+
+void SavedState::save(const std::function<void(StateArchive& archive)>& archiveObject, bool atOnce)
 {
     const auto begin = Clock::now();
     try {
-        if (!write(archiveObject))
+        if (!write(archiveObject, atOnce))
             giveUp();
     } catch (const std::bad_alloc&) {
         giveUp(); // the build needs it more
     }
     writer_ = nullptr;
     const auto end = Clock::now();
-    next_ = end + std::max<Clock::duration>(pace_.shortest, pace_.share * (end - begin));
+    next_ = std::max(next_, end + std::max<Clock::duration>(pace_.shortest, pace_.share * (end - begin)));
 }
 
-bool SavedState::write(const std::function<void(StateArchive& archive)>& archiveObject)
+bool SavedState::write(const std::function<void(StateArchive& archive)>& archiveObject, bool atOnce)
 {
     StateArchive measuring(*this, StateArchive::Mode::Measure);
     archiveObject(measuring);
-    if (!hasRoom(measuring.bytes_))
+    if (!hasRoom(measuring.bytes_) || (!atOnce && comesTooEarly(measuring.bytes_)))
         return true; // perhaps the next time
     appendNoted();
     auto writer = FileWriter::create(path_, readBytes); // which clears away those that were never done

@@ -122,10 +122,11 @@ private:
 /// harm: then there is none. One thread.
 class SavedState {
 public:
-    /// How often: after `shortest`, but so rarely that it takes no more than one part in `share` of the time.
+    /// How often: after `shortest`, but so rarely that it takes no more than one part in `share` of the time, the first
+    /// time as well.
     struct Pace {
         std::chrono::milliseconds shortest{200};
-        int share = 40;
+        int share = 25;
     };
 
     /// In `folder`. `fingerprint` stands for all that the object depends on, the program's version included. `resume`:
@@ -157,7 +158,7 @@ public:
     template <class Object> void pause(Object& object, bool cancelled)
     {
         if (!givenUp_ && (cancelled ? resume_ : Clock::now() >= next_))
-            save([&object](StateArchive& archive) { object.archive(archive); });
+            save([&object](StateArchive& archive) { object.archive(archive); }, cancelled);
     }
 
     /// Notes what can be read again, in the same order, once the object was saved.
@@ -188,8 +189,9 @@ private:
     SavedState(const std::filesystem::path& folder, std::uint64_t fingerprint, bool resume, const Pace& pace);
     Status find();
     Status checkJournal(const Foot& foot);
-    void save(const std::function<void(StateArchive& archive)>& archiveObject);
-    bool write(const std::function<void(StateArchive& archive)>& archiveObject);
+    void save(const std::function<void(StateArchive& archive)>& archiveObject, bool atOnce);
+    bool comesTooEarly(std::uint64_t bytes);
+    bool write(const std::function<void(StateArchive& archive)>& archiveObject, bool atOnce);
     bool hasRoom(std::uint64_t bytes) const;
     void appendNoted();
     void append(std::uint64_t stream, std::span<const std::byte> bytes);
@@ -204,7 +206,9 @@ private:
     Pace pace_;
     bool found_ = false;
     bool givenUp_ = false; ///< nothing is saved any more
+    const Clock::time_point start_ = Clock::now();
     Clock::time_point next_;
+    bool putOff_ = false; ///< the first time
 
     int file_ = -1;          ///< that is gone on from
     std::uint64_t end_ = 0;  ///< of the object's bytes there
