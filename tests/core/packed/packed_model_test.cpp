@@ -10,12 +10,12 @@
 #include <tan/query.h>
 #include <tan/verify.h>
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <cmath>
