@@ -339,20 +339,17 @@
         <source>Where models go that are unpacked or fetched</source>
         <translation>Wohin Modelle kommen, die entpackt oder geholt werden</translation>
     </message>
-</context>
-<context>
-    <name>AddressDialog</name>
     <message>
-        <source>Open URL</source>
-        <translation>URL öffnen</translation>
+        <source>Save Pac&amp;ked Model…</source>
+        <translation>Gepac&amp;ktes Modell speichern …</translation>
     </message>
     <message>
-        <source>&amp;Address of a model on a server:</source>
-        <translation>&amp;Adresse eines Modells auf einem Server:</translation>
+        <source>Save the model in a small part of the size, for archives and for servers</source>
+        <translation>Das Modell in einem kleinen Teil der Größe speichern, für Archive und Server</translation>
     </message>
     <message>
-        <source>Where the model lies, packed or not: http:// or https://</source>
-        <translation>Wo das Modell liegt, gepackt oder nicht: http:// oder https://</translation>
+        <source>Open a model first, and wait until all of it is there; one that was left at a server never is</source>
+        <translation>Öffnen Sie zuerst ein Modell und warten Sie, bis es ganz da ist; eines, das auf einem Server geblieben ist, ist es nie</translation>
     </message>
 </context>
 <context>
@@ -884,6 +881,13 @@
     </message>
 </context>
 <context>
+    <name>Places</name>
+    <message>
+        <source>%1, at its server</source>
+        <translation>%1, auf seinem Server</translation>
+    </message>
+</context>
+<context>
     <name>PluginChoice</name>
     <message>
         <source>Boundary: %1</source>
@@ -1102,6 +1106,14 @@
         <source>in the grid; in space it may be larger</source>
         <translation>im Gitter; im Raum kann er größer sein</translation>
     </message>
+    <message>
+        <source>Faulty cells</source>
+        <translation>Fehlerhafte Zellen</translation>
+    </message>
+    <message>
+        <source>Faulty cells outlined</source>
+        <translation>Davon umrissen</translation>
+    </message>
 </context>
 <context>
     <name>ValueReadOut</name>
@@ -1274,6 +1286,85 @@ beliebige Verwerfung</translation>
     <message>
         <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
         <translation>Fehler in Prozent des Wertebereichs: links grob, ganz rechts jeder Abtastwert genau</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AddressDialog</name>
+    <message>
+        <source>What whoever runs the server has set; it is kept until the program ends</source>
+        <translation>Was der Betreiber des Servers festgelegt hat; es wird behalten, bis das Programm endet</translation>
+    </message>
+    <message>
+        <source>&amp;Token:</source>
+        <translation>&amp;Token:</translation>
+    </message>
+    <message>
+        <source>&amp;Fetch the model</source>
+        <translation>Modell &amp;holen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the model at the server</source>
+        <translation>Modell auf dem Server &amp;lassen</translation>
+    </message>
+    <message>
+        <source>Open URL</source>
+        <translation>URL öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a model on a server:</source>
+        <translation>&amp;Adresse eines Modells auf einem Server:</translation>
+    </message>
+    <message>
+        <source>Where the model lies, packed or not: http:// or https://</source>
+        <translation>Wo das Modell liegt, gepackt oder nicht: http:// oder https://</translation>
+    </message>
+    <message>
+        <source>It comes to this computer as far as it is needed, and is quick from then on, also without the network.</source>
+        <translation>Es kommt auf diesen Rechner, so weit es gebraucht wird, und ist von da an schnell, auch ohne Netzwerk.</translation>
+    </message>
+    <message>
+        <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
+        <translation>Der Server bestimmt jedes Netz und sendet nur dieses: für Modelle, die für diesen Rechner zu groß sind. Jede Änderung wartet auf das Netzwerk.</translation>
+    </message>
+    <message>
+        <source>Where the server is one of TAn: &apos;tan serve&apos;</source>
+        <translation>Wenn der Server einer von TAn ist: „tan serve“</translation>
+    </message>
+    <message>
+        <source>Asking the server…</source>
+        <translation>Der Server wird gefragt …</translation>
+    </message>
+    <message>
+        <source>This server answers only those who have its token.</source>
+        <translation>Dieser Server antwortet nur dem, der sein Token hat.</translation>
+    </message>
+    <message>
+        <source>This is not the token of the server.</source>
+        <translation>Das ist nicht das Token des Servers.</translation>
+    </message>
+    <message>
+        <source>This server only gives files, so the model has to be fetched.</source>
+        <translation>Dieser Server gibt nur Dateien her, das Modell muss also geholt werden.</translation>
+    </message>
+    <message>
+        <source>%L1 vertices, %2.</source>
+        <translation>%L1 Knoten, %2.</translation>
+    </message>
+    <message>
+        <source>%1 packed, %2 unpacked</source>
+        <translation>%1 gepackt, %2 entpackt</translation>
+    </message>
+    <message>
+        <source>%1 That is more than this computer has room for: leave it at the server.</source>
+        <translation>%1 Das ist mehr, als dieser Rechner Platz hat: Lassen Sie es auf dem Server.</translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation>Token</translation>
+    </message>
+    <message>
+        <source>The server of %1 answers only those who have its &amp;token:</source>
+        <translation>Der Server von %1 antwortet nur dem, der sein &amp;Token hat:</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +2948,22 @@ beliebige Verwerfung</translation>
     <message>
         <source>&amp;Fetch All</source>
         <translation>Alles &amp;holen</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 instead of %3</source>
+        <translation>%1 gespeichert: %2 statt %3</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Packen</translation>
+    </message>
+    <message>
+        <source>Save Packed Model</source>
+        <translation>Gepacktes Modell speichern</translation>
+    </message>
+    <message>
+        <source>Packed models (*.tan)</source>
+        <translation>Gepackte Modelle (*.tan)</translation>
     </message>
 </context>
 <context>
@@ -8237,6 +8344,66 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory.</source>
         <translation>Bei krummlinigen Daten: „grid“ hält den Fehler an den Indizes der Punkte ein, wie der Aufsatz; „space“ auch den Fehler dort, wo die Punkte liegen, also den, den man sieht. Das kostet mehr Knoten und Zeit, und das ganze Gitter muss in den Speicher.</translation>
     </message>
+    <message>
+        <source>What an interrupted build left in &apos;%1&apos; is damaged. Build from the beginning.</source>
+        <translation>Was ein unterbrochener Aufbau in „%1“ hinterlassen hat, ist beschädigt. Beginnen Sie den Aufbau von vorn.</translation>
+    </message>
+    <message>
+        <source>What an interrupted build left in &apos;%1&apos; is of other data, of other options, or of another version of TAn. Give the same ones, or build from the beginning.</source>
+        <translation>Was ein unterbrochener Aufbau in „%1“ hinterlassen hat, gehört zu anderen Daten, anderen Optionen oder einer anderen Version von TAn. Geben Sie dieselben an, oder beginnen Sie den Aufbau von vorn.</translation>
+    </message>
+    <message>
+        <source>Refining all blocks coarsely</source>
+        <translation>Alle Blöcke werden grob verfeinert</translation>
+    </message>
+    <message>
+        <source>Taking up what was done</source>
+        <translation>Bereits Getanes wird übernommen</translation>
+    </message>
+    <message>
+        <source>it lists a faulty cell that its grid does not have</source>
+        <translation>sie führt eine fehlerhafte Zelle auf, die ihr Gitter nicht hat</translation>
+    </message>
+    <message>
+        <source>it lists a faulty cell that is none</source>
+        <translation>sie führt eine fehlerhafte Zelle auf, die keine ist</translation>
+    </message>
+    <message>
+        <source>There is no file &apos;%1&apos;. An address on a server begins with http:// or https://.</source>
+        <translation>Eine Datei „%1“ gibt es nicht. Eine Adresse auf einem Server beginnt mit http:// oder https://.</translation>
+    </message>
+    <message>
+        <source>The file of &apos;%1&apos; is of a version of TAn that did not write where its coarse meshes end, so it cannot be left at the server. Build it again, or copy it there with &apos;tan pack&apos; and &apos;tan unpack&apos;.</source>
+        <translation>Die Datei von „%1“ ist von einer Version von TAn, die nicht schrieb, wo ihre groben Netze enden; sie kann also nicht auf dem Server bleiben. Bauen Sie sie neu, oder schreiben Sie sie dort mit „tan pack“ und „tan unpack“ neu.</translation>
+    </message>
+    <message>
+        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set.</source>
+        <translation>Der Server von „%1“ antwortet nur dem, der sein Token hat. Geben Sie das an, das sein Betreiber festgelegt hat.</translation>
+    </message>
+    <message>
+        <source>A server cannot be asked for a range of accuracies whose two ends have warpings of their own. Give both the same.</source>
+        <translation>Einen Server kann man nicht nach einem Bereich von Genauigkeiten fragen, dessen Enden eigene Verwerfungen haben. Geben Sie beiden dieselbe.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; finds no meshes (status %2): only a server of TAn (&apos;tan serve&apos;) of this version does. Let the model be fetched from there.</source>
+        <translation>„%1“ bestimmt keine Netze (Status %2): Das tut nur ein Server von TAn („tan serve“) dieser Version. Lassen Sie das Modell von dort holen.</translation>
+    </message>
+    <message>
+        <source>The server of &apos;%1&apos; says: %2</source>
+        <translation>Der Server von „%1“ meldet: %2</translation>
+    </message>
+    <message>
+        <source>What &apos;%1&apos; says of its model cannot be read. It may be a server of another version of TAn.</source>
+        <translation>Was „%1“ über sein Modell sagt, ist nicht lesbar. Vielleicht ist es ein Server einer anderen Version von TAn.</translation>
+    </message>
+    <message>
+        <source>What says where which error is allowed is too long for a question to a server: %1 of at most %2 characters. Use fewer regions, isovalues or points of the transfer function.</source>
+        <translation>Was sagt, wo welcher Fehler erlaubt ist, ist zu lang für eine Frage an einen Server: %1 von höchstens %2 Zeichen. Nehmen Sie weniger Bereiche, Isowerte oder Punkte der Transferfunktion.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; was changed on its server. Open it again.</source>
+        <translation>Das Modell „%1“ wurde auf seinem Server geändert. Öffnen Sie es noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -9145,6 +9312,18 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>Save the table as CSV or JSON (percent, decimal point)</source>
         <translation>Speichert die Tabelle als CSV oder JSON (Prozent, Dezimalpunkt)</translation>
     </message>
+    <message>
+        <source>Show &amp;faulty cells</source>
+        <translation>&amp;Fehlerhafte Zellen zeigen</translation>
+    </message>
+    <message>
+        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and those of a grid that are folded or have no volume</source>
+        <translation>Über dem Bild die Zellen umreißen, die weggelassen wurden, weil mit ihnen etwas nicht stimmt, und die eines Gitters, die gefaltet sind oder kein Volumen haben</translation>
+    </message>
+    <message>
+        <source>This model lists no faulty cells: its data have none, or an earlier version of TAn built it</source>
+        <translation>Dieses Modell führt keine fehlerhaften Zellen auf: Seine Daten haben keine, oder eine frühere Version von TAn hat es gebaut</translation>
+    </message>
 </context>
 <context>
     <name>tetra::StatusLine</name>
@@ -9215,6 +9394,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
         <translation>Zeit für das Zeichnen des letzten Bildes; in Bewegung die Bildrate, die verringerte Bildgröße und die verringerte Zahl der Tetraeder</translation>
+    </message>
+    <message>
+        <source>The server finds the mesh, or the picture is being drawn</source>
+        <translation>Der Server bestimmt das Netz, oder das Bild wird gezeichnet</translation>
     </message>
 </context>
 <context>

@@ -339,20 +339,17 @@
         <source>Where models go that are unpacked or fetched</source>
         <translation>Dove vanno i modelli che vengono decompressi o scaricati</translation>
     </message>
-</context>
-<context>
-    <name>AddressDialog</name>
     <message>
-        <source>Open URL</source>
-        <translation>Apri URL</translation>
+        <source>Save Pac&amp;ked Model…</source>
+        <translation>Salva modello &amp;compresso…</translation>
     </message>
     <message>
-        <source>&amp;Address of a model on a server:</source>
-        <translation>&amp;Indirizzo di un modello su un server:</translation>
+        <source>Save the model in a small part of the size, for archives and for servers</source>
+        <translation>Salva il modello in una piccola parte della dimensione, per archivi e server</translation>
     </message>
     <message>
-        <source>Where the model lies, packed or not: http:// or https://</source>
-        <translation>Dove si trova il modello, compresso o no: http:// o https://</translation>
+        <source>Open a model first, and wait until all of it is there; one that was left at a server never is</source>
+        <translation>Aprire prima un modello e aspettare che ci sia tutto; uno lasciato su un server non c&apos;è mai</translation>
     </message>
 </context>
 <context>
@@ -884,6 +881,13 @@
     </message>
 </context>
 <context>
+    <name>Places</name>
+    <message>
+        <source>%1, at its server</source>
+        <translation>%1, sul suo server</translation>
+    </message>
+</context>
+<context>
     <name>PluginChoice</name>
     <message>
         <source>Boundary: %1</source>
@@ -1102,6 +1106,14 @@
         <source>in the grid; in space it may be larger</source>
         <translation>nella griglia; nello spazio può essere maggiore</translation>
     </message>
+    <message>
+        <source>Faulty cells</source>
+        <translation>Celle difettose</translation>
+    </message>
+    <message>
+        <source>Faulty cells outlined</source>
+        <translation>Celle difettose contornate</translation>
+    </message>
 </context>
 <context>
     <name>ValueReadOut</name>
@@ -1274,6 +1286,85 @@ deformazione qualsiasi</translation>
     <message>
         <source>Error in percent of the value range: coarse on the left, every sample exact on the right</source>
         <translation>Errore in percento dell&apos;intervallo dei valori: grossolano a sinistra, ogni campione esatto a destra</translation>
+    </message>
+</context>
+<context>
+    <name>tetra::AddressDialog</name>
+    <message>
+        <source>What whoever runs the server has set; it is kept until the program ends</source>
+        <translation>Quello stabilito da chi gestisce il server; viene conservato fino alla chiusura del programma</translation>
+    </message>
+    <message>
+        <source>&amp;Token:</source>
+        <translation>&amp;Token:</translation>
+    </message>
+    <message>
+        <source>&amp;Fetch the model</source>
+        <translation>&amp;Scaricare il modello</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the model at the server</source>
+        <translation>&amp;Lasciare il modello sul server</translation>
+    </message>
+    <message>
+        <source>Open URL</source>
+        <translation>Apri URL</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a model on a server:</source>
+        <translation>&amp;Indirizzo di un modello su un server:</translation>
+    </message>
+    <message>
+        <source>Where the model lies, packed or not: http:// or https://</source>
+        <translation>Dove si trova il modello, compresso o no: http:// o https://</translation>
+    </message>
+    <message>
+        <source>It comes to this computer as far as it is needed, and is quick from then on, also without the network.</source>
+        <translation>Arriva su questo computer per quanto serve, e da quel momento è veloce, anche senza rete.</translation>
+    </message>
+    <message>
+        <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
+        <translation>Il server trova ogni mesh e invia solo quella: per modelli troppo grandi per questo computer. Ogni modifica aspetta la rete.</translation>
+    </message>
+    <message>
+        <source>Where the server is one of TAn: &apos;tan serve&apos;</source>
+        <translation>Se il server è uno di TAn: «tan serve»</translation>
+    </message>
+    <message>
+        <source>Asking the server…</source>
+        <translation>Richiesta al server…</translation>
+    </message>
+    <message>
+        <source>This server answers only those who have its token.</source>
+        <translation>Questo server risponde solo a chi ha il suo token.</translation>
+    </message>
+    <message>
+        <source>This is not the token of the server.</source>
+        <translation>Questo non è il token del server.</translation>
+    </message>
+    <message>
+        <source>This server only gives files, so the model has to be fetched.</source>
+        <translation>Questo server fornisce solo file, quindi il modello va scaricato.</translation>
+    </message>
+    <message>
+        <source>%L1 vertices, %2.</source>
+        <translation>%L1 vertici, %2.</translation>
+    </message>
+    <message>
+        <source>%1 packed, %2 unpacked</source>
+        <translation>%1 compressi, %2 decompressi</translation>
+    </message>
+    <message>
+        <source>%1 That is more than this computer has room for: leave it at the server.</source>
+        <translation>%1 È più di quanto entri in questo computer: lasciarlo sul server.</translation>
+    </message>
+    <message>
+        <source>Token</source>
+        <translation>Token</translation>
+    </message>
+    <message>
+        <source>The server of %1 answers only those who have its &amp;token:</source>
+        <translation>Il server di %1 risponde solo a chi ha il suo &amp;token:</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +2948,22 @@ deformazione qualsiasi</translation>
     <message>
         <source>&amp;Fetch All</source>
         <translation>Scarica &amp;tutto</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 instead of %3</source>
+        <translation>%1 salvato: %2 invece di %3</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Compressione</translation>
+    </message>
+    <message>
+        <source>Save Packed Model</source>
+        <translation>Salva modello compresso</translation>
+    </message>
+    <message>
+        <source>Packed models (*.tan)</source>
+        <translation>Modelli compressi (*.tan)</translation>
     </message>
 </context>
 <context>
@@ -8237,6 +8344,66 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>For curvilinear data: &apos;grid&apos; keeps the error at the points&apos; indices, as the paper did; &apos;space&apos; also the error where the points lie, which is what you see. That takes more vertices and time, and the whole grid in memory.</source>
         <translation>Per dati curvilinei: &apos;grid&apos; mantiene l&apos;errore agli indici dei punti, come faceva l&apos;articolo; &apos;space&apos; anche l&apos;errore dove i punti si trovano, cioè quello che si vede. Richiede più vertici e più tempo, e l&apos;intera griglia in memoria.</translation>
     </message>
+    <message>
+        <source>What an interrupted build left in &apos;%1&apos; is damaged. Build from the beginning.</source>
+        <translation>Ciò che una costruzione interrotta ha lasciato in «%1» è danneggiato. Ricominciare la costruzione dall&apos;inizio.</translation>
+    </message>
+    <message>
+        <source>What an interrupted build left in &apos;%1&apos; is of other data, of other options, or of another version of TAn. Give the same ones, or build from the beginning.</source>
+        <translation>Ciò che una costruzione interrotta ha lasciato in «%1» appartiene ad altri dati, ad altre opzioni o a un&apos;altra versione di TAn. Indicare gli stessi, oppure ricominciare la costruzione dall&apos;inizio.</translation>
+    </message>
+    <message>
+        <source>Refining all blocks coarsely</source>
+        <translation>Raffinamento grossolano di tutti i blocchi</translation>
+    </message>
+    <message>
+        <source>Taking up what was done</source>
+        <translation>Ripresa di quanto già fatto</translation>
+    </message>
+    <message>
+        <source>it lists a faulty cell that its grid does not have</source>
+        <translation>elenca una cella difettosa che la sua griglia non ha</translation>
+    </message>
+    <message>
+        <source>it lists a faulty cell that is none</source>
+        <translation>elenca una cella difettosa che non è tale</translation>
+    </message>
+    <message>
+        <source>There is no file &apos;%1&apos;. An address on a server begins with http:// or https://.</source>
+        <translation>Il file «%1» non esiste. Un indirizzo su un server comincia con http:// o https://.</translation>
+    </message>
+    <message>
+        <source>The file of &apos;%1&apos; is of a version of TAn that did not write where its coarse meshes end, so it cannot be left at the server. Build it again, or copy it there with &apos;tan pack&apos; and &apos;tan unpack&apos;.</source>
+        <translation>Il file di «%1» è di una versione di TAn che non scriveva dove finiscono le sue mesh rade, quindi non può restare sul server. Costruirlo di nuovo, o riscriverlo lì con «tan pack» e «tan unpack».</translation>
+    </message>
+    <message>
+        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set.</source>
+        <translation>Il server di «%1» risponde solo a chi ha il suo token. Indicare quello stabilito da chi lo gestisce.</translation>
+    </message>
+    <message>
+        <source>A server cannot be asked for a range of accuracies whose two ends have warpings of their own. Give both the same.</source>
+        <translation>A un server non si può chiedere un intervallo di accuratezze i cui estremi hanno deformazioni proprie. Dare a entrambi la stessa.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; finds no meshes (status %2): only a server of TAn (&apos;tan serve&apos;) of this version does. Let the model be fetched from there.</source>
+        <translation>«%1» non trova mesh (stato %2): lo fa solo un server di TAn («tan serve») di questa versione. Far scaricare il modello.</translation>
+    </message>
+    <message>
+        <source>The server of &apos;%1&apos; says: %2</source>
+        <translation>Il server di «%1» risponde: %2</translation>
+    </message>
+    <message>
+        <source>What &apos;%1&apos; says of its model cannot be read. It may be a server of another version of TAn.</source>
+        <translation>Ciò che «%1» dice del suo modello non si può leggere. Forse è un server di un&apos;altra versione di TAn.</translation>
+    </message>
+    <message>
+        <source>What says where which error is allowed is too long for a question to a server: %1 of at most %2 characters. Use fewer regions, isovalues or points of the transfer function.</source>
+        <translation>Ciò che dice dove quale errore è ammesso è troppo lungo per una richiesta a un server: %1 di al massimo %2 caratteri. Usare meno regioni, isovalori o punti della funzione di trasferimento.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; was changed on its server. Open it again.</source>
+        <translation>Il modello «%1» è stato modificato sul suo server. Aprirlo di nuovo.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -9145,6 +9312,18 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>Save the table as CSV or JSON (percent, decimal point)</source>
         <translation>Salva la tabella come CSV o JSON (percentuali, punto decimale)</translation>
     </message>
+    <message>
+        <source>Show &amp;faulty cells</source>
+        <translation>Mostra le celle &amp;difettose</translation>
+    </message>
+    <message>
+        <source>Outline, over the picture, the cells that were left out because something is wrong with them, and those of a grid that are folded or have no volume</source>
+        <translation>Contorna, sopra l&apos;immagine, le celle tralasciate perché hanno un difetto e quelle di una griglia che sono ripiegate o senza volume</translation>
+    </message>
+    <message>
+        <source>This model lists no faulty cells: its data have none, or an earlier version of TAn built it</source>
+        <translation>Questo modello non elenca celle difettose: i suoi dati non ne hanno, oppure l&apos;ha costruito una versione precedente di TAn</translation>
+    </message>
 </context>
 <context>
     <name>tetra::StatusLine</name>
@@ -9215,6 +9394,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Time to draw the last picture; while moving, the frame rate, and the reduced size and number of tetrahedra</source>
         <translation>Tempo per disegnare l&apos;ultima immagine; in movimento la frequenza dei fotogrammi, la dimensione ridotta e il numero ridotto di tetraedri</translation>
+    </message>
+    <message>
+        <source>The server finds the mesh, or the picture is being drawn</source>
+        <translation>Il server trova la mesh, o l&apos;immagine viene disegnata</translation>
     </message>
 </context>
 <context>
