@@ -20,6 +20,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace tetra {
@@ -143,9 +144,17 @@ void AddressDialog::askSoon()
         soon_.stop();
 }
 
+/// What the server says, and that all of it is seen: a dialog does not grow with its wrapped texts by itself.
+void AddressDialog::say(const QString& text)
+{
+    offer_->setText(text);
+    layout()->activate();
+    resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+}
+
 void AddressDialog::ask()
 {
-    offer_->setText(tr("Asking the server…"));
+    say(tr("Asking the server…"));
     const QString given = token();
     probe_->request(address(), given.isEmpty() ? tokenOf_(address()) : given);
 }
@@ -153,18 +162,18 @@ void AddressDialog::ask()
 void AddressDialog::showOffer(const Result<ServerOffer>& offer)
 {
     if (!offer)
-        return offer_->setText(translatedMessage(offer.error().message));
+        return say(translatedMessage(offer.error().message));
     if (offer->wantsToken) {
-        offer_->setText(token().isEmpty() ? tr("This server answers only those who have its token.")
-                                          : tr("This is not the token of the server."));
         tokenLabel_->show();
         token_->show();
+        say(token().isEmpty() ? tr("This server answers only those who have its token.")
+                              : tr("This is not the token of the server."));
         return;
     }
     leave_->setEnabled(offer->findsMeshes);
     if (!offer->findsMeshes) {
         fetch_->setChecked(true);
-        return offer_->setText(tr("This server only gives files, so the model has to be fetched."));
+        return say(tr("This server only gives files, so the model has to be fetched."));
     }
     leave_->setToolTip({});
     const QString size =
@@ -174,8 +183,8 @@ void AddressDialog::showOffer(const Result<ServerOffer>& offer)
                      ? tr("%1 packed, %2 unpacked").arg(sizeText(offer->fileBytes), sizeText(offer->unpackedBytes))
                      : sizeText(offer->fileBytes));
     if (fitsHere(*offer))
-        return offer_->setText(size);
-    offer_->setText(tr("%1 That is more than this computer has room for: leave it at the server.").arg(size));
+        return say(size);
+    say(tr("%1 That is more than this computer has room for: leave it at the server.").arg(size));
     if (!hasChosen_)
         leave_->setChecked(true);
 }

@@ -39,7 +39,7 @@ private:
     void askSoon();
     void ask();
     void showOffer(const Result<ServerOffer>& offer);
-    void showTexts();
+    void say(const QString& text);
 
     const TokenOf tokenOf_;
     QLineEdit* address_;
