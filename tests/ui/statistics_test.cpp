@@ -128,9 +128,10 @@ void StatisticsTest::faultyCellsAreShown()
     std::vector<Eigen::Vector3d> positions;
     const auto values = std::make_shared<std::vector<float>>();
     for (std::uint32_t point = 0; point < side * side * side; ++point) {
+        // Nothing is linear, so that every point is a site and all corners are known.
         const Eigen::Vector3d place(point % side, point / side % side, point / side / side);
-        positions.push_back(place + 0.1 * place.cwiseProduct(Eigen::Vector3d(place.y(), place.z(), place.x())));
-        values->push_back(static_cast<float>(std::sin(place.x()) + place.y() * place.z()));
+        positions.push_back(place + 0.05 * Eigen::Array3d(1.7 * point, 2.9 * point, 4.3 * point).sin().matrix());
+        values->push_back(static_cast<float>(std::sin(5.1 * point)));
     }
     positions[(2 * side + 2) * side + 2].x() -= 4; // through its neighbours
     const ScalarField field(SampleType::Float32, values->size(),
