@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>Save Pac&amp;ked Model…</source>
-        <translation>Salva modello &amp;compresso…</translation>
+        <translation>Sal&amp;va modello compresso…</translation>
     </message>
     <message>
         <source>Save the model in a small part of the size, for archives and for servers</source>

@@ -21,6 +21,7 @@ SKIPPED = [
     (r"^tan-desktop |^xvfb-run ", "opens the window; tests/ui and tests/package do"),
     (r"https?://example", "needs a server; test_model_forms has one"),
     (r"^tan serve |^ssh |--at-server", "serves until it is stopped; test_serve runs it"),
+    (r"--faulty-cells", "needs a mesh with faulty cells; test_command_line has one"),
     (r"^tan reproduce ", "needs the paper's datasets; test_reproduction runs it"),
 ]
 # Commands that count points want the dataset in its full size.

@@ -2,6 +2,7 @@
 #include "core/render/volume/volume_mesh.h"
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
+#include "tests/ui/folded_model.h"
 #include "tests/ui/sample_window.h"
 #include "ui/panels/model_statistics.h"
 #include "ui/session/accuracy_scale.h"
@@ -124,22 +125,8 @@ void StatisticsTest::faultyCellsAreShown()
     QVERIFY(!box.isEnabled() && !box.isChecked());
     QVERIFY2(box.toolTip().contains("no faulty cells"), qPrintable(box.toolTip()));
 
-    constexpr std::uint32_t side = 5;
-    std::vector<Eigen::Vector3d> positions;
-    const auto values = std::make_shared<std::vector<float>>();
-    for (std::uint32_t point = 0; point < side * side * side; ++point) {
-        // Nothing is linear, so that every point is a site and all corners are known.
-        const Eigen::Vector3d place(point % side, point / side % side, point / side / side);
-        positions.push_back(place + 0.05 * Eigen::Array3d(1.7 * point, 2.9 * point, 4.3 * point).sin().matrix());
-        values->push_back(static_cast<float>(std::sin(5.1 * point)));
-    }
-    positions[(2 * side + 2) * side + 2].x() -= 4; // through its neighbours
-    const ScalarField field(SampleType::Float32, values->size(),
-                            {values, reinterpret_cast<const std::byte*>(values->data())});
-    const auto grid = curvilinearDataset({side, side, side}, std::move(positions), field, "folded");
-    QVERIFY(grid.ok());
     const std::filesystem::path path = window_->folderPath() + "/folded.tan";
-    QVERIFY(tetra::buildModel(*grid, path, Refinement{}).ok());
+    QVERIFY(buildFoldedModel(path).ok());
     window_->find<QAction>("action.close").trigger();
     window_->window.open(QString::fromStdString(path.string()));
     QTRY_VERIFY(session().model() && window_->settled());

@@ -3,8 +3,10 @@
 #include "plugins/samples/samples.h"
 #include "plugins/widgets/number_text.h"
 #include "tests/ui/driving/driver.h"
+#include "tests/ui/folded_model.h"
 #include "tests/waiting.h"
 #include "ui/session/accuracy_scale.h"
+#include "ui/session/appearance.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -57,6 +59,19 @@ Driver::Change toWarping(const WarpingChoice& warping)
 void beginInStatistics(DrivenWindow& window)
 {
     window.session().setError(noPreset);
+    window.raise("dock.statistics");
+}
+
+/// With a model that lists faulty cells.
+void beginWithFaultyCells(DrivenWindow& window)
+{
+    const std::filesystem::path path = window.folderPath() + "/folded.tan";
+    if (!buildFoldedModel(path).ok())
+        qFatal("the model of the folded grid could not be made");
+    window.window.open(QString::fromStdString(path.string()));
+    if (!waitFor([&] { return window.session().model()->path() == path && window.settled(); }, 30'000))
+        qFatal("the model of the folded grid did not open");
+    window.session().undoStack().clear();
     window.raise("dock.statistics");
 }
 
@@ -115,6 +130,10 @@ Drivers accuracyControls()
                     QGuiApplication::clipboard()->clear();
                     window.raise("dock.statistics");
                 }),
+        edit(
+            "statistics.faultyCells",
+            [](ViewValue& view, const DrivenWindow&) { view.appearance.settings[faultyCellsId] = true; },
+            &beginWithFaultyCells),
         opening("statistics.save", "statisticsDialog", &beginInStatistics),
     };
     return allOf({accuracy, presets(), statistics});
