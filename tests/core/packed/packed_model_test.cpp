@@ -4,6 +4,7 @@
 #include "core/packed/range_coder.h"
 #include "core/packed/replay_coders.h"
 #include "tests/core/packed/packed_damage.h"
+#include "tests/fuzz/fuzz_folder.h"
 
 #include <tan/build.h>
 #include <tan/packed.h>
@@ -172,8 +173,8 @@ private slots:
         else
             QVERIFY(buildModel(dataset, path("a.tan"), Decimation{}).ok());
         QVERIFY(packModel(**Model::open(path("a.tan")), path("a.packed.tan")).ok());
-        const QTemporaryDir work;
-        DamageJudge judge(path("a.packed.tan"), work.path().toStdString());
+        const FuzzFolder work; // in memory: unpacking waits for the disk
+        DamageJudge judge(path("a.packed.tan"), work.path());
         std::mt19937_64 random(1);
         std::array<int, 3> outcomes{};
         for (int i = 0; i < 400; ++i)
