@@ -348,8 +348,8 @@
         <translation>Das Modell in einem kleinen Teil der Größe speichern, für Archive und Server</translation>
     </message>
     <message>
-        <source>Open a model first, and wait until all of it is there; one that was left at a server never is</source>
-        <translation>Öffnen Sie zuerst ein Modell und warten Sie, bis es ganz da ist; eines, das auf einem Server geblieben ist, ist es nie</translation>
+        <source>Open a whole model first</source>
+        <translation>Öffnen Sie zuerst ein ganzes Modell</translation>
     </message>
 </context>
 <context>
@@ -1331,10 +1331,6 @@ beliebige Verwerfung</translation>
         <translation>Wenn der Server einer von TAn ist: „tan serve“</translation>
     </message>
     <message>
-        <source>Asking the server…</source>
-        <translation>Der Server wird gefragt …</translation>
-    </message>
-    <message>
         <source>This server answers only those who have its token.</source>
         <translation>Dieser Server antwortet nur dem, der sein Token hat.</translation>
     </message>
@@ -1343,20 +1339,12 @@ beliebige Verwerfung</translation>
         <translation>Das ist nicht das Token des Servers.</translation>
     </message>
     <message>
-        <source>This server only gives files, so the model has to be fetched.</source>
-        <translation>Dieser Server gibt nur Dateien her, das Modell muss also geholt werden.</translation>
-    </message>
-    <message>
         <source>%L1 vertices, %2.</source>
         <translation>%L1 Knoten, %2.</translation>
     </message>
     <message>
         <source>%1 packed, %2 unpacked</source>
         <translation>%1 gepackt, %2 entpackt</translation>
-    </message>
-    <message>
-        <source>%1 That is more than this computer has room for: leave it at the server.</source>
-        <translation>%1 Das ist mehr, als dieser Rechner Platz hat: Lassen Sie es auf dem Server.</translation>
     </message>
     <message>
         <source>Token</source>

@@ -348,8 +348,8 @@
         <translation>Salva il modello in una piccola parte della dimensione, per archivi e server</translation>
     </message>
     <message>
-        <source>Open a model first, and wait until all of it is there; one that was left at a server never is</source>
-        <translation>Aprire prima un modello e aspettare che ci sia tutto; uno lasciato su un server non c&apos;è mai</translation>
+        <source>Open a whole model first</source>
+        <translation>Aprire prima un modello intero</translation>
     </message>
 </context>
 <context>
@@ -1331,10 +1331,6 @@ deformazione qualsiasi</translation>
         <translation>Se il server è uno di TAn: «tan serve»</translation>
     </message>
     <message>
-        <source>Asking the server…</source>
-        <translation>Richiesta al server…</translation>
-    </message>
-    <message>
         <source>This server answers only those who have its token.</source>
         <translation>Questo server risponde solo a chi ha il suo token.</translation>
     </message>
@@ -1343,20 +1339,12 @@ deformazione qualsiasi</translation>
         <translation>Questo non è il token del server.</translation>
     </message>
     <message>
-        <source>This server only gives files, so the model has to be fetched.</source>
-        <translation>Questo server fornisce solo file, quindi il modello va scaricato.</translation>
-    </message>
-    <message>
         <source>%L1 vertices, %2.</source>
         <translation>%L1 vertici, %2.</translation>
     </message>
     <message>
         <source>%1 packed, %2 unpacked</source>
         <translation>%1 compressi, %2 decompressi</translation>
-    </message>
-    <message>
-        <source>%1 That is more than this computer has room for: leave it at the server.</source>
-        <translation>%1 È più di quanto entri in questo computer: lasciarlo sul server.</translation>
     </message>
     <message>
         <source>Token</source>

@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 export XDG_RUNTIME_DIR=$scratch/runtime XDG_CONFIG_HOME=$scratch/config XDG_CACHE_HOME=$scratch/cache XDG_DATA_HOME=$scratch/share
 mkdir -m 700 "$XDG_RUNTIME_DIR"
 "$python" "$source/tests/bench/run_all.py" --source "$source" --build "$build" --folder "$scratch/results" --trial \
-    --only refinement,refinement-large,threads,extraction,volume,surfaces,hybrid,decimation,growth,paper
+    --only refinement,refinement-large,threads,extraction,volume,surfaces,hybrid,decimation,growth,packed,remote,paper
 "$python" "$source/tests/bench/page/make_page.py" "$scratch/results" "$scratch/measured.md" "$scratch/pictures" --without interaction \
     --drawer "$build/bin/tan-bench-plots"
 grep -q 'trial of tiny sizes' "$scratch/measured.md"

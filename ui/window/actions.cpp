@@ -234,9 +234,7 @@ void addNeeds(const Actions& actions)
                                            actions.addIsovalue, actions.fit, actions.resetView} +
                                actions.namedViews)
         setNeed(*action, ActionTexts::tr("Open a model first"));
-    setNeed(*actions.savePacked,
-            ActionTexts::tr("Open a model first, and wait until all of it is there; one that was left at a server "
-                            "never is"));
+    setNeed(*actions.savePacked, ActionTexts::tr("Open a whole model first"));
     setNeed(*actions.close, ActionTexts::tr("There is nothing to close"));
     setNeed(*actions.undo, ActionTexts::tr("There is nothing to undo"));
     setNeed(*actions.redo, ActionTexts::tr("There is nothing to redo"));
