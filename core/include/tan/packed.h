@@ -4,9 +4,9 @@
 /// tan/packed.h: models packed for archives and for the way over a network, in files of their own (FORMAT.md, "Packed
 /// form").
 ///
-/// A packed model takes 1 to 4 bytes a site in place of 300, and gives the model back byte for byte. It is made to be
-/// read from its front: it has *levels*, each a conforming mesh of a stated error, the coarse ones first, and whoever
-/// has the file's first PackedLevel::bytes can make that mesh.
+/// A packed model takes 1 to 4 bytes a site in place of 300, or 12 to 30 where the method is StoredByParts, and gives
+/// the model back byte for byte. It is made to be read from its front: it has *levels*, each a conforming mesh of a
+/// stated error, the coarse ones first, and whoever has the file's first PackedLevel::bytes can make that mesh.
 ///
 /// ~~~{.cpp}
 /// /// Packs a model, and says what it takes of the room.
