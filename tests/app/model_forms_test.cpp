@@ -144,7 +144,7 @@ private slots:
     /// R28, B5: of a model on a server no more is fetched than a mesh needs.
     void addresses()
     {
-        HttpServer server(readFile(path("large.tan")).toStdString());
+        FaultyHttpServer server(readFile(path("large.tan")).toStdString());
         const QString address = QString::fromStdString(server.address("/large.tan"));
         const qint64 size = QFile(path("large.tan")).size();
         const Run info = make({"info", address, "--lod", "30,0", "--json"});
@@ -176,11 +176,11 @@ private slots:
     void damageOnTheWayIsForgotten()
     {
         std::atomic<bool> damages = true;
-        HttpServer server(readFile(path("c60.tan")).toStdString(),
-                          [&](const auto& request, std::size_t, HttpServer::Reply& reply) {
-                              if (damages && request.first.value_or(0) > 0)
-                                  reply.body[reply.body.size() / 2] ^= 1;
-                          });
+        FaultyHttpServer server(readFile(path("c60.tan")).toStdString(),
+                                [&](const auto& request, std::size_t, FaultyHttpServer::Reply& reply) {
+                                    if (damages && request.first.value_or(0) > 0)
+                                        reply.body[reply.body.size() / 2] ^= 1;
+                                });
         const QString address = QString::fromStdString(server.address("/damaged.tan"));
         const Run run = runIn({"extract", address, "--error", "3", "-o", "x.ply"});
         QCOMPARE(run.exitCode, 3);
@@ -215,10 +215,11 @@ private slots:
 
     void whatIsNoModelIsTold()
     {
-        HttpServer server("<html>Please log in</html>", [](const auto& request, std::size_t, HttpServer::Reply& reply) {
-            if (request.path == "/gone.tan")
-                reply.become(404, "nothing here", "text/plain");
-        });
+        FaultyHttpServer server("<html>Please log in</html>",
+                                [](const auto& request, std::size_t, FaultyHttpServer::Reply& reply) {
+                                    if (request.path == "/gone.tan")
+                                        reply.become(404, "nothing here", "text/plain");
+                                });
         for (const char* file : {"/login.tan", "/gone.tan"}) {
             const Run run = runIn({"info", QString::fromStdString(server.address(file))});
             QCOMPARE(run.exitCode, 3);

@@ -178,7 +178,7 @@ int main(int argc, char** argv)
     }
     const QString folder = QFileInfo(models[0]).absolutePath();
     const Nginx nginx(folder);
-    std::unique_ptr<HttpServer> own;
+    std::unique_ptr<FaultyHttpServer> own;
     if (!nginx.isUp()) {
         std::fprintf(stderr, "There is no nginx: the first model is served by the tests' own server.\n");
         QFile file(models[0]);
@@ -186,7 +186,7 @@ int main(int argc, char** argv)
             std::fprintf(stderr, "Cannot read '%s'.\n", qPrintable(models[0]));
             return 3;
         }
-        own = std::make_unique<HttpServer>(file.readAll().toStdString());
+        own = std::make_unique<FaultyHttpServer>(file.readAll().toStdString());
     }
     const std::chrono::milliseconds delay(parser.value("delay").toInt());
     DelayingProxy proxy(own ? own->port() : nginx.port(), delay);

@@ -44,11 +44,11 @@ private slots:
     void theCacheHasSettings();
 
 private:
-    QString addressOf(const HttpServer& server) const
+    QString addressOf(const FaultyHttpServer& server) const
     {
         return QString::fromStdString(server.address("/far/sample.tan"));
     }
-    std::unique_ptr<HttpServer> server() const { return std::make_unique<HttpServer>(model_); }
+    std::unique_ptr<FaultyHttpServer> server() const { return std::make_unique<FaultyHttpServer>(model_); }
     const std::shared_ptr<const Model>& model() const { return window_->workbench.session().model(); }
     Opening& opening() const { return window_->workbench.opening(); }
 
@@ -190,8 +190,8 @@ void ModelAddressTest::aModelIsPacked()
 void ModelAddressTest::whatHasComeStaysWhenTheRestIsCancelled()
 {
     std::atomic<bool> isSilent = false;
-    const auto server =
-        std::make_unique<HttpServer>(model_, [&isSilent](const auto&, std::size_t, HttpServer::Reply& reply) {
+    const auto server = std::make_unique<FaultyHttpServer>(
+        model_, [&isSilent](const auto&, std::size_t, FaultyHttpServer::Reply& reply) {
             reply.isSilent = isSilent;
             reply.before = std::chrono::seconds(1);
         });
@@ -211,7 +211,7 @@ void ModelAddressTest::whatHasComeStaysWhenTheRestIsCancelled()
 
 void ModelAddressTest::whatCannotBeFetchedIsTold()
 {
-    HttpServer server("<html>Please log in</html>");
+    FaultyHttpServer server("<html>Please log in</html>");
     window_->window.open(QString::fromStdString(server.address("/login.tan")));
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY(!model() && recentFiles().isEmpty());

@@ -19,7 +19,7 @@
 namespace tetra {
 
 /// An HTTP server on the loopback that gives ranges of one file under every path, and does wrong what a test asks for.
-class HttpServer {
+class FaultyHttpServer {
 public:
     struct Request {
         std::string path;
@@ -61,7 +61,9 @@ public:
     /// Changes the reply to the request with this number, from 0; called from many threads.
     using Change = std::function<void(const Request& request, std::size_t number, Reply& reply)>;
 
-    HttpServer(std::string content, Change change = {}) : content_(std::move(content)), change_(std::move(change)) {}
+    FaultyHttpServer(std::string content, Change change = {}) : content_(std::move(content)), change_(std::move(change))
+    {
+    }
 
     bool isUp() const { return listener_.isUp(); }
     std::uint16_t port() const { return listener_.port(); }

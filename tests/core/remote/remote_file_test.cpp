@@ -28,8 +28,8 @@ using namespace std::chrono_literals;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Request = HttpServer::Request;
-using Reply = HttpServer::Reply;
+using Request = FaultyHttpServer::Request;
+using Reply = FaultyHttpServer::Reply;
 
 constexpr std::uint64_t kibibyte = 1024, piece = PieceStore::pieceBytes;
 
@@ -329,7 +329,7 @@ private slots:
     void theFirstRequest()
     {
         const QTemporaryDir home;
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         QVERIFY(server.isUp());
         const auto file = RemoteFile::open(server.address(), cacheIn(home));
         QVERIFY2(file.ok(), file ? "" : file.error().text().c_str());
@@ -350,7 +350,7 @@ private slots:
     void requestsAreFewAndFewAtOnce()
     {
         const QTemporaryDir home;
-        HttpServer server(content(), [](const Request&, std::size_t, Reply& reply) { reply.before = 50ms; });
+        FaultyHttpServer server(content(), [](const Request&, std::size_t, Reply& reply) { reply.before = 50ms; });
         const auto file = RemoteFile::open(server.address(), cacheIn(home));
         QVERIFY(file.ok());
         server.forget();
@@ -378,7 +378,7 @@ private slots:
     void rightBytesForManyThreads()
     {
         const QTemporaryDir home;
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         const auto file = RemoteFile::open(server.address(), cacheIn(home));
         QVERIFY(file.ok());
         std::atomic<int> wrong = 0;
@@ -401,7 +401,7 @@ private slots:
     void nothingBeyondTheEnd()
     {
         const QTemporaryDir home;
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         const auto file = RemoteFile::open(server.address(), cacheIn(home));
         std::string bytes(11, '\0');
         for (const std::uint64_t offset : {content().size() - 10, content().size() + 1, ~std::size_t(0)}) {
@@ -441,11 +441,11 @@ private slots:
                     for (int attempt = next++; attempt < attempts; attempt = next++) {
                         std::mt19937_64 random(static_cast<unsigned>(attempt));
                         std::mutex order;
-                        const HttpServer server(content(),
-                                                [&](const Request& request, std::size_t number, Reply& reply) {
-                                                    const std::lock_guard lock(order);
-                                                    fault.make(request, number, random, reply);
-                                                });
+                        const FaultyHttpServer server(content(),
+                                                      [&](const Request& request, std::size_t number, Reply& reply) {
+                                                          const std::lock_guard lock(order);
+                                                          fault.make(request, number, random, reply);
+                                                      });
                         const auto file = RemoteFile::open(server.address(), cache, hasty(isWait ? 100ms : 20s));
                         Status got = file ? Status() : file.error();
                         std::string bytes;
@@ -500,7 +500,7 @@ private slots:
         QFETCH(const int, status);
         QFETCH(const QString, sentence);
         const QTemporaryDir home;
-        const HttpServer server(
+        const FaultyHttpServer server(
             content(), [&](const Request&, std::size_t, Reply& reply) { reply.become(status, page, "text/html"); });
         const auto file = RemoteFile::open(server.address("/a.tan?key=secret"), cacheIn(home), hasty());
         QVERIFY(!file.ok());
@@ -513,7 +513,7 @@ private slots:
     void aServerThatFailsOnce()
     {
         const QTemporaryDir home;
-        const HttpServer server(content(), [](const Request&, std::size_t number, Reply& reply) {
+        const FaultyHttpServer server(content(), [](const Request&, std::size_t number, Reply& reply) {
             if (number % 2 == 0)
                 reply.become(503, page, "text/html");
         });
@@ -529,7 +529,7 @@ private slots:
         const CacheFolder cache = cacheIn(home);
         std::string nobody;
         {
-            const HttpServer server(content());
+            const FaultyHttpServer server(content());
             nobody = server.address();
             const auto unsafe = RemoteFile::open(server.address("/a.tan", "https://"), cache, hasty());
             QVERIFY2(unsafe.error().text().find("no safe connection") != std::string::npos,
@@ -550,7 +550,7 @@ private slots:
     void anEmptyFile()
     {
         const QTemporaryDir home;
-        const HttpServer server("");
+        const FaultyHttpServer server("");
         const auto file = RemoteFile::open(server.address(), cacheIn(home), hasty());
         QVERIFY2(!file && file.error().text().find("the file is empty") != std::string::npos, "");
     }
@@ -558,7 +558,7 @@ private slots:
     void aSmallFile()
     {
         const QTemporaryDir home;
-        const HttpServer server("TAN");
+        const FaultyHttpServer server("TAN");
         std::string problem;
         QCOMPARE(wholeFile(RemoteFile::open(server.address(), cacheIn(home), hasty()), problem), std::string("TAN"));
     }
@@ -568,7 +568,7 @@ private slots:
     {
         const QTemporaryDir home;
         std::atomic<int> key = 0;
-        HttpServer server(content(), [&](const Request& request, std::size_t, Reply& reply) {
+        FaultyHttpServer server(content(), [&](const Request& request, std::size_t, Reply& reply) {
             if (request.path == "/model.tan") {
                 reply.become(307, "", "text/plain");
                 reply.set("Location", "/store?key=" + std::to_string(++key));
@@ -591,7 +591,7 @@ private slots:
     void nameAndPassword()
     {
         const QTemporaryDir home;
-        const HttpServer server(content(), [](const Request& request, std::size_t, Reply& reply) {
+        const FaultyHttpServer server(content(), [](const Request& request, std::size_t, Reply& reply) {
             if (request.authorization.empty())
                 reply.become(401, "", "text/plain");
         });
@@ -608,7 +608,7 @@ private slots:
     void aBreakCostsLittle()
     {
         const QTemporaryDir home;
-        const HttpServer server(content(), [](const Request&, std::size_t number, Reply& reply) {
+        const FaultyHttpServer server(content(), [](const Request&, std::size_t number, Reply& reply) {
             if (number == 1)
                 reply.cutAt = 20 * piece + 5000;
         });
@@ -624,8 +624,8 @@ private slots:
     void cancelledWithinASecond()
     {
         const QTemporaryDir home;
-        const HttpServer server(content(),
-                                [](const Request&, std::size_t number, Reply& reply) { reply.isSilent = number > 0; });
+        const FaultyHttpServer server(
+            content(), [](const Request&, std::size_t number, Reply& reply) { reply.isSilent = number > 0; });
         const auto file = RemoteFile::open(server.address(), cacheIn(home));
         QVERIFY(file.ok());
         std::stop_source stop;
@@ -649,7 +649,7 @@ private slots:
     void aLimitOfTheRate()
     {
         const QTemporaryDir home;
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         RemoteOptions options = hasty();
         options.bytesPerSecond = 500'000;
         const auto file = RemoteFile::open(server.address(), cacheIn(home), options);
@@ -664,7 +664,7 @@ private slots:
     void progressIsReported()
     {
         const QTemporaryDir home;
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         const auto file = RemoteFile::open(server.address(), cacheIn(home));
         double last = 0;
         bool isRising = true;
@@ -681,7 +681,7 @@ private slots:
     {
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home);
-        HttpServer server(content());
+        FaultyHttpServer server(content());
         std::string problem;
         QCOMPARE(wholeFile(RemoteFile::open(server.address(), cache), problem), content());
         const auto again = RemoteFile::open(server.address(), cache);
@@ -700,7 +700,7 @@ private slots:
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home);
         std::atomic<bool> isDamaging = true;
-        const HttpServer server(content(), [&](const Request&, std::size_t, Reply& reply) {
+        const FaultyHttpServer server(content(), [&](const Request&, std::size_t, Reply& reply) {
             if (isDamaging)
                 reply.body.back() ^= 1;
         });
@@ -720,7 +720,7 @@ private slots:
     {
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home);
-        const HttpServer server(content(), [](const Request&, std::size_t, Reply& reply) {
+        const FaultyHttpServer server(content(), [](const Request&, std::size_t, Reply& reply) {
             reply.remove("ETag");
             reply.remove("Last-Modified");
         });
@@ -736,11 +736,11 @@ private slots:
     void aWeakETagGoesByTheDate()
     {
         const QTemporaryDir home;
-        const HttpServer server(content(),
-                                [](const Request&, std::size_t, Reply& reply) { reply.set("ETag", "W/\"weak\""); });
+        const FaultyHttpServer server(
+            content(), [](const Request&, std::size_t, Reply& reply) { reply.set("ETag", "W/\"weak\""); });
         std::string problem;
         QCOMPARE(wholeFile(RemoteFile::open(server.address(), cacheIn(home)), problem), content());
-        QCOMPARE(server.requests()[1].ifRange, std::string(HttpServer::date));
+        QCOMPARE(server.requests()[1].ifRange, std::string(FaultyHttpServer::date));
     }
 
     /// A disk that gives other bytes than were written: the pieces are fetched again.
@@ -748,7 +748,7 @@ private slots:
     {
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home);
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         std::string problem;
         QCOMPARE(wholeFile(RemoteFile::open(server.address(), cache), problem), content());
         const std::string path = cacheFileOf(cache);
@@ -775,7 +775,7 @@ private slots:
     {
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home);
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         std::vector<pid_t> processes;
         for (unsigned process = 0; process < 3; ++process) {
             const pid_t child = ::fork();
@@ -807,7 +807,7 @@ private slots:
     {
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home, 1024 * kibibyte);
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         std::string problem;
         for (const char* path : {"/a", "/b", "/c"})
             QCOMPARE(wholeFile(RemoteFile::open(server.address(path), cache), problem), content());
@@ -828,7 +828,7 @@ private slots:
     {
         const QTemporaryDir home;
         const CacheFolder cache = cacheIn(home);
-        const HttpServer server(content());
+        const FaultyHttpServer server(content());
         const auto file = RemoteFile::open(server.address(), cache);
         QVERIFY(file.ok());
         rlimit before{};
