@@ -3,6 +3,7 @@
 
 #include "core/base/folder.h"
 #include "core/base/guarded.h"
+#include "core/base/positioned_io.h"
 #include "core/base/system_error.h"
 
 #include <algorithm>
@@ -241,15 +242,8 @@ Status FileWriter::read(std::uint64_t offset, std::span<std::byte> bytes)
     assert(offset <= size_ && bytes.size() <= size_ - offset);
     if (const Status flushed = flush(); !flushed)
         return flushed;
-    while (!bytes.empty()) {
-        const ssize_t got =
-            uninterrupted([&] { return ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
-        if (got <= 0)
-            return fail(got < 0 ? errno : EIO);
-        bytes = bytes.subspan(static_cast<std::size_t>(got));
-        offset += static_cast<std::uint64_t>(got);
-    }
-    return {};
+    const int problem = readFully(descriptor_, offset, bytes);
+    return problem == 0 ? Status() : fail(problem);
 }
 
 Status FileWriter::commit(Durability durability)
@@ -286,17 +280,8 @@ Status FileWriter::flush()
 
 Status FileWriter::put(std::span<const std::byte> bytes, std::uint64_t offset)
 {
-    while (!bytes.empty()) {
-        const ssize_t written = uninterrupted(
-            [&] { return ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
-        if (written < 0)
-            return fail(errno);
-        if (written == 0)
-            return fail(ENOSPC);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-        offset += static_cast<std::uint64_t>(written);
-    }
-    return {};
+    const int problem = writeFully(descriptor_, offset, bytes);
+    return problem == 0 ? Status() : fail(problem);
 }
 
 Status FileWriter::fail(int systemError)

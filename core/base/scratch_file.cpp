@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/scratch_file.h"
 
+#include "core/base/positioned_io.h"
 #include "core/base/system_error.h"
 
 #include <cerrno>
@@ -77,32 +78,19 @@ Result<std::uint64_t> SpoolFile::append(std::span<const std::byte> bytes)
     if (status_ && descriptor_ < 0)
         status_ = open();
     const std::uint64_t offset = size_;
-    while (status_ && !bytes.empty()) {
-        const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
-        if (written > 0) {
-            size_ += static_cast<std::uint64_t>(written);
-            bytes = bytes.subspan(static_cast<std::size_t>(written));
-        } else if (written == 0 || errno != EINTR) {
-            status_ = failed(written == 0 ? ENOSPC : errno);
-        }
-    }
+    if (status_)
+        if (const int problem = writeFully(descriptor_, offset, bytes); problem != 0)
+            status_ = failed(problem);
     if (!status_)
         return status_.error();
+    size_ += bytes.size();
     return offset;
 }
 
 Status SpoolFile::read(std::uint64_t offset, std::span<std::byte> bytes) const
 {
-    while (!bytes.empty()) {
-        const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (count > 0) {
-            offset += static_cast<std::uint64_t>(count);
-            bytes = bytes.subspan(static_cast<std::size_t>(count));
-        } else if (count == 0 || errno != EINTR) {
-            return failed(count == 0 ? EIO : errno);
-        }
-    }
-    return {};
+    const int problem = readFully(descriptor_, offset, bytes);
+    return problem == 0 ? Status() : failed(problem);
 }
 
 } // namespace tetra

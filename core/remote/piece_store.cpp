@@ -2,6 +2,7 @@
 #include "core/remote/piece_store.h"
 
 #include "core/base/checksum.h"
+#include "core/base/positioned_io.h"
 #include "core/base/system_error.h"
 
 #include <algorithm>
@@ -45,36 +46,6 @@ constexpr std::uint64_t roundedUp(std::uint64_t number, std::uint64_t multiple)
     return (number + multiple - 1) / multiple * multiple;
 }
 
-/// Whether all of it could be read.
-bool readAt(int descriptor, std::span<std::byte> to, std::uint64_t offset)
-{
-    while (!to.empty()) {
-        const ssize_t got = ::pread(descriptor, to.data(), to.size(), static_cast<off_t>(offset));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return false;
-        to = to.subspan(static_cast<std::size_t>(got));
-        offset += static_cast<std::uint64_t>(got);
-    }
-    return true;
-}
-
-/// 0, or a number of errno.
-int writeAt(int descriptor, std::span<const std::byte> bytes, std::uint64_t offset)
-{
-    while (!bytes.empty()) {
-        const ssize_t written = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return written < 0 ? errno : ENOSPC;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-        offset += static_cast<std::uint64_t>(written);
-    }
-    return 0;
-}
-
 Error cannotKeep(const std::filesystem::path& path, int systemError)
 {
     return {isLackOfResources(systemError) ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
@@ -102,7 +73,7 @@ Result<std::shared_ptr<PieceStore>> PieceStore::open(const CacheFolder& folder, 
     const std::vector<std::byte> head = headBytes(key, size);
     const auto make = [&](const std::filesystem::path& path, const Progress&) -> Status {
         const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-        int problem = descriptor < 0 ? errno : writeAt(descriptor, head, 0);
+        int problem = descriptor < 0 ? errno : writeFully(descriptor, 0, head);
         if (descriptor >= 0 && ::close(descriptor) != 0 && problem == 0)
             problem = errno;
         return problem == 0 ? Status() : cannotKeep(path, problem);
@@ -112,7 +83,7 @@ Result<std::shared_ptr<PieceStore>> PieceStore::open(const CacheFolder& folder, 
         if (!file)
             return file.error();
         std::vector<std::byte> found(head.size());
-        if (readAt(file->descriptor(), found, 0) && found == head) {
+        if (readFully(file->descriptor(), 0, found) == 0 && found == head) {
             const std::shared_ptr<PieceStore> store(new PieceStore(folder, std::move(*file)));
             store->size_ = size;
             store->sumsAt_ = roundedUp(head.size(), 4096);
@@ -148,7 +119,8 @@ std::vector<std::uint64_t> PieceStore::missing(std::span<const ByteRange> ranges
         const std::uint64_t first = range.offset / pieceBytes, last = (range.offset + range.size - 1) / pieceBytes;
         // They lie before the pieces: where the file ends among them, there is no piece yet.
         sums.resize(last - first + 1);
-        if (!readAt(file_.descriptor(), std::as_writable_bytes(std::span(sums)), sumsAt_ + first * sizeof sums[0]))
+        if (readFully(file_.descriptor(), sumsAt_ + first * sizeof sums[0], std::as_writable_bytes(std::span(sums))) !=
+            0)
             std::ranges::fill(sums, 0);
         for (std::uint64_t piece = first; piece <= last; ++piece)
             if (sums[piece - first] == 0)
@@ -162,8 +134,9 @@ std::vector<std::uint64_t> PieceStore::missing(std::span<const ByteRange> ranges
 bool PieceStore::read(std::uint64_t piece, std::span<std::byte> to) const
 {
     std::uint64_t sum = 0;
-    return readAt(file_.descriptor(), std::as_writable_bytes(std::span(&sum, 1)), sumsAt_ + piece * sizeof sum) &&
-           sum != 0 && readAt(file_.descriptor(), to, piecesAt_ + piece * pieceBytes) && sumOf(to) == sum;
+    const int file = file_.descriptor();
+    return readFully(file, sumsAt_ + piece * sizeof sum, std::as_writable_bytes(std::span(&sum, 1))) == 0 && sum != 0 &&
+           readFully(file, piecesAt_ + piece * pieceBytes, to) == 0 && sumOf(to) == sum;
 }
 
 Status PieceStore::write(std::uint64_t piece, std::span<const std::byte> bytes)
@@ -195,7 +168,7 @@ void PieceStore::clear()
 
 Status PieceStore::put(std::span<const std::byte> bytes, std::uint64_t offset)
 {
-    const int problem = writeAt(file_.descriptor(), bytes, offset);
+    const int problem = writeFully(file_.descriptor(), offset, bytes);
     return problem == 0 ? Status() : cannotKeep(file_.path(), problem);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/checksum.h"
 #include "core/base/file_writer.h"
+#include "core/base/positioned_io.h"
 #include "core/base/rounding.h"
 
 #include <algorithm>
@@ -159,21 +160,6 @@ bool canStayOpen(std::uint64_t blocks)
 
 constexpr std::size_t checkedAtOnce = 1 << 18;
 
-/// Reads all of `to`, or gives the system's error, or ENODATA if the file is too short.
-int readAll(int descriptor, std::uint64_t offset, std::span<std::byte> to)
-{
-    while (!to.empty()) {
-        const ssize_t got = ::pread(descriptor, to.data(), to.size(), static_cast<off_t>(offset));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return got < 0 ? errno : ENODATA;
-        to = to.subspan(static_cast<std::size_t>(got));
-        offset += static_cast<std::uint64_t>(got);
-    }
-    return 0;
-}
-
 bool belongs(const BlockRunHeader& header, std::uint64_t fingerprint, std::uint32_t block, std::uint64_t fileBytes)
 {
     const std::uint32_t most = 1u << 31;
@@ -270,7 +256,7 @@ bool RunFiles::intact(std::uint32_t block) const
     std::uint64_t offset = sizeof *header;
     for (std::uint64_t left = runBytes(*header) - sizeof *header; left > 0;) {
         const std::span<std::byte> part(bytes.data(), std::min<std::uint64_t>(left, bytes.size()));
-        if (readAll(file.descriptor(), offset, part) != 0)
+        if (readFully(file.descriptor(), offset, part) != 0)
             return false;
         checksum.add(part);
         offset += part.size();
@@ -290,7 +276,7 @@ Result<BlockRunHeader> RunFiles::readHeader(const OpenFile& file, std::uint32_t 
     BlockRunHeader header;
     if (file.descriptor() < 0)
         return unreadable(block, errno);
-    if (readAll(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
+    if (readFully(file.descriptor(), 0, std::as_writable_bytes(std::span(&header, 1))) != 0 ||
         !belongs(header, fingerprints_[block], block, fileSize(file.descriptor())))
         return damaged(block);
     return header;
@@ -304,7 +290,7 @@ Result<std::vector<FaceCure>> RunFiles::readCures(std::uint32_t block) const
         return header.error();
     std::vector<FaceCure> cures(header->cureCount);
     const std::span<std::byte> bytes = std::as_writable_bytes(std::span(cures));
-    if (const int problem = readAll(file.descriptor(), runBytes(*header) - bytes.size(), bytes); problem != 0)
+    if (const int problem = readFully(file.descriptor(), runBytes(*header) - bytes.size(), bytes); problem != 0)
         return unreadable(block, problem);
     return cures;
 }
@@ -346,10 +332,10 @@ Status RunFiles::read(std::uint32_t block, std::uint64_t offset, std::span<std::
 {
     int problem = 0;
     if (!descriptors_.empty()) {
-        problem = readAll(descriptors_[block], offset, to);
+        problem = readFully(descriptors_[block], offset, to);
     } else {
         const OpenFile file(path(block));
-        problem = file.descriptor() < 0 ? errno : readAll(file.descriptor(), offset, to);
+        problem = file.descriptor() < 0 ? errno : readFully(file.descriptor(), offset, to);
     }
     if (problem != 0)
         return unreadable(block, problem);
