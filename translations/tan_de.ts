@@ -1319,10 +1319,6 @@ beliebige Verwerfung</translation>
         <translation>Wo das Modell liegt, gepackt oder nicht: http:// oder https://</translation>
     </message>
     <message>
-        <source>It comes to this computer as far as it is needed, and is quick from then on, also without the network.</source>
-        <translation>Es kommt auf diesen Rechner, so weit es gebraucht wird, und ist von da an schnell, auch ohne Netzwerk.</translation>
-    </message>
-    <message>
         <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
         <translation>Der Server bestimmt jedes Netz und sendet nur dieses: für Modelle, die für diesen Rechner zu groß sind. Jede Änderung wartet auf das Netzwerk.</translation>
     </message>
@@ -1353,6 +1349,10 @@ beliebige Verwerfung</translation>
     <message>
         <source>The server of %1 answers only those who have its &amp;token:</source>
         <translation>Der Server von %1 antwortet nur dem, der sein &amp;Token hat:</translation>
+    </message>
+    <message>
+        <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
+        <translation>Es kommt auf diesen Rechner, soweit es gebraucht wird, und ist von da an schnell.</translation>
     </message>
 </context>
 <context>

@@ -1319,10 +1319,6 @@ deformazione qualsiasi</translation>
         <translation>Dove si trova il modello, compresso o no: http:// o https://</translation>
     </message>
     <message>
-        <source>It comes to this computer as far as it is needed, and is quick from then on, also without the network.</source>
-        <translation>Arriva su questo computer per quanto serve, e da quel momento è veloce, anche senza rete.</translation>
-    </message>
-    <message>
         <source>The server finds each mesh and sends only that: for models that are too large for this computer. Every change waits for the network.</source>
         <translation>Il server trova ogni mesh e invia solo quella: per modelli troppo grandi per questo computer. Ogni modifica aspetta la rete.</translation>
     </message>
@@ -1353,6 +1349,10 @@ deformazione qualsiasi</translation>
     <message>
         <source>The server of %1 answers only those who have its &amp;token:</source>
         <translation>Il server di %1 risponde solo a chi ha il suo &amp;token:</translation>
+    </message>
+    <message>
+        <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
+        <translation>Arriva su questo computer per quanto serve, e da lì in poi è veloce.</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,6 @@
 
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
-#include "ui/workbench/address_probe.h"
 #include "ui/workbench/model_cache.h"
 
 #include <tan/open.h>
@@ -52,7 +51,7 @@ QLabel* makeExplanation(const QString& text, const QRadioButton& above)
 AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* parent)
     : QDialog(parent), tokenOf_(std::move(tokenOf)), address_(new QLineEdit), tokenLabel_(new QLabel(tr("&Token:"))),
       token_(makeTokenField(name + ".token")), fetch_(new QRadioButton(tr("&Fetch the model"))),
-      leave_(new QRadioButton(tr("&Leave the model at the server"))), offer_(new QLabel), probe_(new AddressProbe(this))
+      leave_(new QRadioButton(tr("&Leave the model at the server"))), offer_(new QLabel)
 {
     constexpr int letters = 60;
     setObjectName(name);
@@ -82,9 +81,8 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     layout->addWidget(token_);
     layout->addSpacing(gap);
     layout->addWidget(fetch_);
-    layout->addWidget(makeExplanation(tr("It comes to this computer as far as it is needed, and is quick from then on, "
-                                         "also without the network."),
-                                      *fetch_));
+    layout->addWidget(
+        makeExplanation(tr("It comes to this computer as far as it is needed, and is quick from then on."), *fetch_));
     layout->addWidget(leave_);
     layout->addWidget(makeExplanation(tr("The server finds each mesh and sends only that: for models that are too "
                                          "large for this computer. Every change waits for the network."),
@@ -97,7 +95,6 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     soon_.setSingleShot(true);
     soon_.setInterval(askedAfter);
     connect(&soon_, &QTimer::timeout, this, &AddressDialog::ask);
-    connect(probe_, &AddressProbe::probed, this, &AddressDialog::showOffer);
     connect(address_, &QLineEdit::textChanged, this, &AddressDialog::askSoon);
     connect(token_, &QLineEdit::textChanged, this, [this] { soon_.start(); });
     for (QRadioButton* button : {fetch_, leave_})
@@ -114,8 +111,6 @@ AddressDialog::AddressDialog(const QString& name, TokenOf tokenOf, QWidget* pare
     askSoon();
 }
 
-AddressDialog::~AddressDialog() = default;
-
 QString AddressDialog::address() const
 {
     return address_->text().trimmed();
@@ -131,7 +126,8 @@ void AddressDialog::askSoon()
 {
     const std::string place = address().toStdString();
     open_->setEnabled(isAddress(place));
-    probe_->cancel();
+    ++question_;
+    asking_.cancel();
     offer_->clear();
     hasChosen_ = false;
     const bool isLeft = isLeftAtServer(place);
@@ -156,7 +152,18 @@ void AddressDialog::ask()
 {
     say(tr("Asking the server…"));
     const QString given = token();
-    probe_->request(address(), given.isEmpty() ? tokenOf_(address()) : given);
+    asking_.submit([this, address = address().toStdString(),
+                    token = (given.isEmpty() ? tokenOf_(address()) : given).toStdString(),
+                    number = ++question_](const std::stop_token& stop) {
+        const auto offer = askServer(address, token, Progress(stop, {}));
+        QMetaObject::invokeMethod(
+            this,
+            [this, offer, number] {
+                if (number == question_)
+                    showOffer(offer);
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 void AddressDialog::showOffer(const Result<ServerOffer>& offer)

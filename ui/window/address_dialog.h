@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/opening/served_model.h"
+#include "ui/work/latest_job.h"
 
 #include <QDialog>
 #include <QTimer>
 
+#include <cstdint>
 #include <functional>
 
 class QLabel;
@@ -14,8 +16,6 @@ class QPushButton;
 class QRadioButton;
 
 namespace tetra {
-
-class AddressProbe;
 
 /// The address of a model on a server, and whether it is to be fetched or left there, where the server finds meshes
 /// (R28): which is proposed where this machine has no room for the model. Lets the window work on. Its controls are
@@ -27,7 +27,6 @@ public:
     using TokenOf = std::function<QString(const QString& address)>;
 
     AddressDialog(const QString& name, TokenOf tokenOf, QWidget* parent);
-    ~AddressDialog() override;
 
 signals:
     /// The user has chosen a place (isAddress()); the token is empty unless it was given here.
@@ -50,8 +49,9 @@ private:
     QLabel* offer_;
     QPushButton* open_ = nullptr;
     QTimer soon_;
-    bool hasChosen_ = false; ///< between the two
-    AddressProbe* probe_;
+    bool hasChosen_ = false;     ///< between the two
+    std::uint64_t question_ = 0; ///< the newest one's number: no other one is answered
+    LatestJob asking_;           ///< last: ends before what it uses
 };
 
 /// Asks for the token of the server of `place`; `given` is called with it.
