@@ -301,8 +301,8 @@ std::size_t levelFor(const std::vector<LevelInFile>& levels, const std::optional
 /// Makes models of a source's levels in the cache, or finds them there.
 class LevelCache {
 public:
-    LevelCache(const ModelSource& source, CacheFolder folder, std::filesystem::path place)
-        : source_(source), facts_(source.facts()), folder_(std::move(folder)), place_(std::move(place))
+    LevelCache(std::unique_ptr<const ModelSource> source, CacheFolder folder, std::filesystem::path place)
+        : source_(std::move(source)), facts_(source_->facts()), folder_(std::move(folder)), place_(std::move(place))
     {
     }
 
@@ -319,11 +319,11 @@ private:
     std::string keyOf(std::size_t level) const
     {
         return "model " + (isAddress(place_.native()) ? placeOf(place_.native(), false) + ' ' : std::string()) +
-               std::to_string(source_.checksum()) +
+               std::to_string(source_->checksum()) +
                (isWhole(level) ? "" : " up to site " + std::to_string(facts_.levels[level].sites));
     }
 
-    const ModelSource& source_;
+    std::unique_ptr<const ModelSource> source_;
     const ModelFacts facts_;
     const CacheFolder folder_;
     const std::filesystem::path place_;
@@ -343,11 +343,11 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
         std::shared_ptr<const Model> model;
     };
     const auto make = [&](const std::filesystem::path& path, const Progress& making) -> Status {
-        const auto made = source_.make(level, path, making);
+        const auto made = source_->make(level, path, making);
         return made ? Status() : made.error();
     };
     for (bool isAgain = false;; isAgain = true) {
-        auto file = folder_.take(keyOf(level), source_.expectedBytes(level), make, progress);
+        auto file = folder_.take(keyOf(level), source_->expectedBytes(level), make, progress);
         if (!file)
             return file.error();
         auto model = Model::open(file->path(), place_, whole);
@@ -379,26 +379,34 @@ std::vector<std::size_t> levelsShown(const std::vector<LevelInFile>& levels, std
     return shown;
 }
 
-Result<FoundModel> openFrom(const std::string& place, const OpenOptions& options, const Progress& progress)
+Result<LevelCache> levelsAt(const std::string& place, const OpenOptions& options, const Progress& progress)
 {
-    constexpr double frontEnd = 0.02, shownEnd = 0.3;
-    const auto source = sourceAt(place, options, progress.part(0, frontEnd));
+    auto source = sourceAt(place, options, progress);
     if (!source)
         return source.error();
     auto folder = cacheOf(options);
     if (!folder)
         return folder.error();
-    const LevelCache levels(**source, *std::move(folder), place);
+    return LevelCache(*std::move(source), *std::move(folder), place);
+}
+
+Result<FoundModel> openFrom(const std::string& place, const OpenOptions& options, const Progress& progress)
+{
+    constexpr double frontEnd = 0.02, shownEnd = 0.3;
+    const auto found = levelsAt(place, options, progress.part(0, frontEnd));
+    if (!found)
+        return found.error();
+    const LevelCache& levels = *found;
     const std::size_t target = levelFor(levels.facts().levels, options.accuracy, options.mostBytes);
     double done = frontEnd;
     if (options.grown && !levels.has(target)) {
         const std::vector<std::size_t> shown = levelsShown(levels.facts().levels, target);
         for (const std::size_t level : shown) {
             const double end = done + (shownEnd - frontEnd) / static_cast<double>(shown.size());
-            const auto found = levels.take(level, progress.part(std::exchange(done, end), end));
-            if (!found)
-                return found.error();
-            options.grown(*found);
+            const auto model = levels.take(level, progress.part(std::exchange(done, end), end));
+            if (!model)
+                return model.error();
+            options.grown(*model);
         }
     }
     return levels.take(target, progress.part(done, 1));
@@ -411,13 +419,10 @@ Result<FoundModel> openLeft(const std::string& place, const OpenOptions& options
     const auto whole = ServedModel::ask(placeOf(place, false), options.token, progress.part(0, askedAt));
     if (!whole)
         return whole.error();
-    const auto source = sourceAt(place, options, progress.part(askedAt, frontEnd));
-    if (!source)
-        return source.error();
-    auto folder = cacheOf(options);
-    if (!folder)
-        return folder.error();
-    const LevelCache levels(**source, *std::move(folder), place);
+    const auto found = levelsAt(place, options, progress.part(askedAt, frontEnd));
+    if (!found)
+        return found.error();
+    const LevelCache& levels = *found;
     const std::size_t first = levelFor(levels.facts().levels, {}, beginningBytes);
     if (levels.facts().levels[first].bytes > mostBeginningBytes)
         return Error{ErrorKind::BadInput,

@@ -40,6 +40,21 @@ bool isProved(const Model& model, const Dataset& dataset)
     return verdict && verdict->ok();
 }
 
+/// What is seen of a build.
+struct Looks {
+    std::vector<std::shared_ptr<const Model>> models;
+    std::string problem;
+
+    void look(LiveBuild& live, const fs::path& path)
+    {
+        const auto seen = live.look(path);
+        if (!seen)
+            problem = seen.error().text();
+        else if (*seen != nullptr)
+            models.push_back(*seen);
+    }
+};
+
 std::vector<char> contentOf(const fs::path& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -107,30 +122,24 @@ private slots:
         const Dataset dataset = sample(48);
         LiveBuild live;
         std::atomic<bool> done = false;
-        std::vector<std::shared_ptr<const Model>> looks;
-        std::string problem;
+        Looks looks;
         std::thread looker([&] {
-            while (!done) {
-                const auto look = live.look(path("look.tan"));
-                if (!look)
-                    problem = look.error().text();
-                else if (*look != nullptr)
-                    looks.push_back(*look);
-            }
+            while (!done)
+                looks.look(live, path("look.tan"));
         });
         const auto built = buildModel(*host_, dataset, "refinement", {}, path("built.tan"), {}, {.live = &live});
         done = true;
         looker.join();
         QVERIFY2(built, built ? "" : built.error().text().c_str());
-        QVERIFY2(problem.empty(), problem.c_str());
-        QVERIFY(!looks.empty());
+        QVERIFY2(looks.problem.empty(), looks.problem.c_str());
+        QVERIFY(!looks.models.empty());
 
         std::uint32_t sites = 0;
-        for (const auto& look : looks) {
+        for (const auto& look : looks.models) {
             QVERIFY(look->siteCount() > sites);
             sites = look->siteCount();
         }
-        for (const auto& look : {looks.front(), looks.back()}) {
+        for (const auto& look : {looks.models.front(), looks.models.back()}) {
             const auto verdict = verify(*look, dataset, {{50}, {reachedBy(*look)}});
             QVERIFY(verdict);
             QVERIFY2(verdict->ok(), verdict->levels.back().failures.empty()
@@ -139,7 +148,7 @@ private slots:
         }
         const auto whole = Model::open(path("built.tan"));
         QVERIFY(whole);
-        QCOMPARE(meshSizeAt(**whole, {reachedBy(*looks.back())}).sites, looks.back()->siteCount());
+        QCOMPARE(meshSizeAt(**whole, {reachedBy(*looks.models.back())}).sites, looks.models.back()->siteCount());
     }
 
     /// Decimation hands over nothing before its end: it shows the mesh as it is, with the error that this has.
@@ -147,23 +156,16 @@ private slots:
     {
         const Dataset dataset = sample(52);
         LiveBuild live;
-        std::vector<std::shared_ptr<const Model>> looks;
-        std::string problem;
-        const Progress looking({}, [&](double, const Message&) {
-            const auto look = live.look(path("look.tan"));
-            if (!look)
-                problem = look.error().text();
-            else if (*look != nullptr)
-                looks.push_back(*look);
-        });
+        Looks looks;
+        const Progress looking({}, [&](double, const Message&) { looks.look(live, path("look.tan")); });
         QVERIFY(!live.hasMesh());
         const auto built = buildModel(*host_, dataset, "decimation", {}, path("built.tan"), looking, {.live = &live});
         QVERIFY2(built, built ? "" : built.error().text().c_str());
-        QVERIFY2(problem.empty(), problem.c_str());
+        QVERIFY2(looks.problem.empty(), looks.problem.c_str());
         QVERIFY(!built->stoppedEarly && live.hasMesh());
-        QVERIFY(!looks.empty());
+        QVERIFY(!looks.models.empty());
         std::uint32_t sites = std::numeric_limits<std::uint32_t>::max();
-        for (const auto& look : looks)
+        for (const auto& look : looks.models)
             if (look->runningKeys().back() == std::numeric_limits<float>::infinity()) { // before the history comes
                 QVERIFY(look->siteCount() < sites);
                 sites = look->siteCount();
@@ -212,24 +214,18 @@ private slots:
         QFETCH(QString, name);
         const Dataset dataset = inBlocks(name);
         LiveBuild live;
-        std::vector<std::shared_ptr<const Model>> looks;
-        std::string problem;
-        const Progress looking({}, [&](double, const Message&) {
-            const auto look = live.look(path("look.tan"));
-            if (!look)
-                problem = look.error().text();
-            else if (*look != nullptr)
-                looks.push_back(*look);
-        });
+        Looks looks;
+        const Progress looking({}, [&](double, const Message&) { looks.look(live, path("look.tan")); });
         const auto built =
             buildModel(*host_, dataset, "refinement", blockValues(), path("watched.tan"), looking, {.live = &live});
         QVERIFY2(built, built ? "" : built.error().text().c_str());
-        QVERIFY2(problem.empty(), problem.c_str());
+        QVERIFY2(looks.problem.empty(), looks.problem.c_str());
         QVERIFY(live.hasMesh());
-        QVERIFY2(looks.size() == 2, QByteArray::number(qsizetype(looks.size())));
-        QVERIFY(looks[0]->siteCount() < looks[1]->siteCount() && looks[1]->siteCount() < built->report.sites / 4);
-        QVERIFY(looks[0]->finalKey() > looks[1]->finalKey() && looks[1]->finalKey() > 0);
-        for (const auto& look : looks)
+        QVERIFY2(looks.models.size() == 2, QByteArray::number(qsizetype(looks.models.size())));
+        QVERIFY(looks.models[0]->siteCount() < looks.models[1]->siteCount() &&
+                looks.models[1]->siteCount() < built->report.sites / 4);
+        QVERIFY(looks.models[0]->finalKey() > looks.models[1]->finalKey() && looks.models[1]->finalKey() > 0);
+        for (const auto& look : looks.models)
             QVERIFY(isProved(*look, dataset));
         QVERIFY(contentOf(path("watched.tan")) == unwatched(dataset));
     }
