@@ -179,8 +179,9 @@ Syntax buildSyntax(PluginHost& host)
                     {.name = "resume",
                      .placeholder = "",
                      .explanation = "Continue an interrupted build of the same model, of the same data and with the "
-                                    "same options; the result is the same. If this build is cancelled, what it has "
-                                    "done is kept, too."}},
+                                    "same options, if there is one; the result is the same. If this build is "
+                                    "interrupted, it can be continued in turn: give it to a long build from its "
+                                    "beginning."}},
         .examples = {{"tan build engine.nrrd -o engine.tan", "Everything, down to an error of 0."},
                      {"tan build engine.nrrd --error 0.5 -o engine.tan", "A smaller model, exact to 0.5 %."},
                      {"tan build engine.nrrd --region 0,0,32,255,255,95 --stride 2,2,1 -o middle.tan",

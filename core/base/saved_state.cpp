@@ -2,6 +2,7 @@
 #include "core/base/saved_state.h"
 
 #include "core/base/guarded.h"
+#include "core/base/positioned_io.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
 
@@ -32,42 +33,13 @@ std::uint64_t sizeOf(int descriptor)
     return ::fstat(descriptor, &found) == 0 ? static_cast<std::uint64_t>(found.st_size) : 0;
 }
 
-/// False if there are fewer, or they cannot be read.
-bool readAt(int descriptor, std::uint64_t offset, std::span<std::byte> bytes)
-{
-    while (!bytes.empty()) {
-        const ssize_t got = ::pread(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(got));
-        offset += static_cast<std::uint64_t>(got);
-    }
-    return true;
-}
-
-bool writeAt(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes)
-{
-    while (!bytes.empty()) {
-        const ssize_t written = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-        offset += static_cast<std::uint64_t>(written);
-    }
-    return true;
-}
-
-/// Adds bytes of a file to a checksum; false as of readAt().
+/// Adds bytes of a file to a checksum; false if they cannot be read.
 bool addTo(Checksum& sum, int descriptor, std::uint64_t begin, std::uint64_t end)
 {
     Buffer<std::byte> some(readBytes);
     while (begin < end) {
         const std::span<std::byte> next = std::span(some).first(std::min<std::uint64_t>(readBytes, end - begin));
-        if (!readAt(descriptor, begin, next))
+        if (readFully(descriptor, begin, next) != 0)
             return false;
         sum.add(next);
         begin += next.size();
@@ -99,14 +71,14 @@ void StateArchive::bytes(std::span<std::byte> some)
         return;
     }
     if (some.size() >= readBytes) {
-        state_.readFailed_ = !readAt(state_.file_, offset, some);
+        state_.readFailed_ = readFully(state_.file_, offset, some) != 0;
         return;
     }
     Buffer<std::byte>& read = state_.read_;
     if (offset < state_.readAt_ || offset + some.size() > state_.readAt_ + read.size()) {
         read.resize(std::min<std::uint64_t>(readBytes, state_.end_ - offset));
         state_.readAt_ = offset;
-        state_.readFailed_ = !readAt(state_.file_, offset, read);
+        state_.readFailed_ = readFully(state_.file_, offset, read) != 0;
     }
     std::memcpy(some.data(), read.data() + (offset - state_.readAt_), some.size());
 }
@@ -156,20 +128,17 @@ void StateArchive::grownPart(std::span<std::byte> all)
     ++stream_;
 }
 
-Result<std::unique_ptr<SavedState>> SavedState::open(const std::filesystem::path& folder, std::uint64_t fingerprint,
-                                                     bool resume, const Pace& pace)
+Result<std::unique_ptr<SavedState>> SavedState::open(const std::filesystem::path& folder, std::uint64_t fingerprint)
 {
-    std::unique_ptr<SavedState> state(new SavedState(folder, fingerprint, resume, pace));
-    if (!resume)
-        return state;
+    std::unique_ptr<SavedState> state(new SavedState(folder, fingerprint));
     if (const Status found = state->find(); !found)
         return found.error();
     return state;
 }
 
-SavedState::SavedState(const std::filesystem::path& folder, std::uint64_t fingerprint, bool resume, const Pace& pace)
+SavedState::SavedState(const std::filesystem::path& folder, std::uint64_t fingerprint)
     : folder_(folder), path_(folder / "state"), journalPath_(folder / "journal"), fingerprint_(fingerprint),
-      resume_(resume), pace_(pace), next_(start_ + pace.shortest)
+      next_(start_ + shortest)
 {
 }
 
@@ -198,9 +167,9 @@ Status SavedState::find()
     Foot foot;
     std::uint64_t checksum = 0;
     const std::uint64_t size = sizeOf(file_), least = sizeof foot + sizeof checksum;
-    if (size < least || !readAt(file_, size - least, bytesOf(foot)) || foot.magic != stateMagic ||
-        !readAt(file_, size - sizeof checksum, bytesOf(checksum)) || !addTo(sum_, file_, 0, size - sizeof checksum) ||
-        sum_.value() != checksum)
+    if (size < least || readFully(file_, size - least, bytesOf(foot)) != 0 || foot.magic != stateMagic ||
+        readFully(file_, size - sizeof checksum, bytesOf(checksum)) != 0 ||
+        !addTo(sum_, file_, 0, size - sizeof checksum) || sum_.value() != checksum)
         return damaged();
     if (foot.fingerprint != fingerprint_)
         return Error{ErrorKind::WrongUsage,
@@ -209,7 +178,7 @@ Status SavedState::find()
                                   folder_.string())};
     end_ = foot.objectSize;
     extents_.resize(foot.extentCount);
-    if (!readAt(file_, end_, std::as_writable_bytes(std::span(extents_))))
+    if (readFully(file_, end_, std::as_writable_bytes(std::span(extents_))) != 0)
         return damaged();
     return checkJournal(foot);
 }
@@ -237,7 +206,7 @@ Status SavedState::endOfLoading(const StateArchive& archive)
 
 Status SavedState::readJournal(std::uint64_t offset, std::span<std::byte> bytes) const
 {
-    if (offset > journalSize_ || bytes.size() > journalSize_ - offset || !readAt(journal_, offset, bytes))
+    if (offset > journalSize_ || bytes.size() > journalSize_ - offset || readFully(journal_, offset, bytes) != 0)
         return damaged();
     return {};
 }
@@ -289,7 +258,7 @@ void SavedState::append(std::uint64_t stream, std::span<const std::byte> bytes)
         return;
     if (journal_ < 0)
         journal_ = ::open(journalPath_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (journal_ < 0 || !hasRoom(bytes.size()) || !writeAt(journal_, journalSize_, bytes))
+    if (journal_ < 0 || !hasRoom(bytes.size()) || writeFully(journal_, journalSize_, bytes) != 0)
         return giveUp();
     if (extents_.empty() || extents_.back().stream != stream)
         extents_.push_back({stream, journalSize_, 0});
@@ -305,7 +274,7 @@ bool SavedState::comesTooEarly(std::uint64_t bytes)
     constexpr double bytesAMillisecond = 1e6;
     if (std::exchange(putOff_, true))
         return false;
-    const auto wait = static_cast<std::int64_t>(pace_.share * static_cast<double>(bytes) / bytesAMillisecond);
+    const auto wait = static_cast<std::int64_t>(share * static_cast<double>(bytes) / bytesAMillisecond);
     next_ = std::max(next_, start_ + std::chrono::milliseconds(wait));
     return Clock::now() < next_;
 }
@@ -321,7 +290,7 @@ void SavedState::save(const std::function<void(StateArchive& archive)>& archiveO
     }
     writer_ = nullptr;
     const auto end = Clock::now();
-    next_ = std::max(next_, end + std::max<Clock::duration>(pace_.shortest, pace_.share * (end - begin)));
+    next_ = std::max(next_, end + std::max<Clock::duration>(shortest, share * (end - begin)));
 }
 
 bool SavedState::write(const std::function<void(StateArchive& archive)>& archiveObject, bool atOnce)

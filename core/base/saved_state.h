@@ -122,23 +122,10 @@ private:
 /// harm: then there is none. One thread.
 class SavedState {
 public:
-    /// How often: after `shortest`, but so rarely that it takes no more than one part in `share` of the time, the first
-    /// time as well.
-    struct Pace {
-        std::chrono::milliseconds shortest{200};
-        int share = 25;
-    };
-
-    /// In `folder`. `fingerprint` stands for all that the object depends on, the program's version included. `resume`:
-    /// there may be one to go on from, and this one is to stay if the build is cancelled. Errors: it is damaged
-    /// (BadInput), of another fingerprint (WrongUsage), or cannot be read. Reads all of it.
-    static Result<std::unique_ptr<SavedState>> open(const std::filesystem::path& folder, std::uint64_t fingerprint,
-                                                    bool resume, const Pace& pace);
-    static Result<std::unique_ptr<SavedState>> open(const std::filesystem::path& folder, std::uint64_t fingerprint,
-                                                    bool resume)
-    {
-        return open(folder, fingerprint, resume, Pace());
-    }
+    /// In `folder`, where there may be one to go on from. `fingerprint` stands for all that the object depends on, the
+    /// program's version included. Errors: it is damaged (BadInput), of another fingerprint (WrongUsage), or cannot be
+    /// read. Reads all of it.
+    static Result<std::unique_ptr<SavedState>> open(const std::filesystem::path& folder, std::uint64_t fingerprint);
     ~SavedState();
     SavedState(const SavedState&) = delete;
     SavedState& operator=(const SavedState&) = delete;
@@ -153,11 +140,11 @@ public:
         return endOfLoading(archive);
     }
 
-    /// To be called between the steps of the work: saves the object if it is time to, and what is cancelled and to be
-    /// gone on with.
+    /// To be called between the steps of the work: saves the object if it is time to, or the work is cancelled. That is
+    /// so rarely that it takes no more than one part in `share` of the time, the first time as well.
     template <class Object> void pause(Object& object, bool cancelled)
     {
-        if (!givenUp_ && (cancelled ? resume_ : Clock::now() >= next_))
+        if (!givenUp_ && (cancelled || Clock::now() >= next_))
             save([&object](StateArchive& archive) { object.archive(archive); }, cancelled);
     }
 
@@ -185,8 +172,10 @@ private:
         std::uint64_t journalChecksum = 0;
     };
     static constexpr std::uint64_t notes = ~std::uint64_t(0);
+    static constexpr std::chrono::milliseconds shortest{200}; ///< from one time to the next
+    static constexpr int share = 25;
 
-    SavedState(const std::filesystem::path& folder, std::uint64_t fingerprint, bool resume, const Pace& pace);
+    SavedState(const std::filesystem::path& folder, std::uint64_t fingerprint);
     Status find();
     Status checkJournal(const Foot& foot);
     void save(const std::function<void(StateArchive& archive)>& archiveObject, bool atOnce);
@@ -202,8 +191,6 @@ private:
 
     std::filesystem::path folder_, path_, journalPath_;
     std::uint64_t fingerprint_;
-    bool resume_;
-    Pace pace_;
     bool found_ = false;
     bool givenUp_ = false; ///< nothing is saved any more
     const Clock::time_point start_ = Clock::now();

@@ -11,7 +11,7 @@ Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const 
                                                std::string_view method, std::initializer_list<double> options,
                                                std::span<const float> weights)
 {
-    if (target.workFolder.empty())
+    if (target.workFolder.empty() || !target.resume)
         return std::unique_ptr<SavedState>();
     std::string text = "TAn " TAN_VERSION " state\n";
     const auto add = [&text](std::string_view part) { text.append(part) += '\n'; };
@@ -27,7 +27,7 @@ Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const 
         add(formatNumber(dataset.lattice.spacing[axis]));
     }
     add(std::to_string(checksum(std::as_bytes(weights))));
-    return SavedState::open(target.workFolder, checksum(std::as_bytes(std::span(text))), target.resume);
+    return SavedState::open(target.workFolder, checksum(std::as_bytes(std::span(text))));
 }
 
 } // namespace tetra

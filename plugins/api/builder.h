@@ -36,8 +36,7 @@ struct BuildSize {
 /// processor of 2021.
 struct BuildEstimate {
     std::uint64_t memoryBytes = 0; ///< at its peak, with the program and what it holds of the data
-    std::uint64_t diskBytes = 0;   ///< needed at its peak, work files and model together; not the state that a build
-                                   ///< saves where there is room for it
+    std::uint64_t diskBytes = 0;   ///< at its peak, work files and model together; not what `--resume` writes besides
     std::uint64_t modelBytes = 0;
     double seconds = 0;
 };

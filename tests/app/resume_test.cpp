@@ -100,7 +100,7 @@ private slots:
         QVERIFY(QFile::remove(folder_.filePath("model.tan")));
 
         const QString state = folder_.filePath("model.tan.work/state");
-        QVERIFY(killed(words, [&](QProcess& process) {
+        QVERIFY(killed(again, [&](QProcess& process) {
             QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(state) || process.state() == QProcess::NotRunning, 60'000);
         }));
         QVERIFY2(QFile::exists(state), "the build was over before anything of it was kept");

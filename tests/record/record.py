@@ -179,8 +179,7 @@ class Failure(Exception):
 
 
 class Peak:
-    """The most disk that a folder takes while a program runs, looked at every 20 ms; and then the program's most memory. What a
-    build saves to be gone on with does not count: how often it does depends on the time, and on the room that there is."""
+    """The most disk that a folder takes while a program runs, looked at every 20 ms; and then the program's most memory."""
 
     def __init__(self, folder):
         self.folder, self.disk, self.ended = folder, 0, threading.Event()
@@ -188,8 +187,6 @@ class Peak:
     def used(self):
         total = 0
         for path in self.folder.rglob("*"):
-            if path.parent.suffix == ".work" and re.fullmatch(r"state|journal|\.state\..*\.partial", path.name):
-                continue
             try:
                 total += path.stat().st_blocks * 512 if path.is_file() else 0
             except OSError:

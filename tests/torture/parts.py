@@ -80,7 +80,9 @@ def kill(bench, folder, chance, number):
     overwrites = chance.random() < 0.7
     if overwrites:
         (folder / target).write_bytes(old)
-    process = bench.start(bench.command(arguments), folder)
+    resumes = query is None and chance.random() < 0.5
+    words = [*arguments, "--resume"] if resumes else arguments
+    process = bench.start(bench.command(words), folder)
     time.sleep(chance.random() * seconds)
     os.killpg(process.pid, signal.SIGKILL)
     process.communicate()
@@ -88,8 +90,7 @@ def kill(bench, folder, chance, number):
     failures = []
     if found not in ((old, whole) if overwrites else (None, whole)):
         failures.append("after the kill %s holds neither the old nor the new" % target)
-    resumes = query is None and chance.random() < 0.5
-    again = bench.run([*arguments, "--resume"] if resumes else arguments, folder)
+    again = bench.run(words, folder)
     failures += unexpected(again, (DONE,))
     if not failures and (folder / target).read_bytes() != whole:
         failures.append("%s after the kill is not what it is without one" % target)

@@ -235,7 +235,8 @@ struct BuildTarget {
     /// A folder on the model's disk for files of the builder's own, for as long as the build lasts. Empty if
     /// `ofFixedSize` is.
     std::filesystem::path workFolder{};
-    /// The folder may hold what an interrupted build left: go on with that as far as it fits.
+    /// The folder may hold what an interrupted build left: go on with that as far as it fits, and keep there what this
+    /// one has done. Without it only builds in blocks leave something.
     bool resume = false;
     /// For builders that hand over nothing before their end, so that they can be watched (B8): if there is one, it is
     /// called now and then, by the building thread, with a function that hands the mesh as it is now to a sink, as a
