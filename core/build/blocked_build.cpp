@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/build/blocked_build.h"
 
-#include "core/base/checksum.h"
 #include "core/base/folder.h"
 #include "core/base/work_folder.h"
+#include "core/build/build_state.h"
 #include "core/build/disk_need.h"
 #include "core/history/blocks/merged_model.h"
 
@@ -180,23 +180,12 @@ std::unique_ptr<RunFiles> BuildInBlocks::runsOf(const std::filesystem::path& fol
     return std::make_unique<RunFiles>(folder, fingerprint(stopKey), options_.division.count());
 }
 
-/// Stands for all that a run depends on, so that one of another build is not taken for one of this.
 std::uint64_t BuildInBlocks::fingerprint(double stopKey) const
 {
-    std::string text = "TAn " TAN_VERSION " runs\n";
-    const auto add = [&text](const std::string& value) { text += value + '\n'; };
-    add(std::to_string(dataset_.source.hash));
-    add(std::string(domainClassName(dataset_.domain)));
-    add(std::string(sampleTypeName(dataset_.values.type())));
-    for (const std::uint32_t size : dataset_.lattice.size)
-        add(std::to_string(size));
-    for (const double number : {stopKey, build_.warpingWeight, build_.valueExtent, build_.diagonal})
-        add(formatNumber(number));
-    for (const double number : build_.others)
-        add(formatNumber(number));
-    add(std::to_string(build_.cells));
-    add(std::to_string(checksum(std::as_bytes(build_.weights))));
-    return checksum(std::as_bytes(std::span(text)));
+    std::vector<double> numbers{stopKey, build_.warpingWeight, build_.valueExtent, build_.diagonal,
+                                double(build_.cells)};
+    numbers.insert(numbers.end(), build_.others.begin(), build_.others.end());
+    return buildFingerprint("runs", dataset_, numbers, build_.weights);
 }
 
 } // namespace

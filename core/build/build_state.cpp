@@ -7,17 +7,14 @@
 
 namespace tetra {
 
-Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const Dataset& dataset,
-                                               std::string_view method, std::initializer_list<double> options,
-                                               std::span<const float> weights)
+std::uint64_t buildFingerprint(std::string_view files, const Dataset& dataset, std::span<const double> numbers,
+                               std::span<const float> weights)
 {
-    if (target.workFolder.empty() || !target.resume)
-        return std::unique_ptr<SavedState>();
-    std::string text = "TAn " TAN_VERSION " state\n";
+    std::string text = "TAn " TAN_VERSION "\n";
     const auto add = [&text](std::string_view part) { text.append(part) += '\n'; };
-    add(method);
-    for (const double option : options)
-        add(formatNumber(option));
+    add(files);
+    for (const double number : numbers)
+        add(formatNumber(number));
     add(std::to_string(dataset.source.hash));
     add(domainClassName(dataset.domain));
     add(sampleTypeName(dataset.values.type()));
@@ -27,7 +24,16 @@ Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const 
         add(formatNumber(dataset.lattice.spacing[axis]));
     }
     add(std::to_string(checksum(std::as_bytes(weights))));
-    return SavedState::open(target.workFolder, checksum(std::as_bytes(std::span(text))));
+    return checksum(std::as_bytes(std::span(text)));
+}
+
+Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const Dataset& dataset,
+                                               std::string_view method, std::span<const double> numbers,
+                                               std::span<const float> weights)
+{
+    if (target.workFolder.empty() || !target.resume)
+        return std::unique_ptr<SavedState>();
+    return SavedState::open(target.workFolder, buildFingerprint(method, dataset, numbers, weights));
 }
 
 } // namespace tetra

@@ -5,18 +5,23 @@
 
 #include <tan/build.h>
 
-#include <initializer_list>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
 
 namespace tetra {
 
+/// Stands for all that the files of an unfinished build depend on, so that those of another build, or of another
+/// version of TAn, are not taken for this one's: what the files are, the dataset, the numbers that the builder goes by,
+/// and the weights, none or one a point.
+std::uint64_t buildFingerprint(std::string_view files, const Dataset& dataset, std::span<const double> numbers,
+                               std::span<const float> weights);
+
 /// What a build that is not in blocks keeps in the target's work folder, and goes on with; null unless it is to be
-/// resumed, as keeping it takes time and room. `method`, `options` and `weights`, none or one a point, are all that it
-/// depends on besides the dataset. Errors: as SavedState::open().
+/// resumed, as keeping it takes time and room. The rest as of buildFingerprint(). Errors: as SavedState::open().
 Result<std::unique_ptr<SavedState>> buildState(const BuildTarget& target, const Dataset& dataset,
-                                               std::string_view method, std::initializer_list<double> options,
+                                               std::string_view method, std::span<const double> numbers,
                                                std::span<const float> weights);
 
 } // namespace tetra

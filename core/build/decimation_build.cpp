@@ -288,8 +288,8 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     options.preview = target.preview;
     options.keepWhenCancelled = target.keepWhenCancelled;
     const auto state = buildState(target, dataset, "decimation",
-                                  {double(options.order), double(decimation.orderedBy), options.warpingWeight,
-                                   options.stopKey, double(options.twoSided), decimation.finest},
+                                  std::array{double(options.order), double(decimation.orderedBy), options.warpingWeight,
+                                             options.stopKey, double(options.twoSided), decimation.finest},
                                   input->weights());
     if (!state)
         return state.error();

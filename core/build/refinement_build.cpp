@@ -13,6 +13,7 @@
 #include "core/refine/lattice/lattice_refinement.h"
 #include "core/refine/lattice/packed_lattice.h"
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -34,7 +35,7 @@ Result<BuildReport> refineAsWhole(const Dataset& dataset, double stopError, std:
     options.spacing = dataset.lattice.spacing;
     options.valueExtent = dataset.values.range().extent();
     options.stopError = stopError;
-    const auto state = buildState(target, dataset, "refinement", {stopError}, weights);
+    const auto state = buildState(target, dataset, "refinement", std::array{stopError}, weights);
     if (!state)
         return state.error();
     options.state = state->get();
@@ -208,7 +209,8 @@ Result<BuildReport> buildCurvilinear(const Dataset& dataset, const Refinement& r
     options.selection = refinement.paperSelection ? CurvilinearSelection::Paper : CurvilinearSelection::Normalised;
     const auto state = buildState(
         target, dataset, "refinement",
-        {options.warpingWeight, options.stopKey, double(options.inSpace), double(options.selection)}, weights->all());
+        std::array{options.warpingWeight, options.stopKey, double(options.inSpace), double(options.selection)},
+        weights->all());
     if (!state)
         return state.error();
     options.state = state->get();
@@ -239,7 +241,7 @@ Result<BuildReport> buildScattered(const Dataset& dataset, const Refinement& ref
                              point, dataset.source.name)};
     }
     const double stopError = refinement.error / 100 * dataset.values.range().extent();
-    const auto state = buildState(target, dataset, "refinement", {stopError}, *weights);
+    const auto state = buildState(target, dataset, "refinement", std::array{stopError}, *weights);
     if (!state)
         return state.error();
     const Result<ScatteredRefinementResult> result =
