@@ -3,6 +3,7 @@
 
 #include "app/command_line/query_options.h"
 #include "app/command_line/table.h"
+#include "core/history/query/query_words.h"
 #include "core/verify/verify_mesh.h"
 
 #include <utility>
@@ -55,7 +56,7 @@ QJsonObject figuresOf(const Model& model, const MeshQuery& query, const Extracte
             {"error", kept.error},
             {"warping", warps ? kept.warping : 0},
             {"scale", mesh.scale},
-            {"method", QString::fromStdString(std::string(methodName(mesh.method)))},
+            {"method", wordOf(methodWords, mesh.method)},
             {"kept_sites", static_cast<qint64>(mesh.keptSites)},
             {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
             {"whole_sites", static_cast<qint64>(mesh.wholeSites)},

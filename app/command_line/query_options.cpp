@@ -3,6 +3,7 @@
 
 #include "app/command_line/focus_option.h"
 #include "app/command_line/option_values.h"
+#include "core/history/query/query_words.h"
 
 #include <tan/query.h>
 
@@ -14,28 +15,18 @@
 namespace tetra {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, VariableMethod>, 3> methods = {
-    {{"automatic", VariableMethod::Automatic},
-     {"closed-set", VariableMethod::ClosedSet},
-     {"insertion", VariableMethod::Insertion}}};
-constexpr std::array<std::pair<std::string_view, WindowBorder>, 3> borders = {
-    {{"intersecting", WindowBorder::Intersecting},
-     {"contained", WindowBorder::Contained},
-     {"clipped", WindowBorder::Clipped}}};
-
 /// The choice that an option names, or the first one.
-template <class Choices> Result<typename Choices::value_type::second_type>
-chosen(const Arguments& arguments, std::string_view option, const Choices& choices)
+template <class Choice, std::size_t count>
+Result<Choice> chosen(const Arguments& arguments, std::string_view option, const std::array<const char*, count>& words)
 {
     const auto given = arguments.value(option);
     if (!given)
-        return choices.front().second;
-    const auto found = std::ranges::find(choices, *given, &Choices::value_type::first);
-    if (found != choices.end())
-        return found->second;
+        return Choice();
+    if (const auto choice = choiceOf<Choice>(words, *given))
+        return *choice;
     std::string names;
-    for (const auto& [name, choice] : choices)
-        names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const char* word : words)
+        names += (names.empty() ? "" : ", ") + std::string(word);
     return Error{ErrorKind::WrongUsage,
                  "'" + *given + "' does not fit '--" + std::string(option) + "': it takes one of " + names + "."};
 }
@@ -213,7 +204,7 @@ Result<std::optional<Window>> windowOf(const Arguments& arguments)
     const auto box = parseBox("window", *given);
     if (!box)
         return box.error();
-    const auto border = chosen(arguments, "border", borders);
+    const auto border = chosen<WindowBorder>(arguments, "border", borderWords);
     if (!border)
         return border.error();
     return std::optional(Window{*box, *border});
@@ -278,7 +269,7 @@ Result<MeshQuery> queryOf(const Arguments& arguments, const PresentView& present
     if (!window)
         return window.error();
     query.window = *window;
-    const auto method = chosen(arguments, "method", methods);
+    const auto method = chosen<VariableMethod>(arguments, "method", methodWords);
     if (!method)
         return method.error();
     query.method = *method;
@@ -286,11 +277,6 @@ Result<MeshQuery> queryOf(const Arguments& arguments, const PresentView& present
         return Error{ErrorKind::WrongUsage, "'--method' is for meshes whose accuracy varies: say where with '--focus' "
                                             "or '--field', or give '--error' and '--warping' limits of their own."};
     return query;
-}
-
-std::string_view methodName(VariableMethod method)
-{
-    return std::ranges::find(methods, method, &std::pair<std::string_view, VariableMethod>::second)->first;
 }
 
 } // namespace tetra

@@ -27,7 +27,4 @@ Result<MeshQuery> queryOf(const Arguments& arguments, const PresentView& present
 /// For queries to be checked before there is a picture: something of everything.
 PresentView anyView();
 
-/// As --method takes it: "closed-set".
-std::string_view methodName(VariableMethod method);
-
 } // namespace tetra

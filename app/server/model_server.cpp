@@ -7,6 +7,7 @@
 #include "app/command_line/query_options.h"
 #include "core/base/checksum.h"
 #include "core/history/format.h"
+#include "core/history/query/query_words.h"
 #include "core/opening/served_model.h"
 #include "core/packed/packed_mesh.h"
 
@@ -202,7 +203,7 @@ std::string factsText(const ServedFile& file, const Model& model, const MeshQuer
                              {"kept_sites", static_cast<qint64>(mesh.keptSites)},
                              {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
                              {"scale", mesh.scale},
-                             {"method", QString::fromStdString(std::string(methodName(mesh.method)))}};
+                             {"method", wordOf(methodWords, mesh.method)}};
     return QJsonDocument(QJsonObject{{"figures", figuresOf(model, query, mesh)},
                                      {"facts", facts},
                                      {"mesh", ofMesh},

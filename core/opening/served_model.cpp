@@ -2,6 +2,7 @@
 #include "core/opening/served_model.h"
 
 #include "core/base/json.h"
+#include "core/history/query/query_words.h"
 #include "core/packed/packed_mesh.h"
 #include "core/remote/fetch.h"
 #include "core/remote/remote_file.h"
@@ -30,18 +31,6 @@ constexpr std::uint64_t mostFoundTetrahedra = std::uint64_t(1) << 30;
 constexpr std::uint64_t mostToldBytes = 4 << 20;
 constexpr std::uint64_t mostAboutBytes = 64 << 10;
 constexpr std::size_t longestQuestion = 7'000; ///< of the 8,192 bytes that a server takes for an address
-
-constexpr std::array<std::pair<std::string_view, VariableMethod>, 3> methodNames = {
-    {{"automatic", VariableMethod::Automatic},
-     {"closed-set", VariableMethod::ClosedSet},
-     {"insertion", VariableMethod::Insertion}}};
-
-constexpr std::string_view borderName(WindowBorder border)
-{
-    return border == WindowBorder::Contained ? "contained"
-           : border == WindowBorder::Clipped ? "clipped"
-                                             : "intersecting";
-}
 
 /// Puts a question together.
 class Question {
@@ -117,8 +106,7 @@ void addFields(const MeshQuery& query, bool warps, Question& question)
     if (query.budget)
         question.add("budget", std::to_string(*query.budget));
     if (query.method != VariableMethod::Automatic && (!error || (isApart && warping)))
-        question.add("method",
-                     std::ranges::find(methodNames, query.method, &decltype(methodNames)::value_type::second)->first);
+        question.add("method", wordOf(methodWords, query.method));
 }
 
 std::string_view textIn(const FetchedAnswer& answer)
@@ -229,16 +217,16 @@ bool takeFigures(const JsonValue& told, ExtractedMesh& mesh)
     if (!wholeSites || !wholeTetrahedra || !keptSites || !keptTetrahedra || !scale || !(*scale >= 1) ||
         method == nullptr || method->string() == nullptr || overlaps == nullptr)
         return false;
-    const auto known = std::ranges::find(methodNames, *method->string(), &decltype(methodNames)::value_type::first);
+    const auto known = choiceOf<VariableMethod>(methodWords, *method->string());
     const bool* const isOver = std::get_if<bool>(&overlaps->content);
-    if (known == methodNames.end() || isOver == nullptr)
+    if (!known || isOver == nullptr)
         return false;
     mesh.wholeSites = *wholeSites;
     mesh.wholeTetrahedra = *wholeTetrahedra;
     mesh.keptSites = *keptSites;
     mesh.keptTetrahedra = *keptTetrahedra;
     mesh.scale = *scale;
-    mesh.method = known->second;
+    mesh.method = *known;
     mesh.overlaps = *isOver;
     return true;
 }
@@ -265,7 +253,7 @@ Result<std::string> meshQuestion(const MeshQuery& query, bool warps)
     if (query.window) {
         const Eigen::Vector3d &least = query.window->box.least, &largest = query.window->box.largest;
         question.add("window", {least.x(), least.y(), least.z(), largest.x(), largest.y(), largest.z()});
-        question.add("border", borderName(query.window->border));
+        question.add("border", wordOf(borderWords, query.window->border));
     }
     if (question.text().size() > longestQuestion)
         return Error{ErrorKind::WrongUsage,

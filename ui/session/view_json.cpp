@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/view_json.h"
 
+#include "core/history/query/query_words.h"
 #include <tan/render.h>
 #include <tan/transfer.h>
 
@@ -15,15 +16,8 @@ namespace {
 
 constexpr std::array shapeNames = {"none", "box", "sphere", "view", "isovalues", "opacity"};
 constexpr std::array warpingNames = {"asError", "own", "none"};
-constexpr std::array borderNames = {"intersecting", "contained", "clipped"};
 constexpr std::array filmNames = {"turntable", "keyFrames"};
 constexpr std::array axisNames = {"vertical", "horizontal"};
-
-template <class Enumeration, std::size_t Count>
-const char* nameOf(const std::array<const char*, Count>& names, Enumeration value)
-{
-    return names[static_cast<std::size_t>(value)];
-}
 
 QJsonArray three(const Eigen::Vector3d& vector)
 {
@@ -108,10 +102,10 @@ QJsonObject toJson(const QueryState& query)
     return {
         {"error", query.error},
         {"warping",
-         QJsonObject{{"limit", nameOf(warpingNames, query.warping.limit)}, {"percent", query.warping.percent}}},
+         QJsonObject{{"limit", wordOf(warpingNames, query.warping.limit)}, {"percent", query.warping.percent}}},
         {"byBudget", query.byBudget},
         {"budget", static_cast<qint64>(query.budget)},
-        {"focus", QJsonObject{{"shape", nameOf(shapeNames, focus.shape)},
+        {"focus", QJsonObject{{"shape", wordOf(shapeNames, focus.shape)},
                               {"centre", three(focus.centre)},
                               {"size", three(focus.size)},
                               {"radius", focus.radius},
@@ -125,7 +119,7 @@ QJsonObject toJson(const QueryState& query)
         {"window", QJsonObject{{"on", query.window.enabled},
                                {"least", three(window.box.least)},
                                {"largest", three(window.box.largest)},
-                               {"border", nameOf(borderNames, window.border)}}},
+                               {"border", wordOf(borderWords, window.border)}}},
         {"values",
          QJsonObject{{"on", query.values.enabled}, {"least", query.values.least}, {"largest", query.values.largest}}}};
 }
@@ -156,7 +150,7 @@ void readQuery(const JsonFields& fields, QueryState& query)
     window.read("on", query.window.enabled);
     window.readThree("least", query.window.window.box.least);
     window.readThree("largest", query.window.window.box.largest);
-    readName(window, "border", borderNames, query.window.window.border);
+    readName(window, "border", borderWords, query.window.window.border);
     const JsonFields values = fields.fields("values");
     values.read("on", query.values.enabled);
     values.read("least", query.values.least);
@@ -309,7 +303,7 @@ QJsonObject toJson(const AnnotationState& annotations)
     QJsonObject object;
     for (std::size_t i = 0; i < annotationCount; ++i)
         object[annotationNames[i]] = QJsonObject{{"shown", annotations.places[i].shown},
-                                                 {"corner", nameOf(cornerNames, annotations.places[i].corner)}};
+                                                 {"corner", wordOf(cornerNames, annotations.places[i].corner)}};
     return object;
 }
 
@@ -324,7 +318,7 @@ void readAnnotations(const JsonFields& fields, AnnotationState& annotations)
 
 QJsonObject toJson(const LensState& lens)
 {
-    return {{"shape", nameOf(lensShapeNames, lens.shape)}, {"x", lens.x},        {"y", lens.y}, {"radius", lens.radius},
+    return {{"shape", wordOf(lensShapeNames, lens.shape)}, {"x", lens.x},        {"y", lens.y}, {"radius", lens.radius},
             {"magnification", lens.magnification},         {"error", lens.error}};
 }
 
@@ -367,9 +361,9 @@ QJsonObject toJson(const Animation& animation)
     QJsonArray keys;
     for (const KeyFrame& key : animation.keys)
         keys.append(toJson(key));
-    return {{"kind", nameOf(filmNames, animation.kind)},
+    return {{"kind", wordOf(filmNames, animation.kind)},
             {"framesPerSecond", animation.framesPerSecond},
-            {"turntable", QJsonObject{{"axis", nameOf(axisNames, animation.turntable.axis)},
+            {"turntable", QJsonObject{{"axis", wordOf(axisNames, animation.turntable.axis)},
                                       {"degrees", animation.turntable.degrees},
                                       {"frames", animation.turntable.frames}}},
             {"keys", keys}};
