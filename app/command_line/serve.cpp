@@ -9,6 +9,8 @@
 
 #include <mutex>
 
+#include <malloc.h>
+
 namespace tetra {
 namespace {
 
@@ -21,6 +23,16 @@ std::string logLine(const HttpRecord& record)
            record.request + "\" " + std::to_string(record.status) + " " + std::to_string(record.bytes) + " bytes " +
            QString::number(record.time.count(), 'f', 3).toStdString() + " s" +
            (record.note.empty() ? "" : ", " + record.note) + "\n";
+}
+
+/// Lets the C library give memory that is freed back to the system. Otherwise large arrays that are freed teach it to
+/// keep up to 64 MB at the end of the share of the heap of each thread that ever worked, which is also what
+/// malloc_trim() leaves there.
+void keepNoFreedMemory()
+{
+    constexpr int mostAtTheEnd = 128 << 10, leastMapped = 512 << 10;
+    ::mallopt(M_TRIM_THRESHOLD, mostAtTheEnd);
+    ::mallopt(M_MMAP_THRESHOLD, leastMapped);
 }
 
 } // namespace
@@ -92,6 +104,7 @@ Result<Outcome> runServe(const Invocation& invocation)
     if (!folder)
         return folder.error();
 
+    keepNoFreedMemory();
     ModelServer models(std::move(*folder), token, limits);
     std::mutex mutex; // of what follows
     std::uint64_t requests = 0, bytes = 0;

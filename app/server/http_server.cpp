@@ -74,7 +74,8 @@ struct Connection {
     std::string peer{};
     std::string received{}; ///< not yet answered
     std::uint64_t sent = 0;
-    std::optional<std::stop_source> answering{}; ///< while an answer is worked on
+    std::optional<std::stop_source> answering{};  ///< while an answer is worked on
+    std::optional<Clock::time_point> idleSince{}; ///< between an answer and the next request
     HttpRecord record{};
 };
 
@@ -359,7 +360,7 @@ public:
             return workers.release(); // the library owns it
         };
         set_keep_alive_max_count(static_cast<std::size_t>(limits_.requestsOfConnection));
-        set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(limits_.idleTime).count());
+        set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(limits_.keptTime).count());
         set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
             answer(request, response);
             return HandlerResponse::Handled;
@@ -469,13 +470,16 @@ private:
     bool process_and_close_socket(socket_t socket) override
     {
         Connection connection{.socket = socket};
-        bool full = false;
+        bool full = false, stops = false;
         std::uint64_t number = 0;
         {
             const std::lock_guard lock(mutex_);
-            full = connections_.size() >= static_cast<std::size_t>(limits_.connections);
+            full = countBusy() >= static_cast<std::size_t>(limits_.connections);
+            while (!full && connections_.size() >= static_cast<std::size_t>(limits_.connections))
+                endLongestIdle();
             number = ++lastNumber_;
-            if (!full && !stopping_)
+            stops = stopping_;
+            if (!full && !stops)
                 connections_.emplace(number, &connection);
         }
         try {
@@ -484,7 +488,7 @@ private:
             connection.peer = peerOf(socket);
             if (full)
                 refuse(connection, 503, "", Clock::now());
-            else
+            else if (!stops)
                 converse(connection, number);
         } catch (const std::exception&) {
             // Not enough memory for a request: its connection ends, the others go on.
@@ -505,7 +509,7 @@ private:
             Clock::time_point begun;
             std::string head;
             int refused = 0;
-            if (!receiveHead(connection, head, refused, begun))
+            if (!receiveHead(connection, number, head, refused, begun))
                 return;
             CheckedHead checked{.refused = refused};
             if (refused == 0)
@@ -524,20 +528,47 @@ private:
             tell(connection, begun, done ? "" : "unfinished");
             if (!done || closes || isFull())
                 return;
+            if (connection.received.empty())
+                setIdle(connection, number, true);
         }
     }
 
+    /// Whether no connection can be kept for a next request.
     bool isFull()
     {
         const std::lock_guard lock(mutex_);
-        return stopping_ || connections_.size() >= static_cast<std::size_t>(limits_.connections);
+        return stopping_ || countBusy() >= static_cast<std::size_t>(limits_.connections);
+    }
+    /// With mutex_ held, as the next one.
+    std::size_t countBusy() const
+    {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(connections_, [](const auto& entry) { return !entry.second->idleSince; }));
+    }
+
+    /// There is an idle one. Its thread finds it at its end, and goes.
+    void endLongestIdle()
+    {
+        const auto since = [](const auto& entry) { return entry.second->idleSince.value_or(Clock::time_point::max()); };
+        const auto longest = std::ranges::min_element(connections_, {}, since);
+        ::shutdown(longest->second->socket, SHUT_RDWR);
+        connections_.erase(longest);
+    }
+
+    /// While it is idle another connection may take its place. False if one has.
+    bool setIdle(Connection& connection, std::uint64_t number, bool isIdle)
+    {
+        const std::lock_guard lock(mutex_);
+        connection.idleSince = isIdle ? std::optional(Clock::now()) : std::nullopt;
+        return connections_.contains(number);
     }
 
     /// The next head. False if the connection ends without one.
-    bool receiveHead(Connection& connection, std::string& head, int& refused, Clock::time_point& begun) const
+    bool receiveHead(Connection& connection, std::uint64_t number, std::string& head, int& refused,
+                     Clock::time_point& begun)
     {
         begun = Clock::now();
-        auto until = begun + limits_.idleTime;
+        auto until = begun + (connection.idleSince ? limits_.keptTime : limits_.idleTime);
         bool waiting = connection.received.empty();
         if (!waiting)
             until = begun + limits_.headTime;
@@ -568,6 +599,8 @@ private:
                 continue;
             connection.received.append(piece.data(), static_cast<std::size_t>(count));
             if (std::exchange(waiting, false)) {
+                if (!setIdle(connection, number, false))
+                    return false;
                 begun = Clock::now();
                 until = begun + limits_.headTime;
             }

@@ -22,7 +22,8 @@ struct HttpLimits {
     std::size_t headBytes = 16384; ///< of a request: its line and headers
     std::size_t headers = 64;
     std::chrono::milliseconds headTime{5000};  ///< for a request to come, from its first byte on
-    std::chrono::milliseconds idleTime{5000};  ///< for a connection to bring its next request
+    std::chrono::milliseconds idleTime{5000};  ///< for a connection to bring its first request
+    std::chrono::milliseconds keptTime{60000}; ///< to bring the next one, if no other connection wants its place
     std::chrono::milliseconds sendTime{10000}; ///< for a piece of an answer (64 KiB) to be taken
     int connections = 32;                      ///< at once; more are told to come again
     int requestsOfConnection = 1000;

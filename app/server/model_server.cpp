@@ -22,7 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <thread>
+#include <future>
 
 #include <malloc.h>
 
@@ -212,27 +212,6 @@ std::string factsText(const ServedFile& file, const Model& model, const MeshQuer
         .toJson(QJsonDocument::Compact)
         .toStdString();
 }
-
-/// Stops work when its time is over.
-class TimeLimit {
-public:
-    explicit TimeLimit(std::chrono::milliseconds time)
-        : thread_([this, time](const std::stop_token& ended) {
-              std::mutex mutex;
-              std::unique_lock lock(mutex);
-              std::condition_variable_any sleeper;
-              sleeper.wait_for(lock, ended, time, [&] { return ended.stop_requested(); });
-              if (!ended.stop_requested())
-                  over_.request_stop();
-          })
-    {
-    }
-    std::stop_token over() const { return over_.get_token(); }
-
-private:
-    std::stop_source over_;
-    std::jthread thread_;
-};
 
 } // namespace
 
@@ -455,13 +434,18 @@ ServedAnswer ModelServer::inTurn(const ServedRequest& request,
         busy.headers.emplace_back("Retry-After", "2");
         return busy;
     }
-    const TimeLimit limit(limits_.time);
-    const auto answer = work(Progress(request.gone, {}).alsoCancelledBy(limit.over()));
+    // In a thread that ends with it, so that the next one takes over its stack and its share of the heap: the threads
+    // of all connections would each keep theirs.
+    std::stop_source over;
+    auto worked = std::async(std::launch::async, work, Progress(request.gone, {}).alsoCancelledBy(over.get_token()));
+    if (worked.wait_for(limits_.time) != std::future_status::ready)
+        over.request_stop();
+    const auto answer = worked.get();
     if (answer)
         return *answer;
     if (answer.error().kind != ErrorKind::Cancelled)
         return refusal(answer.error());
-    return errorAnswer(504, limit.over().stop_requested()
+    return errorAnswer(504, over.stop_requested()
                                 ? "This mesh takes longer than the server may work on one. Ask for a larger error."
                                 : "Nobody waits for this mesh any more.");
 }

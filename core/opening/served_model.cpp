@@ -154,9 +154,9 @@ Error saysNonsense(const std::string& address)
 
 /// An answer in JSON.
 Result<JsonValue> askedFor(const std::string& address, std::string_view question, const std::string& token,
-                           std::uint64_t mostBytes, const Progress& progress)
+                           std::uint64_t mostBytes, ServerConnection& connection, const Progress& progress)
 {
-    const auto answer = fetchOnce(address + "?" + std::string(question), token, mostBytes, progress);
+    const auto answer = connection.fetch(address + "?" + std::string(question), token, mostBytes, progress);
     if (!answer)
         return answer.error();
     if (answer->status != 200 || answer->contentType != "application/json")
@@ -312,16 +312,18 @@ Result<ServerOffer> askServer(const std::string& address, const std::string& tok
                        .sites = *sites};
 }
 
-ServedModel::ServedModel(std::string address, std::string token, std::string tag, bool warps, WholeSizes sizes)
+ServedModel::ServedModel(std::string address, std::string token, std::string tag, bool warps, WholeSizes sizes,
+                         std::unique_ptr<ServerConnection> connection)
     : WholeElsewhere(std::move(sizes)), address_(std::move(address)), token_(std::move(token)), tag_(std::move(tag)),
-      warps_(warps)
+      warps_(warps), connection_(std::move(connection))
 {
 }
 
 Result<std::shared_ptr<const ServedModel>> ServedModel::ask(const std::string& address, const std::string& token,
                                                             const Progress& progress)
 {
-    const auto told = askedFor(address, sizesQuestion, token, mostToldBytes, progress);
+    auto connection = std::make_unique<ServerConnection>();
+    const auto told = askedFor(address, sizesQuestion, token, mostToldBytes, *connection, progress);
     if (!told)
         return told.error();
     auto sizes = sizesIn(*told);
@@ -330,7 +332,8 @@ Result<std::shared_ptr<const ServedModel>> ServedModel::ask(const std::string& a
     const bool* const isWarping = warps != nullptr ? std::get_if<bool>(&warps->content) : nullptr;
     if (!sizes || tag == nullptr || tag->string() == nullptr || isWarping == nullptr)
         return saysNonsense(address);
-    return std::make_shared<const ServedModel>(address, token, *tag->string(), *isWarping, *std::move(sizes));
+    return std::make_shared<const ServedModel>(address, token, *tag->string(), *isWarping, *std::move(sizes),
+                                               std::move(connection));
 }
 
 Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuery& query,
@@ -341,7 +344,7 @@ Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuer
     if (!question)
         return question.error();
     const auto answer =
-        fetchOnce(address_ + "?empty=yes&" + *question, token_, mostFoundBytes, progress.part(0, fetchedAt));
+        connection_->fetch(address_ + "?empty=yes&" + *question, token_, mostFoundBytes, progress.part(0, fetchedAt));
     if (!answer)
         return answer.error();
     if (answer->status != 200 || answer->contentType != "application/vnd.tan.mesh")

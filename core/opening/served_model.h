@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/history/whole_elsewhere.h"
+#include "core/remote/fetch.h"
 
 #include <tan/base.h>
 #include <tan/model.h>
@@ -44,7 +45,7 @@ struct ServerOffer {
 TAN_INTERNAL Result<ServerOffer> askServer(const std::string& address, const std::string& token,
                                            const Progress& progress = {});
 
-/// A model at `tan serve`, which finds its meshes.
+/// A model at `tan serve`, which finds its meshes; all questions go over one connection.
 class TAN_INTERNAL ServedModel final : public WholeElsewhere {
 public:
     /// Asks for its sizes, for which the server opens it. Errors: those of fetchOnce(); what the server says.
@@ -56,13 +57,15 @@ public:
                                                          const Progress& progress) const override;
 
     /// As it was told.
-    ServedModel(std::string address, std::string token, std::string tag, bool warps, WholeSizes sizes);
+    ServedModel(std::string address, std::string token, std::string tag, bool warps, WholeSizes sizes,
+                std::unique_ptr<ServerConnection> connection);
 
 private:
     std::string address_;
     std::string token_;
     std::string tag_; ///< of the file's state
     bool warps_;
+    std::unique_ptr<ServerConnection> connection_;
 };
 
 /// Whether an error says that a server wants a token, or another one.

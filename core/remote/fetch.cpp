@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -65,23 +66,17 @@ int tellFetching(void* user, curl_off_t expected, curl_off_t now, curl_off_t, cu
     return fetching.progress.cancelled() ? 1 : 0;
 }
 
-Result<FetchedAnswer> fetched(const std::string& address, const std::string& token, std::uint64_t mostBytes,
+/// `curl`: set for the address.
+Result<FetchedAnswer> fetched(CURL* curl, const std::string& shown, const std::string& token, std::uint64_t mostBytes,
                               const Progress& progress)
 {
-    const std::string shown = shownAddress(address);
-    if (!isRemoteAddress(address))
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' is no address of a server. Write it as http://HOST:PORT/NAME.tan.", shown)};
-    const std::unique_ptr<CURL, decltype(&::curl_easy_cleanup)> handle(newCurlHandle(address, mostForConnectingOnce),
-                                                                       &::curl_easy_cleanup);
     std::unique_ptr<curl_slist, decltype(&::curl_slist_free_all)> headers(nullptr, &::curl_slist_free_all);
     if (!token.empty())
         headers.reset(::curl_slist_append(nullptr, ("Authorization: Bearer " + token).c_str()));
-    if (!handle || (!token.empty() && !headers))
+    if (!token.empty() && !headers)
         throw std::bad_alloc();
     Fetching fetching{progress, mostBytes};
     std::array<char, CURL_ERROR_SIZE> detail{};
-    CURL* const curl = handle.get();
     ::curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
     ::curl_easy_setopt(curl, CURLOPT_TCP_KEEPALIVE, 1L);
     ::curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, detail.data());
@@ -93,6 +88,7 @@ Result<FetchedAnswer> fetched(const std::string& address, const std::string& tok
     ::curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, &tellFetching);
     ::curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &fetching);
     const CURLcode code = ::curl_easy_perform(curl);
+    ::curl_easy_reset(curl); // it points to what ends here
     if (fetching.lacksMemory || code == CURLE_OUT_OF_MEMORY)
         throw std::bad_alloc();
     if (fetching.tooLarge)
@@ -109,11 +105,37 @@ Result<FetchedAnswer> fetched(const std::string& address, const std::string& tok
 
 } // namespace
 
+Result<FetchedAnswer> ServerConnection::fetch(const std::string& address, const std::string& token,
+                                              std::uint64_t mostBytes, const Progress& progress)
+{
+    const auto ask = [&]() -> Result<FetchedAnswer> {
+        const std::string shown = shownAddress(address);
+        if (!isRemoteAddress(address))
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("'%1' is no address of a server. Write it as http://HOST:PORT/NAME.tan.", shown)};
+        std::shared_ptr<void> handle;
+        {
+            const std::lock_guard lock(mutex_);
+            handle = std::exchange(kept_, nullptr);
+        }
+        if (handle == nullptr)
+            handle.reset(newCurlHandle(address, mostForConnectingOnce), &::curl_easy_cleanup);
+        else if (!renewCurlHandle(handle.get(), address, mostForConnectingOnce))
+            throw std::bad_alloc();
+        if (handle == nullptr)
+            throw std::bad_alloc();
+        auto answer = fetched(handle.get(), shown, token, mostBytes, progress);
+        const std::lock_guard lock(mutex_);
+        kept_.swap(handle);
+        return answer;
+    };
+    return guarded(Message::marked("Not enough memory for what the server sends. Ask for less."), ask);
+}
+
 Result<FetchedAnswer> fetchOnce(const std::string& address, const std::string& token, std::uint64_t mostBytes,
                                 const Progress& progress)
 {
-    return guarded(Message::marked("Not enough memory for what the server sends. Ask for less."),
-                   [&] { return fetched(address, token, mostBytes, progress); });
+    return ServerConnection().fetch(address, token, mostBytes, progress);
 }
 
 } // namespace tetra

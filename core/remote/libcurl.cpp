@@ -37,21 +37,24 @@ bool isCurlReady()
 CURL* newCurlHandle(const std::string& address, std::chrono::milliseconds mostForConnecting)
 {
     CURL* const handle = isCurlReady() ? ::curl_easy_init() : nullptr;
-    if (handle == nullptr)
-        return nullptr;
+    if (handle == nullptr || renewCurlHandle(handle, address, mostForConnecting))
+        return handle;
+    ::curl_easy_cleanup(handle);
+    return nullptr;
+}
+
+bool renewCurlHandle(CURL* handle, const std::string& address, std::chrono::milliseconds mostForConnecting)
+{
+    ::curl_easy_reset(handle);
     const auto set = [handle](CURLoption option, auto value) {
         return ::curl_easy_setopt(handle, option, value) == CURLE_OK;
     };
     const std::string certificates = trustedCertificates();
     // Copies are made of all texts.
-    const bool isSet = set(CURLOPT_URL, address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
-                       (certificates.empty() || set(CURLOPT_CAINFO, certificates.c_str())) &&
-                       set(CURLOPT_NOSIGNAL, 1L) && set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION) &&
-                       set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(mostForConnecting.count()));
-    if (isSet)
-        return handle;
-    ::curl_easy_cleanup(handle);
-    return nullptr;
+    return set(CURLOPT_URL, address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
+           (certificates.empty() || set(CURLOPT_CAINFO, certificates.c_str())) && set(CURLOPT_NOSIGNAL, 1L) &&
+           set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION) &&
+           set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(mostForConnecting.count()));
 }
 
 } // namespace tetra

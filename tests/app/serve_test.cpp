@@ -19,6 +19,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QJsonArray>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -108,6 +109,16 @@ Answer ask(int port, const QByteArray& target, const QByteArray& headers = {}, c
     const Client client(port);
     client.send(method + " " + target + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + headers + "\r\n");
     return answerIn(client.rest());
+}
+
+/// Of each question for a model's sizes or meshes, in the order in which they were answered, the connection.
+QStringList connectionsThatAsked(const LocalServer& server)
+{
+    QStringList peers;
+    for (const HttpRecord& record : server.records())
+        if (record.request.find('?') != std::string::npos)
+            peers << QString::fromStdString(record.peer);
+    return peers;
 }
 
 Arguments argumentsOf(const QStringList& words)
@@ -741,6 +752,49 @@ private slots:
         QCOMPARE(received.count(lattice_.left(10)), 3);
     }
 
+    /// R28: all that is asked of a model that stays at its server goes over one connection, until the server ends it;
+    /// then over the next one.
+    void questionsShareAConnection()
+    {
+        for (const bool isKept : {true, false}) {
+            const LocalServer server(folder_, {}, {.keptTime = milliseconds(isKept ? 60'000 : 1)});
+            const auto left = openModel(placeOf(server.address("lattice.tan"), true), cached());
+            QVERIFY2(left.ok(), left.ok() ? "" : left.error().text().c_str());
+            MeshExtractor extractor(left->model);
+            for (const double error : {1.0, 0.5, 0.0}) {
+                QTest::qSleep(isKept ? 0 : 50);
+                const auto mesh = extractor.extract({.error = error});
+                QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
+            }
+            QVERIFY(QTest::qWaitFor([&] { return connectionsThatAsked(server).size() == 4; }));
+            const QStringList asked = connectionsThatAsked(server);
+            QCOMPARE(QSet<QString>(asked.begin(), asked.end()).size(), isKept ? 1 : 4);
+        }
+    }
+
+    /// Who asks now and then does not keep others out: the one that has been idle for longest gives way.
+    void idleConnectionsGiveWay()
+    {
+        const LocalServer server(folder_, {}, {.connections = 2});
+        const QByteArray get = "GET /lattice.tan HTTP/1.1\r\nHost: localhost\r\nRange: bytes=0-9\r\n";
+        const Client first(server.port), second(server.port);
+        first.send(get + "\r\n");
+        QVERIFY(server.waitForRecords(1));
+        second.send(get + "\r\n");
+        QVERIFY(server.waitForRecords(2));
+        QVERIFY(QTest::qWaitFor([&] { return ask(server.port, "/").status == 200; }, 5000));
+        QCOMPARE(answerIn(first.rest()).status, 206); // and then its end
+        second.send(get + "Connection: close\r\n\r\n");
+        QCOMPARE(second.rest().count("HTTP/1.1 206"), 2);
+        // Who has begun to ask is not idle.
+        const Client half(server.port), other(server.port);
+        half.send(get);
+        other.send("GET");
+        QVERIFY(QTest::qWaitFor([&] { return ask(server.port, "/").status == 503; }, 5000));
+        half.send("Connection: close\r\n\r\n");
+        QCOMPARE(answerIn(half.rest()).status, 206);
+    }
+
     /// 16 at once, as in the benchmark (tests/bench/serve_load.py: 10,000 requests): each gets what is its own.
     void manyAtOnce()
     {
@@ -788,7 +842,8 @@ private slots:
         const int port = line.mid(line.lastIndexOf(':') + 1).split('/')[0].toInt();
         QVERIFY2(port > 0, line);
         QCOMPARE(ask(port, "/lattice.tan?error=5").status, 200);
-        const Client idle(port), asking(port), reading(port);
+        const Client idle(port), asking(port), reading(port), kept(port);
+        kept.send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
         asking.send("GET / HT");
         reading.send("GET /lattice.tan HTTP/1.1\r\nHost: localhost\r\n\r\n");
         QTest::qSleep(100);
@@ -801,6 +856,37 @@ private slots:
         QCOMPARE(run.exitCode, 0);
         QVERIFY(run.json()["requests"].toInt() >= 2);
         QVERIFY2(run.messages.contains("\"GET /lattice.tan?error=5\" 200"), run.messages);
+    }
+
+    /// Memory that meshes took goes back, whichever threads found them. (tests/bench/serve_load.py: at random, for
+    /// hours.)
+    void theProgramsMemoryIsSteady()
+    {
+        QProcess process;
+        process.setWorkingDirectory(place_.path());
+        process.start(tanProgram(), {"serve", "models", "--port", "0"});
+        process.setReadChannel(QProcess::StandardError);
+        while (!process.canReadLine())
+            QVERIFY(process.waitForReadyRead(20'000));
+        const QByteArray line = process.readLine();
+        const int port = line.mid(line.lastIndexOf(':') + 1).split('/')[0].toInt();
+        // Each has a connection of its own, and so another thread of the server.
+        const auto keptAfter = [&](int meshes) {
+            for (int i = 0; i < meshes; ++i)
+                if (ask(port, "/lattice.tan?error=" + QByteArray::number(i % 2)).status != 200)
+                    return -1.0;
+            QTest::qSleep(100); // the last one is put away
+            const QByteArray pages = readFile("/proc/" + QString::number(process.processId()) + "/smaps_rollup");
+            const qsizetype at = pages.indexOf("Anonymous:");
+            return at < 0 ? -1.0 : pages.mid(at + 10).trimmed().split(' ')[0].toDouble() / 1024;
+        };
+        const double first = keptAfter(4), later = keptAfter(40);
+        ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+        QVERIFY(process.waitForFinished(10'000));
+        QVERIFY(first > 0);
+        constexpr double mostOfAThread = 0.1;
+        QVERIFY2(later > 0 && later < first + 36 * mostOfAThread,
+                 qPrintable(QString("%1 MB, then %2").arg(first).arg(later)));
     }
 
     /// Where the system gives fewer threads than there may be connections, it serves with those, or says why not.
