@@ -3,8 +3,8 @@
 
 #include "core/base/memory.h"
 #include "core/build/model_build.h"
+#include "plugins/host/interrupted_build.h"
 #include "plugins/host/output_check.h"
-#include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"
 
 #include <algorithm>
@@ -24,20 +24,6 @@ Result<Provided<Builder>> named(PluginHost& host, const Dataset& dataset, const 
         return Error{ErrorKind::BadInput, Message::say("The builder '%1' does not accept '%2': %3", id,
                                                        dataset.source.name, acceptance.reason)};
     return builder;
-}
-
-/// The values that the builder works with, as the model's provenance keeps them.
-std::vector<std::pair<std::string, std::string>> provenance(const std::vector<Parameter>& parameters,
-                                                            const ParameterValues& values, const Dataset& dataset)
-{
-    std::vector<std::pair<std::string, std::string>> texts;
-    for (const Parameter& parameter : parameters) {
-        if (!matters(parameter, parameters, withDomain(values, dataset)))
-            continue;
-        const auto given = values.find(parameter.id);
-        texts.emplace_back(parameter.id, parameterText(given != values.end() ? given->second : parameter.defaultValue));
-    }
-    return texts;
 }
 
 bool keeps(const BuildControl& control)
@@ -61,13 +47,13 @@ Result<EndedBuild> keepWhatIsFinished(ModelWriter& writer)
     return EndedBuild{report, true};
 }
 
-Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, const Dataset& dataset,
-                             const ParameterValues& values, const std::filesystem::path& output,
-                             const Progress& progress, const BuildControl& control)
+Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& dataset, const ParameterValues& values,
+                             const std::filesystem::path& output, const Progress& progress, const BuildControl& control)
 {
+    const Builder& builder = *provided.plugin;
     ModelDescription description;
-    description.builder = id;
-    description.parameters = provenance(builder.parameters(), values, dataset);
+    description.builder = provided.id;
+    description.parameters = usedTexts(builder.parameters(), values, dataset);
     std::ranges::move(importTexts(control.imported), std::back_inserter(description.parameters));
     constexpr double takenEnd = 0.02; // how far it is then
     const auto taken = builder.taken(dataset, values, progress.part(0, takenEnd));
@@ -79,6 +65,8 @@ Result<EndedBuild> buildInto(const Builder& builder, const std::string& id, cons
     ModelWriter& writer = (*file)->writer();
     const auto watch = control.live != nullptr ? control.live->watch(writer, *taken, description) : nullptr;
     BuildTarget target = (*file)->target(watch ? *watch : writer);
+    if (control.resume)
+        leaveNote(target.workFolder, buildNote(dataset, provided, values));
     target.keepWhenCancelled = control.keepWhenCancelled;
     if (control.live != nullptr)
         target.preview = [live = control.live](const auto& hand) { live->show(hand); };
@@ -149,7 +137,7 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
     if (const Status intact = dataset.checkIntact(); !intact)
         return intact.error();
     const auto start = std::chrono::steady_clock::now();
-    const auto ended = buildInto(*builder->plugin, builder->id, dataset, values, output, progress, control);
+    const auto ended = buildInto(*builder, dataset, values, output, progress, control);
     if (!ended)
         return ended.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

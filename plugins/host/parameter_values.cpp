@@ -92,6 +92,20 @@ ParameterValues withDomain(ParameterValues values, const Dataset& dataset)
     return values;
 }
 
+std::vector<std::pair<std::string, std::string>> usedTexts(const std::vector<Parameter>& parameters,
+                                                           const ParameterValues& values, const Dataset& dataset)
+{
+    const ParameterValues known = withDomain(values, dataset);
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const Parameter& parameter : parameters) {
+        if (!matters(parameter, parameters, known))
+            continue;
+        const auto given = values.find(parameter.id);
+        texts.emplace_back(parameter.id, parameterText(given != values.end() ? given->second : parameter.defaultValue));
+    }
+    return texts;
+}
+
 Status checkOfUse(const std::vector<Parameter>& parameters, const ParameterValues& values, const Dataset& dataset,
                   const OptionOfParameter& optionOf)
 {

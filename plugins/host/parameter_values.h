@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetra {
@@ -22,6 +23,11 @@ using OptionOfParameter = std::function<std::string(const Parameter&)>;
 
 /// The values, with what conditions of parameters may ask of a dataset (domainId).
 ParameterValues withDomain(ParameterValues values, const Dataset& dataset);
+
+/// The values that make a difference to this dataset, with the defaults of those that `values` lacks, as texts: what a
+/// model keeps of how it was built.
+std::vector<std::pair<std::string, std::string>> usedTexts(const std::vector<Parameter>& parameters,
+                                                           const ParameterValues& values, const Dataset& dataset);
 
 /// An error (WrongUsage) if `values` holds something that makes no difference to this dataset beside the others: what
 /// is asked for in vain is not asked for by somebody who knows that. Where parameters are options, `optionOf` gives

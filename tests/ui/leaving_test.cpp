@@ -7,6 +7,7 @@
 #include "ui/workbench/recent_files.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -31,6 +32,8 @@ private slots:
     void nothingToLoseIsNotAskedAbout();
     void quittingDuringABuildAsks();
     void aBuildIsKeptAndTheProgramQuits();
+    void aBuildIsPausedAndTheProgramQuits_data();
+    void aBuildIsPausedAndTheProgramQuits();
     void aBuildThatCannotBeKeptKeepsTheWindow();
     void aBuildThatEndsMeanwhileNeedsNoAnswer();
     void openingDuringABuildAsksOnce();
@@ -202,6 +205,31 @@ void LeavingTest::aBuildIsKeptAndTheProgramQuits()
     QVERIFY((*kept)->finalKey() > 0);
 }
 
+void LeavingTest::aBuildIsPausedAndTheProgramQuits_data()
+{
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<bool>("left");
+    QTest::newRow("resumed later, B6") << "leaving.pause" << true;
+    QTest::newRow("discarded") << "leaving.discard" << false;
+}
+
+void LeavingTest::aBuildIsPausedAndTheProgramQuits()
+{
+    QFETCH(QString, button);
+    QFETCH(bool, left);
+    window_->find<QCheckBox>("build.resume").click(); // and remembered, for the data that come
+    startBuild();
+    QVERIFY(window_->workbench.building().canPauseBuild());
+    QTRY_VERIFY(window_->workbench.building().canKeepBuild()); // it has begun to refine
+    window_->window.close();
+    answer("leaving.build", qPrintable(button));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->window.isVisible(), 30'000);
+    QVERIFY(!QFile::exists(target_));
+    QCOMPARE(QFile::exists(target_ + ".work/state"), left);
+    QCOMPARE(QFile::exists(target_ + ".work"), left);
+    QCOMPARE(window_->messages(), QStringList());
+}
+
 void LeavingTest::aBuildThatCannotBeKeptKeepsTheWindow()
 {
     startBuild();
@@ -279,7 +307,7 @@ void LeavingTest::anOpeningCanBeTakenBack()
     answer("leaving.build", "leaving.cancel");
     QVERIFY(window_->workbench.building().running());
     QVERIFY(pathText(session().model()->path()) != other);
-    window_->workbench.building().stopBuild(true);
+    window_->workbench.building().stopBuild(BuildEnd::Keep);
     QTRY_COMPARE_WITH_TIMEOUT(pathText(session().model()->path()), target_, 30'000); // it is watched to its end
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/host/model_building.h"
 #include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/workbench/recent_files.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -23,6 +27,16 @@
 #include <algorithm>
 
 using namespace tetra;
+
+namespace {
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
 
 /// The window around the panels (R27): opening in every way, what goes wrong and how it is told, building with cancel,
 /// the camera by mouse and keyboard, pictures, layout.
@@ -44,6 +58,11 @@ private slots:
     void aBuildIsStoppedAndKept_data();
     void aBuildIsStoppedAndKept();
     void aBuildWithNothingToKeepSaysSo();
+    void anInterruptedBuildGoesOn_data();
+    void anInterruptedBuildGoesOn();
+    void whatIsLeftIsGoneOnWithOrDeleted();
+    void whatIsLeftOfOtherDataStays();
+    void aBuildIsPaused();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void theMouseMovesTheCamera();
@@ -64,6 +83,10 @@ private slots:
 private:
     void openSample();
     void setBlock(const QString& cells);
+    /// Opens a dataset. Returns where its model goes.
+    QString openDataset(const std::filesystem::path& path);
+    /// What a program leaves that is stopped in the middle of such a build of the dataset that is open.
+    void leaveBuild(const QString& builder, const ParameterValues& values, const QString& target);
 
     std::unique_ptr<WindowFixture> window_;
 };
@@ -99,6 +122,34 @@ void WindowTest::setBlock(const QString& cells)
     auto& block = window_->find<QLineEdit>("build.option.block");
     block.setText(cells);
     emit block.editingFinished();
+}
+
+QString WindowTest::openDataset(const std::filesystem::path& path)
+{
+    window_->window.open(QString::fromStdString(path));
+    if (!waitFor([&] {
+            const auto& dataset = window_->workbench.opening().dataset();
+            return dataset && dataset->source.path == path && window_->find<QWidget>("build.start").isVisible();
+        }))
+        qFatal("the dataset did not open");
+    return window_->find<QLineEdit>("build.target").text();
+}
+
+void WindowTest::leaveBuild(const QString& builder, const ParameterValues& values, const QString& target)
+{
+    std::stop_source stop;
+    const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
+        if (fraction > 0.5)
+            stop.request_stop();
+    });
+    const auto built = buildModel(*window_->host, *window_->workbench.opening().dataset(), builder.toStdString(),
+                                  values, filePath(target), progress, {.resume = true});
+    QVERIFY(!built && built.error().kind == ErrorKind::Cancelled);
+    QVERIFY(QDir(target + ".work").exists());
+    // As it is found by a program that starts.
+    auto& line = window_->find<QLineEdit>("build.target");
+    line.clear();
+    line.setText(target);
 }
 
 void WindowTest::emptyInvites()
@@ -315,6 +366,130 @@ void WindowTest::aBuildWithNothingToKeepSaysSo()
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("nothing to keep"), qPrintable(window_->messages().first()));
     QVERIFY(!QFile::exists(target));
+}
+
+void WindowTest::anInterruptedBuildGoesOn_data()
+{
+    QTest::addColumn<QString>("builder");
+    QTest::addColumn<QString>("block");
+    QTest::newRow("refinement, B6") << "refinement"
+                                    << "none";
+    QTest::newRow("in blocks, B6") << "refinement"
+                                   << "11";
+    QTest::newRow("decimation, B6") << "decimation"
+                                    << "";
+}
+
+/// With its builder and its options, and to the same bytes.
+void WindowTest::anInterruptedBuildGoesOn()
+{
+    QFETCH(QString, builder);
+    QFETCH(QString, block);
+    const bool refines = builder == "refinement";
+    const ParameterValues values =
+        refines ? ParameterValues{{"error", 0.25}, {"block", block.toStdString()}} : ParameterValues{{"finest", 0.25}};
+    const QString target = openDataset(writeNrrd(sampleDataset(32), window_->folderPath()));
+    const Opening& opening = window_->workbench.opening();
+    const std::string reference = window_->folderPath() + "/reference.tan";
+    QVERIFY(buildModel(*window_->host, *opening.dataset(), builder.toStdString(), values, reference, {},
+                       {.imported = opening.importOptions()}));
+    leaveBuild(builder, values, target);
+
+    auto& start = window_->find<QPushButton>("build.start");
+    QCOMPARE(window_->find<QComboBox>("build.builder").currentData().toString(), builder);
+    QCOMPARE(window_->find<QDoubleSpinBox>(refines ? "build.option.error" : "build.option.finest").value(), 0.25);
+    QVERIFY(window_->find<QWidget>("build.interrupted").isVisible());
+    QVERIFY(start.accessibleDescription().contains("goes on where it stopped"));
+    QCOMPARE(start.text(), QString("Resume &Build"));
+    const auto& resume = window_->find<QCheckBox>("build.resume");
+    QVERIFY(resume.isChecked() && !resume.isEnabled());
+    start.setFocus();
+    QTest::keyClick(&start, Qt::Key_Space);
+    const Session& session = window_->workbench.session();
+    QTRY_VERIFY_WITH_TIMEOUT(session.model() && pathText(session.model()->path()) == target, 30'000);
+    QTRY_VERIFY(!window_->workbench.building().running());
+    QVERIFY(contentOf(target) == contentOf(QString::fromStdString(reference)));
+    QVERIFY(!QDir(target + ".work").exists());
+    QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+/// B6: what does not fit is refused, and goes when the user says so.
+void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
+{
+    const QString target = openDataset(writeNrrd(sampleDataset(24), window_->folderPath()));
+    leaveBuild("refinement", {}, target);
+    auto& start = window_->find<QPushButton>("build.start");
+    auto& error = window_->find<QDoubleSpinBox>("build.option.error");
+    error.setValue(5);
+    QVERIFY(!start.isEnabled());
+    QVERIFY(window_->find<QLabel>("build.interrupted.text").text().contains("other options"));
+    error.setValue(0);
+    QVERIFY(start.isEnabled());
+
+    const QString state = target + ".work/state";
+    QVERIFY(QFile::resize(state, QFileInfo(state).size() / 2));
+    start.click();
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains("is damaged"), qPrintable(window_->messages().first()));
+    QVERIFY(QFile::exists(state) && window_->find<QWidget>("build.interrupted").isVisible());
+
+    auto& anew = window_->find<QPushButton>("build.beginAnew");
+    QVERIFY(!anew.accessibleDescription().isEmpty());
+    anew.setFocus();
+    QTest::keyClick(&anew, Qt::Key_Space);
+    QTRY_VERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
+    QVERIFY(!QDir(target + ".work").exists());
+    QCOMPARE(start.text(), QString("&Build"));
+    QVERIFY(start.isEnabled() && start.hasFocus());
+    const auto& resume = window_->find<QCheckBox>("build.resume");
+    QVERIFY(!resume.isChecked() && resume.isEnabled());
+}
+
+void WindowTest::whatIsLeftOfOtherDataStays()
+{
+    const std::filesystem::path data = writeNrrd(sampleDataset(24), window_->folderPath());
+    const QString target = openDataset(data);
+    leaveBuild("refinement", {{"error", 0.5}}, target);
+    const std::filesystem::path other = window_->folderPath() + "/other";
+    std::filesystem::create_directory(other);
+    openDataset(writeNrrd(sampleDataset(23), other));
+    QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
+    window_->find<QLineEdit>("build.target").setText(target);
+    QVERIFY(window_->find<QWidget>("build.interrupted").isVisible());
+    QVERIFY(!window_->find<QWidget>("build.start").isEnabled());
+    openDataset(data);
+    QVERIFY(window_->find<QWidget>("build.start").isEnabled());
+    QCOMPARE(window_->find<QDoubleSpinBox>("build.option.error").value(), 0.5);
+}
+
+/// B6: it can be gone on with by another program; one that is cancelled leaves nothing.
+void WindowTest::aBuildIsPaused()
+{
+    const std::filesystem::path data = writeNrrd(sampleDataset(96), window_->folderPath());
+    const QString target = openDataset(data);
+    window_->find<QCheckBox>("build.resume").click();
+    window_->find<QPushButton>("build.start").click();
+    QTRY_VERIFY(window_->workbench.building().canKeepBuild());
+    QTest::mouseClick(&window_->find<QPushButton>("build.pause"), Qt::LeftButton);
+    QTRY_VERIFY(!window_->workbench.building().running());
+    QVERIFY(!QFile::exists(target) && QFile::exists(target + ".work/state"));
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
+    QCOMPARE(window_->messages(), QStringList());
+
+    window_->window.close();
+    WindowFixture again;
+    again.window.show();
+    again.window.open(QString::fromStdString(data));
+    QTRY_VERIFY(again.find<QWidget>("build.interrupted").isVisible());
+    QVERIFY(again.find<QCheckBox>("build.resume").isChecked());
+    again.find<QPushButton>("build.start").click();
+    QTRY_VERIFY(again.workbench.building().canKeepBuild());
+    again.find<QPushButton>("build.cancel").click();
+    QTRY_VERIFY(!again.workbench.building().running());
+    QVERIFY(!QFile::exists(target) && !QDir(target + ".work").exists());
+    QVERIFY(again.find<QCheckBox>("build.resume").isChecked()); // as the user has left it
+    QVERIFY(!again.find<QWidget>("build.interrupted").isVisible());
 }
 
 void WindowTest::aBuildThatCannotWriteSaysSo()

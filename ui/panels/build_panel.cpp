@@ -10,6 +10,7 @@
 #include "ui/workbench/import_texts.h"
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -19,6 +20,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSettings>
 #include <QStackedWidget>
 
 #include <cmath>
@@ -27,6 +29,7 @@ namespace tetra {
 namespace {
 
 constexpr int barSteps = 1000;
+constexpr const char* resumeKey = "build/resume";
 
 /// How much of the data a model keeps: the errors of its finest mesh in percent of the range.
 constexpr std::array detailErrors{1.0, 0.1, 0.0};
@@ -152,11 +155,13 @@ QWidget* BuildPanel::makeBuildPage()
     inputs->addWidget(options_);
     inputs->addSpacing(6);
     inputs->addLayout(makeTargetRow());
+    inputs->addWidget(makeResume());
     estimate_ = wrappedLabel("build.estimate");
     estimate_->setForegroundRole(QPalette::PlaceholderText);
     estimate_->setToolTip(
         tr("Estimated from a few thousand of the dataset's samples; it may be off by a factor of two"));
     inputs->addWidget(estimate_);
+    inputs->addWidget(makeInterrupted());
 
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
@@ -235,9 +240,41 @@ QLayout* BuildPanel::makeTargetRow()
     column->addWidget(label);
     column->addLayout(row);
     column->addWidget(targetHint_);
-    connect(target_, &QLineEdit::textChanged, this, &BuildPanel::showTarget);
+    connect(target_, &QLineEdit::textChanged, this, [this] {
+        takeUpInterrupted();
+        showTarget();
+    });
     connect(browse_, &QPushButton::clicked, this, &BuildPanel::browse);
     return column;
+}
+
+QWidget* BuildPanel::makeResume()
+{
+    resume_ = new QCheckBox(tr("&Resume if interrupted"));
+    resume_->setObjectName("build.resume");
+    resume_->setToolTip(
+        tr("Write down now and then how far the build is, so that it can be paused, and goes on where it was if the "
+           "program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it "
+           "takes up to three times the size of the model on the disk"));
+    connect(resume_, &QCheckBox::clicked, this, [](bool resumes) { QSettings().setValue(resumeKey, resumes); });
+    return resume_;
+}
+
+QWidget* BuildPanel::makeInterrupted()
+{
+    interrupted_ = new QWidget;
+    interrupted_->setObjectName("build.interrupted");
+    interruptedText_ = wrappedLabel("build.interrupted.text");
+    beginAnew_ = new QPushButton(tr("Begin &Anew"));
+    beginAnew_->setObjectName("build.beginAnew");
+    beginAnew_->setToolTip(tr("Delete what the interrupted build has left"));
+    connect(beginAnew_, &QPushButton::clicked, this, &BuildPanel::beginAnew);
+    auto* layout = new QVBoxLayout(interrupted_);
+    layout->setContentsMargins({});
+    layout->addSpacing(6);
+    layout->addWidget(interruptedText_);
+    layout->addWidget(beginAnew_, 0, Qt::AlignLeft);
+    return interrupted_;
 }
 
 QWidget* BuildPanel::makeProgress()
@@ -250,16 +287,21 @@ QWidget* BuildPanel::makeProgress()
     cancel_ = new QPushButton(tr("&Cancel"));
     cancel_->setObjectName("build.cancel");
     cancel_->setToolTip(tr("Stop the build and discard the result"));
-    connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(false); });
+    connect(cancel_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Discard); });
+    pause_ = new QPushButton(tr("&Pause"));
+    pause_->setObjectName("build.pause");
+    pause_->setToolTip(tr("Stop the build; it goes on from there later, even if the program is closed meanwhile"));
+    connect(pause_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Pause); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
     keep_->setToolTip(tr("Stop the build and keep what is finished as the model, with the accuracy reached so far"));
-    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(true); });
+    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Keep); });
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
     layout->setContentsMargins({});
     layout->addWidget(bar_);
     layout->addWidget(activity_);
+    layout->addWidget(pause_);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(keep_);
     buttons->addWidget(cancel_);
@@ -272,6 +314,10 @@ void BuildPanel::connectWorkbench()
     connect(&workbench_.opening(), &Opening::datasetOpened, this, &BuildPanel::showDataset);
     connect(&workbench_.opening(), &Opening::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
     connect(&workbench_.building(), &Building::buildStopping, this, &BuildPanel::showStopping);
+    connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
+        showTarget();
+        build_->setFocus(); // the button that had it is gone
+    });
     LongTask& building = workbench_.building().task();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
@@ -300,8 +346,13 @@ void BuildPanel::showDataset()
             builder_->setCurrentIndex(index);
         }
     }
-    target_->setText(proposedModelPath(dataset.source.path));
+    {
+        const QSignalBlocker withoutBuilder(target_);
+        target_->setText(proposedModelPath(dataset.source.path));
+    }
     showBuilder(firstDetail(dataset));
+    takeUpInterrupted();
+    showTarget();
     pages_->setCurrentWidget(buildPage_);
 }
 
@@ -313,7 +364,6 @@ void BuildPanel::showBuilder(int detail)
     options_->setParameters(builder ? builder->plugin->parameters() : std::vector<Parameter>{});
     if (dataset)
         options_->setSurroundings({{domainId, domainNameOf(*dataset)}});
-    build_->setEnabled(builder.ok());
     details_->setVisible(builder && dataset && !builder->plugin->detail(0, dataset->domain).empty());
     if (!details_->isHidden())
         chooseDetail(detail >= 0 ? detail : firstDetail(*dataset));
@@ -347,10 +397,12 @@ void BuildPanel::showDetail()
     estimate_->setVisible(estimate.has_value());
     if (estimate)
         estimate_->setText(estimateText(workbench_.opening().buildSize(), *estimate));
+    showTarget();
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
     const auto& dataset = workbench_.opening().dataset();
     if (!builder || !dataset)
         return;
+    resume_->setVisible(builder->plugin->abilities(*dataset, options_->matteringValues()).resumes);
     detail_->setExclusive(false); // so that none may be checked
     for (std::size_t index = 0; index < detailErrors.size(); ++index) {
         const ParameterValues detail = builder->plugin->detail(detailErrors[index], dataset->domain);
@@ -369,6 +421,51 @@ void BuildPanel::showTarget()
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
     targetHint_->setText(exists ? tr("This file exists; it is replaced when the build is done.") : QString());
     targetHint_->setVisible(exists);
+    showInterrupted();
+}
+
+void BuildPanel::takeUpInterrupted()
+{
+    const auto& dataset = workbench_.opening().dataset();
+    const auto left = dataset ? interruptedBuild(workbench_.host(), *dataset, filePath(target_->text())) : std::nullopt;
+    if (!left)
+        return;
+    const QSignalBlocker blocker(builder_);
+    builder_->setCurrentIndex(builder_->findData(QString::fromStdString(left->builder)));
+    showBuilder(detail_->checkedId());
+    options_->setValues(withValues(options_->values(), left->values));
+    showDetail();
+}
+
+void BuildPanel::showInterrupted()
+{
+    const auto& dataset = workbench_.opening().dataset();
+    const std::string builder = builder_->currentData().toString().toStdString();
+    const LeftBuild left = dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(),
+                                               filePath(target_->text()))
+                                   : LeftBuild::None;
+    if (left == LeftBuild::Same)
+        build_->setText(tr("Resume &Build"));
+    build_->setEnabled(left != LeftBuild::Other && workbench_.host().builder(builder));
+    interrupted_->setVisible(left != LeftBuild::None);
+    interruptedText_->setText(
+        left == LeftBuild::Same
+            ? tr("An interrupted build of these data was found: it goes on where it stopped.")
+            : tr("An interrupted build of other data, or with other options, was found. Give the same ones, or begin "
+                 "anew."));
+    build_->setAccessibleDescription(left == LeftBuild::Same ? interruptedText_->text() : QString());
+    beginAnew_->setAccessibleDescription(interruptedText_->text());
+    beginAnew_->setEnabled(true);
+    resume_->setEnabled(left == LeftBuild::None);
+    resume_->setChecked(left != LeftBuild::None || QSettings().value(resumeKey, false).toBool());
+}
+
+/// Until nothing is left there is nothing to do here.
+void BuildPanel::beginAnew()
+{
+    build_->setEnabled(false);
+    beginAnew_->setEnabled(false);
+    workbench_.building().discardInterrupted(filePath(target_->text()));
 }
 
 void BuildPanel::showRunning(bool running)
@@ -379,6 +476,8 @@ void BuildPanel::showRunning(bool running)
     progress_->setVisible(running);
     cancel_->setEnabled(true);
     keep_->setEnabled(true);
+    pause_->setEnabled(true);
+    pause_->setVisible(workbench_.building().canPauseBuild());
     bar_->setValue(0);
     activity_->setText(running ? tr("Starting…") : QString());
     showTarget();
@@ -409,17 +508,21 @@ void BuildPanel::browse()
     dialog->open();
 }
 
-void BuildPanel::showStopping(bool keep)
+void BuildPanel::showStopping(BuildEnd end)
 {
-    cancel_->setEnabled(false);
-    keep_->setEnabled(false);
-    activity_->setText(keep ? tr("Keeping what is finished…") : tr("Cancelling…"));
+    for (QPushButton* button : {cancel_, pause_, keep_})
+        button->setEnabled(false);
+    activity_->setText(end == BuildEnd::Keep    ? tr("Keeping what is finished…")
+                       : end == BuildEnd::Pause ? tr("Pausing…")
+                                                : tr("Cancelling…"));
 }
 
 void BuildPanel::build()
 {
-    workbench_.building().build(
-        {builder_->currentData().toString().toStdString(), options_->matteringValues(), filePath(target_->text())});
+    workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
+                                 .values = options_->matteringValues(),
+                                 .target = filePath(target_->text()),
+                                 .resume = resume_->isChecked() && !resume_->isHidden()});
 }
 
 } // namespace tetra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/host/interrupted_build.h"
 #include "ui/workbench/workbench.h"
 
 #include <QWidget>
@@ -8,6 +9,7 @@
 #include <array>
 
 class QButtonGroup;
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -30,6 +32,8 @@ private:
     QWidget* makeBuildPage();
     QWidget* makeDetails();
     QLayout* makeTargetRow();
+    QWidget* makeResume();
+    QWidget* makeInterrupted();
     QWidget* makeProgress();
     void connectWorkbench();
 
@@ -40,11 +44,15 @@ private:
     void showDetail();
     std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
     void showTarget();
+    /// Shows the builder and the options of an interrupted build of these data, as it goes on with no others.
+    void takeUpInterrupted();
+    void showInterrupted();
+    void beginAnew();
     void showRunning(bool running);
     void showProgress(const TaskProgress& progress);
     void browse();
     void build();
-    void showStopping(bool keep);
+    void showStopping(BuildEnd end);
 
     Workbench& workbench_;
     QStackedWidget* pages_;
@@ -62,12 +70,17 @@ private:
     QLineEdit* target_;
     QPushButton* browse_;
     QLabel* targetHint_;
+    QCheckBox* resume_;
+    QWidget* interrupted_; ///< what is said of a build that was interrupted
+    QLabel* interruptedText_;
+    QPushButton* beginAnew_;
     QPushButton* build_;
     QWidget* inputs_;
     QWidget* buildPage_;
     QWidget* progress_;
     QProgressBar* bar_;
     QLabel* activity_;
+    QPushButton* pause_;
     QPushButton* keep_;
     QPushButton* cancel_;
 };

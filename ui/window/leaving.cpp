@@ -57,20 +57,26 @@ QString progressText(const TaskProgress& progress)
 QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window)
 {
     QStringList more{facts.progress};
-    if (facts.way != LeavingWay::Quit)
+    const bool quits = facts.way == LeavingWay::Quit;
+    const bool pauses = quits && facts.canPause;
+    if (!quits)
         more << Leaving::tr("It can continue in the background.");
-    more << (facts.canKeep
-                 ? Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
-                       .arg(facts.target)
-                 : Leaving::tr("Nothing of it can be kept yet."));
+    if (pauses)
+        more << Leaving::tr("You can resume it when you open these data again.");
+    if (facts.canKeep)
+        more << Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
+                    .arg(facts.target);
+    else if (!pauses)
+        more << Leaving::tr("Nothing of it can be kept yet.");
     Question question(window, "build", Leaving::tr("Build in Progress"),
                       Leaving::tr("The model of %1 is still being built.").arg(facts.name), more.join(' '));
-    question.add("goOn", Leaving::tr("&Continue Building"),
-                 facts.way == LeavingWay::Quit ? QMessageBox::RejectRole : QMessageBox::AcceptRole);
+    question.add("goOn", Leaving::tr("&Continue Building"), quits ? QMessageBox::RejectRole : QMessageBox::AcceptRole);
+    if (pauses)
+        question.add("pause", Leaving::tr("Quit and &Resume Later"), QMessageBox::AcceptRole);
     if (facts.canKeep)
         question.add("keep", Leaving::tr("Stop and &Keep"), QMessageBox::AcceptRole);
     question.add("discard", Leaving::tr("&Discard Build"), QMessageBox::DestructiveRole);
-    if (facts.way != LeavingWay::Quit)
+    if (!quits)
         question.add("cancel", Leaving::tr("Cancel"), QMessageBox::RejectRole);
     return question.show();
 }
@@ -213,6 +219,7 @@ LeavingFacts Leaving::facts(Obstacle obstacle) const
         facts.progress = progressText(built_);
         facts.target = nameOf(workbench_.building().buildTarget());
         facts.canKeep = workbench_.building().canKeepBuild();
+        facts.canPause = workbench_.building().canPauseBuild();
     } else if (obstacle == Obstacle::Film) {
         facts.name = nameOf(workbench_.exporting().filmTarget());
         facts.progress = progressText(filmed_);
@@ -257,7 +264,9 @@ void Leaving::answer(const QString& button)
 void Leaving::answerBuild(const QString& button)
 {
     if (button != "leaving.goOn")
-        return workbench_.building().stopBuild(button == "leaving.keep");
+        return workbench_.building().stopBuild(button == "leaving.keep"    ? BuildEnd::Keep
+                                               : button == "leaving.pause" ? BuildEnd::Pause
+                                                                           : BuildEnd::Discard);
     buildGoesOn_ = true;
     next();
 }

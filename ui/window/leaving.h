@@ -24,10 +24,11 @@ struct LeavingFacts {
     QString progress; ///< a sentence: how far it is
     QString target;   ///< of a build
     bool canKeep = false;
+    bool canPause = false;
 };
 
-/// The questions, with buttons named leaving.goOn, .keep, .save, .discard and .cancel as far as they have them. Owned
-/// by the window; they go when they are answered.
+/// The questions, with buttons named leaving.goOn, .pause, .keep, .save, .discard and .cancel as far as they have them.
+/// Owned by the window; they go when they are answered.
 QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutSession(const LeavingFacts& facts, QWidget* window);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/building.h"
 
+#include "plugins/host/interrupted_build.h"
 #include "plugins/host/model_building.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
@@ -37,17 +38,21 @@ void Building::build(const BuildOrder& order)
     if (!dataset || running())
         return;
     live_ = std::make_shared<LiveBuild>();
-    keep_ = std::make_shared<std::atomic<bool>>(false);
+    wish_ = std::make_shared<Wish>();
+    resumes_ = order.resume;
     look_.reset();
     turnedAway_ = false;
     buildName_ = QString::fromStdString(dataset->source.name);
     buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     task_.start([this, order, dataset, imported = opening_.importOptions(), live = live_,
-                 keep = keep_](const Progress& progress) -> std::function<void()> {
-        const auto built =
-            tetra::buildModel(host_, *dataset, order.builder, order.values, order.target, progress,
-                              {.live = live.get(), .keepWhenCancelled = keep.get(), .imported = imported});
+                 wish = wish_](const Progress& progress) -> std::function<void()> {
+        const auto built = tetra::buildModel(
+            host_, *dataset, order.builder, order.values, order.target, progress,
+            {.live = live.get(), .keepWhenCancelled = &wish->keep, .resume = order.resume, .imported = imported});
+        const bool isLost = !built && wish->keep; // not what the user asked for
+        if (order.resume && wish->leaveNothing && !isLost)
+            (void)discardInterruptedBuild(order.target);
         return [this, order, dataset, model = built ? opening_.openModel(order.target) : built.error()] {
             if (model)
                 opening_.setBuilt(dataset);
@@ -58,12 +63,25 @@ void Building::build(const BuildOrder& order)
         looking_.start();
 }
 
-void Building::stopBuild(bool keep)
+void Building::stopBuild(BuildEnd end)
 {
-    if (keep_)
-        *keep_ = keep;
+    if (wish_) {
+        wish_->keep = end == BuildEnd::Keep;
+        wish_->leaveNothing = end != BuildEnd::Pause;
+    }
     task_.cancel();
-    emit buildStopping(keep);
+    emit buildStopping(end);
+}
+
+void Building::discardInterrupted(const std::filesystem::path& target)
+{
+    discarding_.enqueue([this, target](const Progress&) -> std::function<void()> {
+        return [this, discarded = discardInterruptedBuild(target)] {
+            if (!discarded)
+                emit saveFailed(translatedMessage(discarded.error().message));
+            emit interruptedDiscarded();
+        };
+    });
 }
 
 void Building::lookAtBuild()
@@ -122,7 +140,7 @@ void Building::showBuilt(const BuildOrder& order, const Result<OpenedModel>& bui
 {
     if (!built) {
         closeLook();
-        const bool nothingKept = built.error().kind == ErrorKind::Cancelled && *keep_;
+        const bool nothingKept = built.error().kind == ErrorKind::Cancelled && wish_->keep;
         const Error error = nothingKept ? Error{ErrorKind::CannotWrite,
                                                 Message::say("The build was stopped before there was a mesh of known "
                                                              "error, so there is nothing to keep.")}

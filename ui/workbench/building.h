@@ -16,7 +16,15 @@ struct BuildOrder {
     std::string builder; ///< id
     ParameterValues values;
     std::filesystem::path target;
-    bool watch = true; ///< show the model while it grows, unless another one is open
+    bool watch = true;   ///< show the model while it grows, unless another one is open
+    bool resume = false; ///< go on with what an interrupted build left, and leave that if this one is interrupted
+};
+
+/// What becomes of a build that the user stops.
+enum class BuildEnd {
+    Discard, ///< nothing is left of it
+    Keep,    ///< what is finished becomes the model, of less accuracy
+    Pause,   ///< it can be gone on with, if it was ordered to
 };
 
 /// Builds models of the dataset that is open, one at a time, in a worker. A model can be watched while it grows: from
@@ -31,8 +39,9 @@ public:
     LongTask& task() noexcept { return task_; }
     /// Builds a model of the dataset, and opens it.
     void build(const BuildOrder& order);
-    /// Ends the build; `keep`: what is finished becomes the model, of less accuracy.
-    void stopBuild(bool keep);
+    void stopBuild(BuildEnd end);
+    /// Removes what an interrupted build of that model left, in a worker.
+    void discardInterrupted(const std::filesystem::path& target);
     bool running() const noexcept { return task_.running(); }
     /// The dataset and the file of the build that runs.
     const QString& buildName() const noexcept { return buildName_; }
@@ -41,10 +50,14 @@ public:
     bool showsBuild() const { return running() && showsLook(); }
     /// Whether what is finished of that build can become a model.
     bool canKeepBuild() const { return live_ && live_->hasMesh(); }
+    /// Whether the build that runs can be paused.
+    bool canPauseBuild() const noexcept { return running() && resumes_; }
 
 signals:
     /// The build was asked to end.
-    void buildStopping(bool keep);
+    void buildStopping(tetra::BuildEnd end);
+    /// What discardInterrupted() was asked for is done, or could not be.
+    void interruptedDiscarded();
     /// The build is done. Its model is shown next, unless the user has turned to something else.
     void modelBuilt(const QString& path, bool isShown);
     /// The build is over and its model shown, if it is; nothing more comes of it. `worked`: there is a model.
@@ -53,6 +66,12 @@ signals:
     void saveFailed(const QString& text);
 
 private:
+    /// What the user wants of a build that ends early.
+    struct Wish {
+        std::atomic<bool> keep = false;
+        std::atomic<bool> leaveNothing = false;
+    };
+
     void lookAtBuild();
     void showLook(const Result<OpenedModel>& look);
     void closeLook();
@@ -62,8 +81,9 @@ private:
     PluginHost& host_;
     Session& session_;
     Opening& opening_;
-    std::shared_ptr<LiveBuild> live_;         ///< of the build that is being watched
-    std::shared_ptr<std::atomic<bool>> keep_; ///< of the same build
+    std::shared_ptr<LiveBuild> live_; ///< of the build that is being watched
+    std::shared_ptr<Wish> wish_;      ///< of the same build
+    bool resumes_ = false;            ///< likewise
     QString buildName_;
     std::filesystem::path buildTarget_;
     bool turnedAway_ = false;           ///< from that build, to something else
@@ -72,6 +92,7 @@ private:
     QTimer looking_;
     QTemporaryDir looks_;
     LongTask looker_;
+    LongTask discarding_;
     LongTask task_;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the controls of the dock Build are driven.
 #include "plugins/host/file_saving.h"
+#include "plugins/host/model_building.h"
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -123,16 +125,45 @@ Driver detail(const QString& name, const std::string& error)
         });
 }
 
-void beginBuilding(DrivenWindow& window)
+void beginBuilding(DrivenWindow& window, const QString& target)
 {
     window.workbench.opening().closeModel();
     const auto path = writeNrrd(sampleDataset(largeSide), window.folderPath());
     window.window.open(QString::fromStdString(path));
     const bool ready = waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000);
     chooseBuilder(window, "refinement");
+    window.find<QLineEdit>("build.target").setText(window.folder.filePath(target));
     window.press("build.start", Qt::Key_Space);
     if (!ready || !waitFor([&] { return window.session().model() != nullptr; }, 60'000))
         qFatal("the build did not begin");
+}
+
+Driver::Step ofBuilding(const QString& target)
+{
+    return [target](DrivenWindow& window) { beginBuilding(window, target); };
+}
+
+/// One that was ordered so.
+void beginResumable(DrivenWindow& window)
+{
+    window.raise("dock.build");
+    window.find<QCheckBox>("build.resume").setChecked(false);
+    window.press("build.resume", Qt::Key_Space);
+    beginBuilding(window, "paused.tan");
+}
+
+void leaveBuild(DrivenWindow& window)
+{
+    chooseBuilder(window, "refinement");
+    std::stop_source stop;
+    const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
+        if (fraction > 0.1)
+            stop.request_stop();
+    });
+    const auto path = window.folderPath() + "/left.tan";
+    (void)buildModel(*window.host, *window.workbench.opening().dataset(), "refinement", {}, path, progress,
+                     {.resume = true});
+    window.find<QLineEdit>("build.target").setText(QString::fromStdString(path));
 }
 
 } // namespace
@@ -168,8 +199,24 @@ Drivers buildControls()
             [](const DrivenWindow& window) {
                 return !window.workbench.building().running() && !window.session().model();
             },
-            &beginBuilding),
-        building("build.keep", &isBuilt, &beginBuilding),
+            ofBuilding("driven.tan")),
+        building("build.keep", &isBuilt, ofBuilding("driven.tan")),
+        building(
+            "build.pause",
+            [](const DrivenWindow& window) {
+                return !window.workbench.building().running() && window.isOpen("build.interrupted");
+            },
+            &beginResumable),
+        showing(
+            "build.resume",
+            [](const DrivenWindow& window) { return window.find<QCheckBox>("build.resume").isChecked(); },
+            [](DrivenWindow& window) {
+                chooseBuilder(window, "refinement");
+                window.find<QCheckBox>("build.resume").setChecked(false);
+            }),
+        showing(
+            "build.beginAnew", [](const DrivenWindow& window) { return !window.isOpen("build.interrupted"); },
+            &leaveBuild),
         detail("quick", "1"),
         detail("good", "0.1"),
         detail("everything", "0"),

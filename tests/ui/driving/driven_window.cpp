@@ -55,7 +55,7 @@ void DrivenWindow::closeDialogs() const
 
 void DrivenWindow::openAnew()
 {
-    workbench.building().stopBuild(false);
+    workbench.building().stopBuild(BuildEnd::Discard);
     waitUntil([this] { return !workbench.building().running(); }, "no build runs");
     workbench.opening().closeModel();
     workbench.opening().views().forget(filePath(model_)); // as at first
