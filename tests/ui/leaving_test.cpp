@@ -220,7 +220,7 @@ void LeavingTest::aBuildIsPausedAndTheProgramQuits()
     window_->find<QCheckBox>("build.resume").click(); // and remembered, for the data that come
     startBuild();
     QVERIFY(window_->workbench.building().canPauseBuild());
-    QTRY_VERIFY(window_->workbench.building().canKeepBuild()); // it has begun to refine
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.building().canKeepBuild(), 30'000); // it has begun to refine
     window_->window.close();
     answer("leaving.build", qPrintable(button));
     QTRY_VERIFY_WITH_TIMEOUT(!window_->window.isVisible(), 30'000);

@@ -470,9 +470,9 @@ void WindowTest::aBuildIsPaused()
     const QString target = openDataset(data);
     window_->find<QCheckBox>("build.resume").click();
     window_->find<QPushButton>("build.start").click();
-    QTRY_VERIFY(window_->workbench.building().canKeepBuild());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->workbench.building().canKeepBuild(), 30'000);
     QTest::mouseClick(&window_->find<QPushButton>("build.pause"), Qt::LeftButton);
-    QTRY_VERIFY(!window_->workbench.building().running());
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 30'000);
     QVERIFY(!QFile::exists(target) && QFile::exists(target + ".work/state"));
     QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QCOMPARE(window_->messages(), QStringList());
@@ -484,9 +484,9 @@ void WindowTest::aBuildIsPaused()
     QTRY_VERIFY(again.find<QWidget>("build.interrupted").isVisible());
     QVERIFY(again.find<QCheckBox>("build.resume").isChecked());
     again.find<QPushButton>("build.start").click();
-    QTRY_VERIFY(again.workbench.building().canKeepBuild());
+    QTRY_VERIFY_WITH_TIMEOUT(again.workbench.building().canKeepBuild(), 30'000);
     again.find<QPushButton>("build.cancel").click();
-    QTRY_VERIFY(!again.workbench.building().running());
+    QTRY_VERIFY_WITH_TIMEOUT(!again.workbench.building().running(), 30'000);
     QVERIFY(!QFile::exists(target) && !QDir(target + ".work").exists());
     QVERIFY(again.find<QCheckBox>("build.resume").isChecked()); // as the user has left it
     QVERIFY(!again.find<QWidget>("build.interrupted").isVisible());
