@@ -137,8 +137,10 @@ QString estimateText(const BuildSize& size, const BuildEstimate& estimate)
     const QString needs = size.density.known()
                               ? ImportTexts::tr("The build takes about %1 of memory, %2 of disk and %3.")
                               : ImportTexts::tr("The build takes up to %1 of memory, %2 of disk and %3.");
-    const QString text = needs.arg(roughBytesText(estimate.memoryBytes), roughBytesText(estimate.diskBytes),
-                                   roughDurationText(estimate.seconds));
+    const auto inOneLine = [](QString amount) { return amount.replace(' ', QChar::Nbsp); };
+    const QString text =
+        needs.arg(inOneLine(roughBytesText(estimate.memoryBytes)), inOneLine(roughBytesText(estimate.diskBytes)),
+                  inOneLine(roughDurationText(estimate.seconds)));
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && estimate.memoryBytes > usable)
         return text + " " + ImportTexts::tr("This machine has %1 of memory.").arg(bytesText(usable));
