@@ -30,7 +30,7 @@ enum class LeftBuild {
     Same,  ///< of the same build
     Other, ///< of other data, of another builder or values, or of another version of TAn
 };
-/// Reads a small file.
+/// Reads a small file, and keeps others from building there meanwhile: not to be called while this program is.
 LeftBuild leftBuild(PluginHost& host, const Dataset& dataset, const std::string& builder, const ParameterValues& values,
                     const std::filesystem::path& output);
 
@@ -39,7 +39,7 @@ struct InterruptedBuild {
     std::string builder; ///< id
     ParameterValues values;
 };
-/// Nothing where leftBuild() finds Same for no builder and no values. Reads a small file.
+/// Nothing if leftBuild() would not find Same whatever was chosen. Reads a small file.
 std::optional<InterruptedBuild> interruptedBuild(PluginHost& host, const Dataset& dataset,
                                                  const std::filesystem::path& output);
 

@@ -321,7 +321,10 @@ void BuildPanel::connectWorkbench()
     LongTask& building = workbench_.building().task();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
-    connect(&building, &LongTask::finished, this, [this] { showRunning(false); });
+    connect(&building, &LongTask::finished, this, [this] {
+        takeUpInterrupted(); // other data may have been opened meanwhile
+        showRunning(false);
+    });
 }
 
 void BuildPanel::showDataset()
@@ -427,7 +430,9 @@ void BuildPanel::showTarget()
 void BuildPanel::takeUpInterrupted()
 {
     const auto& dataset = workbench_.opening().dataset();
-    const auto left = dataset ? interruptedBuild(workbench_.host(), *dataset, filePath(target_->text())) : std::nullopt;
+    if (!dataset || workbench_.building().running())
+        return;
+    const auto left = interruptedBuild(workbench_.host(), *dataset, filePath(target_->text()));
     if (!left)
         return;
     const QSignalBlocker blocker(builder_);
@@ -439,6 +444,8 @@ void BuildPanel::takeUpInterrupted()
 
 void BuildPanel::showInterrupted()
 {
+    if (workbench_.building().running())
+        return;
     const auto& dataset = workbench_.opening().dataset();
     const std::string builder = builder_->currentData().toString().toStdString();
     const LeftBuild left = dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(),
@@ -473,6 +480,7 @@ void BuildPanel::showRunning(bool running)
     inputs_->setEnabled(!running);
     differently_->setEnabled(!running);
     build_->setVisible(!running);
+    interrupted_->hide(); // showTarget() tells
     progress_->setVisible(running);
     cancel_->setEnabled(true);
     keep_->setEnabled(true);
