@@ -248,6 +248,61 @@ struct HistoryState {
         }
         return true;
     }
+    /// Calls visit(point) for the points of a box of the lattice that contains() says are in a tetrahedron, ascending.
+    /// Four volumes change by the same from one point to the next: they are added up, and computed only where rounding
+    /// may decide.
+    template <class Visit> void visitPointsIn(std::uint32_t t, const std::array<std::uint32_t, 3>& low,
+                                              const std::array<std::uint32_t, 3>& high, Visit visit) const
+    {
+        const auto& size = facts.lattice.size;
+        const auto pointAt = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+            return (z * size[1] + y) * size[0] + x;
+        };
+        const auto volumeAt = [&](std::size_t side, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+            const auto& [a, b, c] = faceOf(corners[t], side);
+            return volumeOf(placeOfPoint(pointAt(x, y, z)), places[a], places[b], places[c]);
+        };
+        constexpr double unsureShare = 1e-6; // of the box, far more than rounding makes, and hardly a point's share
+        double unsure = unsureShare;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            unsure *= (high[axis] - low[axis] + 1) * facts.lattice.spacing[axis];
+        std::array<double, 4> atLow{}, alongX{}, alongY{}, alongZ{};
+        const auto slope = [](double from, double to, std::uint32_t steps) {
+            return steps == 0 ? 0 : (to - from) / steps;
+        };
+        for (std::size_t side = 0; side < 4; ++side) {
+            const double v = atLow[side] = volumeAt(side, low[0], low[1], low[2]);
+            alongX[side] = slope(v, volumeAt(side, high[0], low[1], low[2]), high[0] - low[0]);
+            alongY[side] = slope(v, volumeAt(side, low[0], high[1], low[2]), high[1] - low[1]);
+            alongZ[side] = slope(v, volumeAt(side, low[0], low[1], high[2]), high[2] - low[2]);
+        }
+        for (std::uint32_t z = low[2]; z <= high[2]; ++z)
+            for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+                std::array<double, 4> row{};
+                double first = 0, last = high[0] - low[0];
+                for (std::size_t side = 0; side < 4; ++side) {
+                    const double v = row[side] =
+                        atLow[side] + (y - low[1]) * alongY[side] + (z - low[2]) * alongZ[side];
+                    if (alongX[side] > 0)
+                        first = std::max(first, (-unsure - v) / alongX[side]);
+                    else if (alongX[side] < 0)
+                        last = std::min(last, (v + unsure) / -alongX[side]);
+                    else if (v < -unsure)
+                        last = -1;
+                }
+                if (last < first)
+                    continue;
+                const auto end = static_cast<std::uint32_t>(last);
+                for (auto x = static_cast<std::uint32_t>(first); x <= end; ++x) {
+                    const std::uint32_t point = pointAt(low[0] + x, y, z);
+                    double least = row[0] + x * alongX[0];
+                    for (std::size_t side = 1; side < 4; ++side)
+                        least = std::min(least, row[side] + x * alongX[side]);
+                    if (least > unsure || (least >= -unsure && contains(t, placeOfPoint(point))))
+                        visit(point);
+                }
+            }
+    }
     /// Whether a place lies strictly inside the circumsphere, as well as doubles tell.
     bool inSphere(std::uint32_t t, const Place& place) const
     {
@@ -1363,13 +1418,10 @@ template <class Coder> bool GroupCoder<Coder>::codePointIn(std::uint32_t host, s
         point = (at[2] * size[1] + at[1]) * size[0] + at[0];
     } else {
         at_.inside.clear();
-        for (std::uint32_t z = low[2]; z <= high[2]; ++z)
-            for (std::uint32_t y = low[1]; y <= high[1]; ++y)
-                for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
-                    const std::uint32_t p = (z * size[1] + y) * size[0] + x;
-                    if (!state_.used[p] && state_.contains(host, state_.placeOfPoint(p)))
-                        at_.inside.push_back(p);
-                }
+        state_.visitPointsIn(host, low, high, [&](std::uint32_t p) {
+            if (!state_.used[p])
+                at_.inside.push_back(p);
+        });
         if (at_.inside.empty())
             return false;
         std::size_t truth = 0;
