@@ -149,6 +149,19 @@ Result<Reached> reach(const std::string& address, const Milestone& milestone)
     return reached;
 }
 
+/// Prints the addresses of files behind the proxy and, when the input has ended, what passed.
+void serveUntilInputEnds(const DelayingProxy& proxy, const QStringList& files)
+{
+    for (const QString& file : files)
+        std::printf("%s\n", proxy.address(QFileInfo(file).fileName().toStdString()).c_str());
+    std::fflush(stdout);
+    QTextStream(stdin).readAll();
+    const DelayingProxy::Counts counts = proxy.counts();
+    std::printf("%llu connections, %llu requests, %llu round trips, %llu bytes\n",
+                static_cast<unsigned long long>(counts.connections), static_cast<unsigned long long>(counts.requests),
+                static_cast<unsigned long long>(counts.roundTrips), static_cast<unsigned long long>(counts.bytes));
+}
+
 } // namespace
 } // namespace tetra
 
@@ -165,7 +178,14 @@ int main(int argc, char** argv)
     parser.addOption({"delay", "Milliseconds each way.", "N", "50"});
     parser.addOption({"tetrahedra", "Sizes of meshes that are waited for.", "N,N,...", "100000,1000000"});
     parser.addOption({"serve", "Print the addresses and serve until the input ends."});
+    parser.addOption(
+        {"port", "Only delay the way to a server of this machine, such as 'tan serve'; like --serve.", "N"});
     parser.process(application);
+    const std::chrono::milliseconds delay(parser.value("delay").toInt());
+    if (parser.isSet("port")) {
+        serveUntilInputEnds(DelayingProxy(parser.value("port").toUShort(), delay), parser.positionalArguments());
+        return 0;
+    }
     const QTemporaryDir home;
     QStringList models = parser.positionalArguments();
     if (models.isEmpty()) {
@@ -188,18 +208,9 @@ int main(int argc, char** argv)
         }
         own = std::make_unique<FaultyHttpServer>(file.readAll().toStdString());
     }
-    const std::chrono::milliseconds delay(parser.value("delay").toInt());
     DelayingProxy proxy(own ? own->port() : nginx.port(), delay);
     if (parser.isSet("serve")) {
-        for (const QString& model : models)
-            std::printf("%s\n", proxy.address(QFileInfo(model).fileName().toStdString()).c_str());
-        std::fflush(stdout);
-        QTextStream(stdin).readAll();
-        const DelayingProxy::Counts counts = proxy.counts();
-        std::printf("%llu connections, %llu requests, %llu round trips, %llu bytes\n",
-                    static_cast<unsigned long long>(counts.connections),
-                    static_cast<unsigned long long>(counts.requests),
-                    static_cast<unsigned long long>(counts.roundTrips), static_cast<unsigned long long>(counts.bytes));
+        serveUntilInputEnds(proxy, models);
         return 0;
     }
     std::vector<Milestone> milestones = {{"first picture", 0}};
