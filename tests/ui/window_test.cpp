@@ -417,7 +417,7 @@ void WindowTest::anInterruptedBuildGoesOn()
 /// B6: what does not fit is refused, and goes when the user says so.
 void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
 {
-    const QString target = openDataset(writeNrrd(sampleDataset(24), window_->folderPath()));
+    const QString target = openDataset(writeNrrd(sampleDataset(32), window_->folderPath()));
     leaveBuild("refinement", {}, target);
     auto& start = window_->find<QPushButton>("build.start");
     auto& error = window_->find<QDoubleSpinBox>("build.option.error");
@@ -448,7 +448,7 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
 
 void WindowTest::whatIsLeftOfOtherDataStays()
 {
-    const std::filesystem::path data = writeNrrd(sampleDataset(24), window_->folderPath());
+    const std::filesystem::path data = writeNrrd(sampleDataset(32), window_->folderPath());
     const QString target = openDataset(data);
     leaveBuild("refinement", {{"error", 0.5}}, target);
     const std::filesystem::path other = window_->folderPath() + "/other";

@@ -125,16 +125,22 @@ Driver detail(const QString& name, const std::string& error)
         });
 }
 
+void openSample(DrivenWindow& window, std::uint32_t side)
+{
+    const auto path = writeNrrd(sampleDataset(side), window.folderPath());
+    window.window.open(QString::fromStdString(path));
+    if (!waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000))
+        qFatal("the sample did not open");
+    chooseBuilder(window, "refinement");
+}
+
 void beginBuilding(DrivenWindow& window, const QString& target)
 {
     window.workbench.opening().closeModel();
-    const auto path = writeNrrd(sampleDataset(largeSide), window.folderPath());
-    window.window.open(QString::fromStdString(path));
-    const bool ready = waitFor([&] { return window.workbench.opening().dataset()->source.path == path; }, 30'000);
-    chooseBuilder(window, "refinement");
+    openSample(window, largeSide);
     window.find<QLineEdit>("build.target").setText(window.folder.filePath(target));
     window.press("build.start", Qt::Key_Space);
-    if (!ready || !waitFor([&] { return window.session().model() != nullptr; }, 60'000))
+    if (!waitFor([&] { return window.session().model() != nullptr; }, 60'000))
         qFatal("the build did not begin");
 }
 
@@ -154,7 +160,7 @@ void beginResumable(DrivenWindow& window)
 
 void leaveBuild(DrivenWindow& window)
 {
-    chooseBuilder(window, "refinement");
+    openSample(window, 32);
     std::stop_source stop;
     const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
         if (fraction > 0.1)
