@@ -139,7 +139,7 @@ void WindowTest::leaveBuild(const QString& builder, const ParameterValues& value
 {
     std::stop_source stop;
     const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
-        if (fraction > 0.5)
+        if (fraction > 0.25)
             stop.request_stop();
     });
     const auto built = buildModel(*window_->host, *window_->workbench.opening().dataset(), builder.toStdString(),
@@ -450,7 +450,7 @@ void WindowTest::whatIsLeftOfOtherDataStays()
 {
     const std::filesystem::path data = writeNrrd(sampleDataset(32), window_->folderPath());
     const QString target = openDataset(data);
-    leaveBuild("refinement", {{"error", 0.5}}, target);
+    leaveBuild("refinement", {{"error", 0.25}}, target);
     const std::filesystem::path other = window_->folderPath() + "/other";
     std::filesystem::create_directory(other);
     openDataset(writeNrrd(sampleDataset(23), other));
@@ -460,7 +460,7 @@ void WindowTest::whatIsLeftOfOtherDataStays()
     QVERIFY(!window_->find<QWidget>("build.start").isEnabled());
     openDataset(data);
     QVERIFY(window_->find<QWidget>("build.start").isEnabled());
-    QCOMPARE(window_->find<QDoubleSpinBox>("build.option.error").value(), 0.5);
+    QCOMPARE(window_->find<QDoubleSpinBox>("build.option.error").value(), 0.25);
 }
 
 /// B6: it can be gone on with by another program; one that is cancelled leaves nothing.
