@@ -114,7 +114,7 @@ void takePanels(Sitting& sitting)
     }
     QDockWidget& statistics = sitting.dock("statistics");
     statistics.setFloating(true);
-    statistics.resize(440, 690);
+    statistics.resize(440, 750);
     sitting.takePanel("statistics", "statistics-whole");
     statistics.setFloating(false);
 }
