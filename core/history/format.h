@@ -168,8 +168,8 @@ struct PackedLevelEntry {
     float error = 0; ///< bounds, in units of the values and of length
     float warping = 0;
     std::uint32_t sites = 0;
-    std::uint32_t chunks = 0;     ///< so many, from the first one on ...
-    std::uint64_t chunkBytes = 0; ///< ... and their bytes
+    std::uint32_t replayLevel = 0; ///< of a replayed model: which one it is of those that it was packed in
+    std::uint64_t chunkBytes = 0;  ///< of the chunks that it takes, from the first one on
 };
 static_assert(sizeof(PackedLevelEntry) == 24);
 

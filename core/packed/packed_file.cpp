@@ -78,13 +78,12 @@ Status PackedFileWriter::addChunk(std::uint32_t kind, std::span<const std::byte>
         chunks_.push_back(byte);
     for (const std::byte byte : bytes)
         chunks_.push_back(byte);
-    ++chunkCount_;
     return spool_.status();
 }
 
-void PackedFileWriter::endLevel(float error, float warping, std::uint32_t sites)
+void PackedFileWriter::endLevel(float error, float warping, std::uint32_t sites, std::uint32_t replayLevel)
 {
-    levels_.push_back({error, warping, sites, chunkCount_, chunks_.size()});
+    levels_.push_back({error, warping, sites, replayLevel, chunks_.size()});
 }
 
 std::uint64_t PackedFileWriter::size() const noexcept
@@ -247,10 +246,10 @@ Status PackedFile::checkLevels() const
     for (const PackedLevelEntry& level : levels_) {
         const bool bounds = level.error >= 0 && std::isfinite(level.error) && level.warping >= 0 &&
                             std::isfinite(level.warping) && level.sites <= most && level.chunkBytes <= chunks_.size &&
-                            level.chunkBytes / sizeof(PackedChunkHead) >= level.chunks && level.chunks > 0;
+                            level.chunkBytes > sizeof(PackedChunkHead) && level.replayLevel < format::mostPackedLevels;
         const bool order =
-            before == nullptr || (before->sites < level.sites && before->chunks <= level.chunks &&
-                                  before->chunkBytes <= level.chunkBytes && before->error >= level.error);
+            before == nullptr || (before->sites < level.sites && before->chunkBytes <= level.chunkBytes &&
+                                  before->error >= level.error && (!own || before->replayLevel < level.replayLevel));
         if (!bounds || !order)
             return damaged(Message::say("its levels make no sense"));
         before = &level;

@@ -36,7 +36,7 @@ public:
     Status addChunk(std::uint32_t kind, std::span<const std::byte> bytes);
     /// All chunks so far make a mesh of so many sites and these bounds, in units of the values and of length. Sites
     /// rise from level to level, errors never do. At most format::mostPackedLevels.
-    void endLevel(float error, float warping, std::uint32_t sites);
+    void endLevel(float error, float warping, std::uint32_t sites, std::uint32_t replayLevel = 0);
     /// Takes the last level back.
     void dropLevel() { levels_.pop_back(); }
     std::size_t levelCount() const noexcept { return levels_.size(); }
@@ -51,7 +51,6 @@ private:
     FileWriter file_;
     SpoolFile spool_;
     SpooledArray<std::byte> chunks_{spool_};
-    std::uint32_t chunkCount_ = 0;
     format::Header header_;
     format::PackedFacts facts_;
     std::string text_;

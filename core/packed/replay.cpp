@@ -7,6 +7,8 @@
 #include "core/packed/free_points.h"
 #include "core/packed/replay_coders.h"
 #include "core/packed/replay_mesh.h"
+#include "core/packed/replay_places.h"
+#include "core/packed/replay_regions.h"
 #include "core/refine/greedy.h"
 
 #include <tan/build.h>
@@ -32,16 +34,10 @@ enum class ReplayChunk : std::uint32_t {
 
 /// Stands before a chunk's two streams, of positions and of values.
 struct SiteChunkHead {
+    std::uint32_t region = 0;
+    std::uint32_t steps = 0; ///< of which the number of points is in this chunk
     std::uint32_t points = 0;
     std::uint32_t positionBytes = 0;
-};
-
-/// The coders of a chunk.
-template <class Coder> struct ChunkCoders {
-    Coder positions;
-    Coder values;
-    NumberModel sizes; ///< of steps
-    GapCoder gaps;
 };
 
 /// Codes the values of points against what is expected of them, whatever their type is.
@@ -49,15 +45,22 @@ class AnyValueCoder {
 public:
     virtual ~AnyValueCoder() = default;
     virtual void encode(RangeEncoder& coder, std::span<const std::uint32_t> points, const double* expected) = 0;
-    /// Into the mesh's samples.
+    /// Into the samples.
     virtual void decode(RangeDecoder& coder, std::span<const std::uint32_t> points, const double* expected) = 0;
 
-    static std::unique_ptr<AnyValueCoder> make(ReplayMesh& mesh);
+    /// `samples`: of the points' lattice or box.
+    static std::unique_ptr<AnyValueCoder> make(SampleType type, std::byte* samples);
+};
+
+/// What has been learnt of where a region's sites are, from its first chunk to its last.
+struct PositionModels {
+    NumberModel steps;
+    GapCoder gaps;
 };
 
 template <class T> class TypedValueCoder final : public AnyValueCoder {
 public:
-    explicit TypedValueCoder(std::span<T> samples) : samples_(samples) {}
+    explicit TypedValueCoder(T* samples) : samples_(samples) {}
     void encode(RangeEncoder& coder, std::span<const std::uint32_t> points, const double* expected) override
     {
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -70,29 +73,30 @@ public:
     }
 
 private:
-    std::span<T> samples_;
+    T* samples_;
     ValueCoder<T> values_;
 };
 
-std::unique_ptr<AnyValueCoder> AnyValueCoder::make(ReplayMesh& mesh)
+std::unique_ptr<AnyValueCoder> AnyValueCoder::make(SampleType type, std::byte* samples)
 {
-    return visitSampleType(mesh.type(), [&]<class T>() -> std::unique_ptr<AnyValueCoder> {
-        return std::make_unique<TypedValueCoder<T>>(mesh.samplesAs<T>());
+    return visitSampleType(type, [&]<class T>() -> std::unique_ptr<AnyValueCoder> {
+        return std::make_unique<TypedValueCoder<T>>(reinterpret_cast<T*>(samples));
     });
 }
 
 /// Sets the samples of `points` to what the mesh says of them, rounded.
-void takeExpected(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::span<const double> expected)
+void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint32_t> points,
+                  std::span<const double> expected)
 {
-    visitSampleType(mesh.type(), [&]<class T>() {
-        const std::span<T> samples = mesh.samplesAs<T>();
+    visitSampleType(type, [&]<class T>() {
+        T* const of = reinterpret_cast<T*>(samples);
         for (std::size_t i = 0; i < points.size(); ++i) {
             if constexpr (std::is_integral_v<T>)
-                samples[points[i]] = static_cast<T>(std::clamp(std::floor(expected[i] + 0.5),
-                                                               static_cast<double>(std::numeric_limits<T>::min()),
-                                                               static_cast<double>(std::numeric_limits<T>::max())));
+                of[points[i]] = static_cast<T>(std::clamp(std::floor(expected[i] + 0.5),
+                                                          static_cast<double>(std::numeric_limits<T>::min()),
+                                                          static_cast<double>(std::numeric_limits<T>::max())));
             else
-                samples[points[i]] = static_cast<T>(expected[i]);
+                of[points[i]] = static_cast<T>(expected[i]);
         }
     });
 }
@@ -117,6 +121,32 @@ constexpr std::size_t codedAtOnce = 256;
 /// How many points are dealt with at a time, where there is no reason for another number.
 constexpr std::size_t replayedAtOnce = 1 << 16;
 
+/// A region's points that no region before it has, in its box: corners of blocks by rising numbers, and all others.
+struct OwnPoints {
+    OwnPoints() = default;
+    OwnPoints(const ReplayRegion& region, const BlockDivision& division);
+
+    std::vector<std::uint32_t> corners;
+    FreePoints others{0};
+};
+
+OwnPoints::OwnPoints(const ReplayRegion& region, const BlockDivision& division) : others(region.box.pointCount())
+{
+    std::uint32_t point = 0;
+    const auto& [left, front, bottom] = region.box.origin;
+    for (std::uint32_t z = 0; z < region.box.size[2]; ++z)
+        for (std::uint32_t y = 0; y < region.box.size[1]; ++y) {
+            const bool onEdge = division.isBorder(2, z + bottom) && division.isBorder(1, y + front);
+            for (std::uint32_t x = 0; x < region.box.size[0]; ++x, ++point) {
+                const bool isCorner = onEdge && division.isBorder(0, x + left), isOwn = region.owns({x, y, z});
+                if (isCorner && isOwn)
+                    corners.push_back(point);
+                if (isCorner || !isOwn)
+                    others.remove(point);
+            }
+        }
+}
+
 /// Calls visit(points) for the free points, in their order, so many at a time.
 template <class Visit> Status forEachFree(const FreePoints& free, const Visit& visit)
 {
@@ -132,7 +162,7 @@ template <class Visit> Status forEachFree(const FreePoints& free, const Visit& v
     return {};
 }
 
-constexpr MarkedText unpackingSites = Message::marked("Unpacking");
+constexpr MarkedText packing = Message::marked("Packing"), unpackingSites = Message::marked("Unpacking");
 
 /// Whether a mesh of all points can be kept: in address space, and in the numbers of its tetrahedra.
 bool isReplayableSize(const Lattice& lattice, std::uint32_t blockCells)
@@ -198,191 +228,390 @@ Status buildAgain(const Dataset& dataset, const ModelDescription& description, c
     return report ? Status() : report.error();
 }
 
+// The lattice and its regions.
+
+/// A lattice in regions, and all samples of it that are known.
+struct ReplayedLattice {
+    /// Errors: too large a lattice, memory.
+    static Result<std::unique_ptr<ReplayedLattice>> make(const ModelDescription& about, std::uint32_t blockCells);
+
+    std::array<std::uint32_t, 3> size;
+    SampleType type;
+    std::uint32_t blockCells;
+    BlockDivision division;
+    LatticeMetric metric{1, 1, 1};
+    ReplayRegions regions;
+    std::shared_ptr<std::byte> samples{}; ///< at first all 0
+
+    std::uint64_t pointCount() const { return std::uint64_t(size[0]) * size[1] * size[2]; }
+    std::byte* sample(std::uint32_t point) const { return samples.get() + std::size_t(point) * sampleSize(type); }
+    /// The mesh of a region, with the lattice's samples if it is the only one, else with samples of its own.
+    Result<std::unique_ptr<ReplayMesh>> mesh(const ReplayRegion& region, const Progress& progress) const;
+    /// The mesh of the whole lattice.
+    Result<std::unique_ptr<ReplayMesh>> wholeMesh(const Progress& progress) const
+    {
+        return ReplayMesh::make({size, blockCells, metric, false, false}, type, samples, progress);
+    }
+    void takeIn(const ReplayRegion& region, ReplayMesh& mesh) const;   ///< the samples of a region's points
+    void handOver(const ReplayRegion& region, ReplayMesh& mesh) const; ///< those of its own points
+};
+
+Result<std::unique_ptr<ReplayedLattice>> ReplayedLattice::make(const ModelDescription& about, std::uint32_t blockCells)
+{
+    const auto& size = about.lattice.size;
+    const auto metric = latticeMetric(BlockDivision(size, blockCells).box(0).size, about.lattice.spacing);
+    if (!metric)
+        return metric.error();
+    std::unique_ptr<ReplayedLattice> result(new ReplayedLattice{.size = size,
+                                                                .type = about.sampleType,
+                                                                .blockCells = blockCells,
+                                                                .division = BlockDivision(size, blockCells),
+                                                                .metric = *metric,
+                                                                .regions = ReplayRegions(size, blockCells)});
+    auto samples = allocateSamples(about.sampleType, about.lattice.pointCount());
+    if (!samples)
+        return samples.error();
+    result->samples = *std::move(samples);
+    return result;
+}
+
+Result<std::unique_ptr<ReplayMesh>> ReplayedLattice::mesh(const ReplayRegion& region, const Progress& progress) const
+{
+    if (region.isWhole())
+        return wholeMesh(progress);
+    auto own = allocateSamples(type, region.box.pointCount());
+    if (!own)
+        return own.error();
+    return ReplayMesh::make({region.box.size, blockCells, metric, region.firstBlockIsOdd, true}, type, *std::move(own),
+                            progress);
+}
+
+void ReplayedLattice::takeIn(const ReplayRegion& region, ReplayMesh& mesh) const
+{
+    if (region.isWhole())
+        return;
+    const std::size_t bytes = sampleSize(type), rowBytes = region.box.size[0] * bytes;
+    for (std::size_t row = 0; row < mesh.pointCount(); row += region.box.size[0])
+        std::memcpy(mesh.samples().data() + row * bytes, sample(region.inLattice(static_cast<std::uint32_t>(row))),
+                    rowBytes);
+}
+
+void ReplayedLattice::handOver(const ReplayRegion& region, ReplayMesh& mesh) const
+{
+    if (region.isWhole())
+        return;
+    const std::size_t bytes = sampleSize(type);
+    region.forEachOwnRow([&](std::uint32_t inBox, std::uint32_t inLattice, std::uint32_t count) {
+        std::memcpy(sample(inLattice), mesh.samples().data() + inBox * bytes, count * bytes);
+    });
+}
+
 // Packing.
 
-/// Each level has at most so much of the error of the one before: eight an octave.
-constexpr double levelFall = 0.917;
+/// What the errors of levels are at most, from the second one on: eight an octave, down to the finest.
+std::vector<float> levelLimits(double range, double finest)
+{
+    constexpr double fall = 0.917;
+    std::vector<float> limits;
+    for (double limit = range; limit > finest && limits.size() + 2 < format::mostPackedLevels;) {
+        limit = std::max(finest, fall * limit);
+        limits.push_back(static_cast<float>(limit));
+    }
+    return limits;
+}
 
 /// Where levels end: fine enough that little is left to say of the other samples.
-double finestOf(const ReplayMesh& mesh, const ModelDescription& about, const Refinement& recipe)
+double finestOf(const ModelDescription& about, const Refinement& recipe)
 {
     constexpr double unit = 0.4999, share = 1e-4;
-    const double least = isInteger(mesh.type()) ? unit : share * about.range.extent();
+    const double least = isInteger(about.sampleType) ? unit : share * about.range.extent();
     return std::max(least, recipe.error / 100 * about.range.extent());
 }
 
-/// Chunks are closed when they are so large: the first ones earlier, so that something can be seen soon.
-std::size_t chunkBytesWanted(std::uint64_t written)
-{
-    return static_cast<std::size_t>(std::clamp<std::uint64_t>(written / 4, 4 << 10, 64 << 10));
-}
-
-class ReplayPacker {
-public:
-    ReplayPacker(ReplayMesh& mesh, PackedFileWriter& file) : mesh_(mesh), file_(file), free_(mesh.pointCount()) {}
-
-    /// Levels down to an error.
-    Result<PackReport> pack(double finest, const Progress& progress);
-
-private:
-    Status packCorners();
-    Status packLevel(float limit, const Progress& progress);
-    Status packSites(std::span<const std::uint32_t> points, std::span<const double> expected);
-    Status packOthers(const Progress& progress);
-    Status closeChunk(ReplayChunk kind);
-    void writeLevels();
-
-    ReplayMesh& mesh_;
-    PackedFileWriter& file_;
-    FreePoints free_;
-    ChunkCoders<RangeEncoder> coders_;
-    std::unique_ptr<AnyValueCoder> values_ = AnyValueCoder::make(mesh_);
-    std::uint32_t pointsInChunk_ = 0;
-    std::uint64_t writtenSites_ = 0; ///< bytes of chunks
-    std::uint32_t sites_ = 0;
-    /// Errors and sites; those after the first so many wait for their chunk's end.
-    std::vector<std::pair<float, std::uint32_t>> levels_;
-    std::size_t levelsWritten_ = 0;
-    PackReport report_;
+/// A region's chunks and levels.
+struct PackedRegion {
+    struct Chunk {
+        std::uint32_t level = 0; ///< in which it begins
+        ReplayChunk kind = ReplayChunk::Sites;
+        std::vector<std::byte> bytes;
+    };
+    struct Level {
+        float error = 0;
+        std::uint32_t sites = 0; ///< its own, so far
+    };
+    std::vector<Chunk> chunks;
+    std::vector<Level> levels;
+    std::uint64_t positions = 0; ///< bytes of sites
+    std::uint64_t values = 0;
 };
 
-Result<PackReport> ReplayPacker::pack(double finest, const Progress& progress)
-{
-    constexpr MarkedText packing = Message::marked("Packing");
-    if (const Status packed = packCorners(); !packed)
-        return packed.error();
-    if (const Status measured = mesh_.measure(progress); !measured)
-        return measured.error();
-    float error = mesh_.error();
-    levels_.emplace_back(error, sites_);
-    const double first = std::max(static_cast<double>(error), 2 * finest);
-    while (static_cast<double>(error) > finest) {
-        const double limit = std::max(finest, levelFall * static_cast<double>(error));
-        if (const Status packed = packLevel(static_cast<float>(limit), progress); !packed)
-            return packed.error();
-        error = mesh_.error();
-        // Small levels are not worth an entry.
-        constexpr std::uint32_t share = 12;
-        if (sites_ - levels_.back().second > levels_.back().second / share || !(static_cast<double>(error) > finest))
-            levels_.emplace_back(error, sites_);
-        progress.report(
-            0.9 * std::min(1.0, std::log(first / std::max<double>(error, finest)) / std::log(first / finest)), packing);
+class RegionPacker {
+public:
+    RegionPacker(const ReplayRegion& region, const BlockDivision& division, ReplayMesh& mesh, SharedSites& shared,
+                 std::uint32_t regionCount)
+        : region_(region), mesh_(mesh), shared_(shared), own_(region, division),
+          valueCoder_(AnyValueCoder::make(mesh.type(), mesh.samples().data())),
+          leastChunk_(std::max<std::size_t>(256, (4 << 10) / regionCount))
+    {
     }
-    if (pointsInChunk_ > 0)
-        if (const Status closed = closeChunk(ReplayChunk::Sites); !closed)
-            return closed.error();
-    writeLevels();
+
+    Result<PackedRegion> pack(std::span<const float> limits, const Progress& progress);
+
+private:
+    Status packCorners(const Progress& progress);
+    Status packLevel(float limit, const Progress& progress);
+    Status addShared(const Progress& progress);
+    void packSites(std::span<const std::uint32_t> points, std::span<const double> expected);
+    void packValues(std::span<const std::uint32_t> points, const double* expected, ReplayChunk kind);
+    Status packOthers(const Progress& progress);
+    void endLevel();
+    bool isFull() const;
+    void closeChunk(ReplayChunk kind);
+
+    const ReplayRegion& region_;
+    ReplayMesh& mesh_;
+    SharedSites& shared_;
+    OwnPoints own_;
+    PositionModels models_;
+    std::unique_ptr<AnyValueCoder> valueCoder_;
+    RangeEncoder positions_, values_;
+    std::size_t leastChunk_;
+    SiteChunkHead chunk_;
+    std::uint32_t level_ = 0, chunkLevel_ = 0;
+    std::uint32_t sites_ = 0;
+    std::vector<std::uint32_t> arrived_, told_;
+    PackedRegion result_;
+};
+
+Result<PackedRegion> RegionPacker::pack(std::span<const float> limits, const Progress& progress)
+{
+    if (const Status packed = packCorners(progress); !packed)
+        return packed.error();
+    for (const float limit : limits) {
+        if (const Status packed = packLevel(limit, progress); !packed)
+            return packed.error();
+        progress.report(0.9 * level_ / static_cast<double>(limits.size() + 1), {});
+    }
+    if (chunk_.steps + chunk_.points > 0)
+        closeChunk(ReplayChunk::Sites);
     if (const Status packed = packOthers(progress); !packed)
         return packed.error();
-    report_.accuracy = file_.levelCount() * sizeof(format::PackedLevelEntry);
-    return report_;
+    return std::move(result_);
 }
 
-Status ReplayPacker::packCorners()
+Status RegionPacker::packCorners(const Progress& progress)
 {
-    const std::vector<double> unknown(mesh_.corners().size(), 0.0);
-    coders_.sizes.code(coders_.positions, unknown.size());
-    values_->encode(coders_.values, mesh_.corners(), unknown.data());
-    for (const std::uint32_t corner : mesh_.corners())
-        free_.remove(corner);
-    pointsInChunk_ = sites_ = static_cast<std::uint32_t>(unknown.size());
+    const std::vector<double> unknown(own_.corners.size(), 0.0);
+    packValues(own_.corners, unknown.data(), ReplayChunk::Sites);
+    if (const Status measured = mesh_.measure(progress); !measured)
+        return measured;
+    endLevel();
     return {};
 }
 
-/// Steps until no error is larger than the limit.
-Status ReplayPacker::packLevel(float limit, const Progress& progress)
+/// Steps until no error is larger than the limit, after the sites that come from other regions.
+Status RegionPacker::packLevel(float limit, const Progress& progress)
 {
+    if (const Status added = addShared(progress); !added)
+        return added;
     ReplayMesh::Round round;
+    const auto isOwn = [this](std::uint32_t point) { return region_.owns(point); };
     for (bool everywhere = true;; everywhere = false) {
-        if (const Status added = mesh_.addWorst(limit, everywhere, round, progress); !added)
+        if (const Status added = mesh_.addWorst(limit, everywhere, isOwn, round, progress); !added)
             return added;
+        models_.steps.code(positions_, round.points.size());
+        ++chunk_.steps;
         if (round.points.empty())
-            return {};
-        if (const Status packed = packSites(round.points, round.expected); !packed)
-            return packed;
+            break;
+        packSites(round.points, round.expected);
         if (const Status measured = mesh_.measure(progress); !measured)
             return measured;
     }
+    endLevel();
+    return {};
 }
 
-Status ReplayPacker::packSites(std::span<const std::uint32_t> points, std::span<const double> expected)
+Status RegionPacker::addShared(const Progress& progress)
 {
-    const std::uint64_t mean = free_.count() / points.size();
-    coders_.sizes.code(coders_.positions, points.size());
+    if (const Status awaited = shared_.await(region_, level_, arrived_, progress); !awaited)
+        return awaited;
+    if (arrived_.empty())
+        return {};
+    std::vector<std::uint32_t> points;
+    for (const std::uint32_t site : arrived_)
+        points.push_back(region_.inBox(site));
+    if (const Status added = mesh_.add(points, {}, progress); !added)
+        return added;
+    return mesh_.measure(progress);
+}
+
+void RegionPacker::packSites(std::span<const std::uint32_t> points, std::span<const double> expected)
+{
+    const std::uint64_t mean = own_.others.count() / points.size();
     std::uint64_t place = 0;
     for (std::size_t begin = 0; begin < points.size(); begin += codedAtOnce) {
         const auto part = points.subspan(begin, std::min(codedAtOnce, points.size() - begin));
         for (const std::uint32_t point : part) {
-            coders_.gaps.code(coders_.positions, mean, free_.countBetween(place, point));
-            free_.remove(point);
+            models_.gaps.code(positions_, mean, own_.others.countBetween(place, point));
+            own_.others.remove(point);
             place = point + 1ull;
         }
-        values_->encode(coders_.values, part, expected.data() + begin);
-        pointsInChunk_ += static_cast<std::uint32_t>(part.size());
-        sites_ += static_cast<std::uint32_t>(part.size());
-        if (coders_.positions.size() + coders_.values.size() >= chunkBytesWanted(writtenSites_))
-            if (const Status closed = closeChunk(ReplayChunk::Sites); !closed)
-                return closed;
+        packValues(part, expected.data() + begin, ReplayChunk::Sites);
     }
-    return {};
 }
 
-/// Those that the chunks so far make.
-void ReplayPacker::writeLevels()
+/// Chunks end only where one of these calls does, or a level.
+void RegionPacker::packValues(std::span<const std::uint32_t> points, const double* expected, ReplayChunk kind)
 {
-    for (; levelsWritten_ < levels_.size(); ++levelsWritten_)
-        file_.endLevel(levels_[levelsWritten_].first, 0, levels_[levelsWritten_].second);
+    for (std::size_t begin = 0; begin < points.size(); begin += codedAtOnce) {
+        const auto part = points.subspan(begin, std::min(codedAtOnce, points.size() - begin));
+        valueCoder_->encode(values_, part, expected + begin);
+        chunk_.points += static_cast<std::uint32_t>(part.size());
+        if (kind == ReplayChunk::Sites) {
+            sites_ += static_cast<std::uint32_t>(part.size());
+            for (const std::uint32_t point : part)
+                if (region_.shares(point))
+                    told_.push_back(region_.inLattice(point));
+        }
+        if (isFull())
+            closeChunk(kind);
+    }
 }
 
-Status ReplayPacker::closeChunk(ReplayChunk kind)
+void RegionPacker::endLevel()
 {
-    const std::vector<std::byte> positions = coders_.positions.finish(), values = coders_.values.finish();
-    const SiteChunkHead head{pointsInChunk_, static_cast<std::uint32_t>(positions.size())};
-    std::vector<std::byte> bytes(sizeof head);
-    std::memcpy(bytes.data(), &head, sizeof head);
-    bytes.insert(bytes.end(), positions.begin(), positions.end());
-    bytes.insert(bytes.end(), values.begin(), values.end());
+    shared_.tell(region_, told_);
+    told_.clear();
+    result_.levels.push_back({mesh_.error(), sites_});
+    ++level_;
+    if (isFull())
+        closeChunk(ReplayChunk::Sites);
+    if (chunk_.steps + chunk_.points == 0)
+        chunkLevel_ = level_;
+}
+
+/// The first chunks are smaller, so that something can be seen soon.
+bool RegionPacker::isFull() const
+{
+    constexpr std::size_t most = 64 << 10;
+    return positions_.size() + values_.size() >=
+           std::clamp<std::size_t>((result_.positions + result_.values) / 4, leastChunk_, most);
+}
+
+void RegionPacker::closeChunk(ReplayChunk kind)
+{
+    const std::vector<std::byte> positions = positions_.finish(), values = values_.finish();
+    chunk_.region = region_.number;
+    chunk_.positionBytes = static_cast<std::uint32_t>(positions.size());
+    PackedRegion::Chunk& chunk = result_.chunks.emplace_back(chunkLevel_, kind, std::vector<std::byte>(sizeof chunk_));
+    std::memcpy(chunk.bytes.data(), &chunk_, sizeof chunk_);
+    chunk.bytes.insert(chunk.bytes.end(), positions.begin(), positions.end());
+    chunk.bytes.insert(chunk.bytes.end(), values.begin(), values.end());
     if (kind == ReplayChunk::Sites) {
-        report_.positions += positions.size();
-        report_.values += values.size();
-        writtenSites_ += bytes.size();
+        result_.positions += positions.size();
+        result_.values += values.size();
     }
-    coders_ = {};
-    values_ = AnyValueCoder::make(mesh_);
-    pointsInChunk_ = 0;
-    if (const Status added = file_.addChunk(static_cast<std::uint32_t>(kind), bytes); !added)
-        return added;
-    if (kind == ReplayChunk::Sites)
-        writeLevels();
-    return {};
+    positions_ = {};
+    values_ = {};
+    chunk_ = {};
+    chunkLevel_ = level_;
 }
 
 /// The samples of the points that are no sites, if the last mesh does not tell them.
-Status ReplayPacker::packOthers(const Progress& progress)
+Status RegionPacker::packOthers(const Progress& progress)
 {
     ReplayMesh::Expectations expected;
     bool told = true;
-    const Status compared = forEachFree(free_, [&](std::span<const std::uint32_t> points) {
+    const Status compared = forEachFree(own_.others, [&](std::span<const std::uint32_t> points) {
         const Status known = told ? mesh_.expect(points, expected, progress) : Status();
         told = told && known && agreesWith(mesh_, points, expected.values);
         return known;
     });
     if (!compared || told)
         return compared;
-    const Status packed = forEachFree(free_, [&](std::span<const std::uint32_t> points) -> Status {
-        if (const Status known = mesh_.expect(points, expected, progress); !known)
-            return known;
-        for (std::size_t begin = 0; begin < points.size(); begin += codedAtOnce) {
-            const auto part = points.subspan(begin, std::min(codedAtOnce, points.size() - begin));
-            values_->encode(coders_.values, part, expected.values.data() + begin);
-            pointsInChunk_ += static_cast<std::uint32_t>(part.size());
-            if (coders_.values.size() >= chunkBytesWanted(writtenSites_))
-                if (const Status closed = closeChunk(ReplayChunk::Others); !closed)
-                    return closed;
-        }
-        return {};
+    const Status packed = forEachFree(own_.others, [&](std::span<const std::uint32_t> points) {
+        const Status known = mesh_.expect(points, expected, progress);
+        if (known)
+            packValues(points, expected.values.data(), ReplayChunk::Others);
+        return known;
     });
-    return packed && pointsInChunk_ > 0 ? closeChunk(ReplayChunk::Others) : packed;
+    if (packed && chunk_.points > 0)
+        closeChunk(ReplayChunk::Others);
+    return packed;
+}
+
+/// On all threads.
+Result<std::vector<PackedRegion>> packRegions(const ReplayedLattice& lattice, const std::vector<float>& limits,
+                                              const Progress& progress)
+{
+    std::vector<PackedRegion> packed(lattice.regions.count());
+    SharedSites shared(lattice.regions);
+    const Status done =
+        lattice.regions.forEach(progress, packing, [&](const ReplayRegion& region, const Progress& own) -> Status {
+            const auto mesh = lattice.mesh(region, own);
+            if (!mesh)
+                return mesh.error();
+            lattice.takeIn(region, **mesh);
+            Result<PackedRegion> result =
+                RegionPacker(region, lattice.division, **mesh, shared, lattice.regions.count()).pack(limits, own);
+            if (!result)
+                return result.error();
+            packed[region.number] = *std::move(result);
+            return {};
+        });
+    return done ? Result<std::vector<PackedRegion>>(std::move(packed)) : done.error();
+}
+
+/// Puts the regions' chunks into the file in the order of their levels, and says where levels end.
+Result<PackReport> writeRegions(std::span<const PackedRegion> regions, PackedFileWriter& file)
+{
+    std::vector<std::size_t> next(regions.size(), 0);
+    std::uint64_t chunkBytes = 0;
+    const auto write = [&](ReplayChunk kind, std::uint32_t level) -> Status {
+        for (std::size_t region = 0; region < regions.size(); ++region)
+            for (const auto& chunks = regions[region].chunks; next[region] < chunks.size(); ++next[region]) {
+                const PackedRegion::Chunk& chunk = chunks[next[region]];
+                if (chunk.kind != kind || chunk.level > level)
+                    break;
+                if (const Status added = file.addChunk(static_cast<std::uint32_t>(kind), chunk.bytes); !added)
+                    return added;
+                chunkBytes += chunk.bytes.size();
+            }
+        return {};
+    };
+    const std::size_t levels = regions.front().levels.size();
+    std::vector<PackedRegion::Level> of(levels);
+    for (std::size_t level = levels; level-- > 0;) {
+        for (const PackedRegion& region : regions) {
+            of[level].error = std::max(of[level].error, region.levels[level].error);
+            of[level].sites += region.levels[level].sites;
+        }
+        if (level + 1 < levels) // a bound never rises
+            of[level].error = std::max(of[level].error, of[level + 1].error);
+    }
+    std::uint32_t sites = 0;
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        if (const Status written = write(ReplayChunk::Sites, level); !written)
+            return written.error();
+        // Small levels are not worth an entry; the last one is, and stands for one before it that has all of its sites.
+        constexpr std::uint32_t share = 12;
+        const bool last = level + 1 == levels;
+        if (last && of[level].sites == sites)
+            file.dropLevel();
+        if (last || of[level].sites - sites > sites / share) {
+            file.endLevel(of[level].error, 0, of[level].sites, level);
+            sites = of[level].sites;
+        }
+    }
+    if (const Status written = write(ReplayChunk::Others, static_cast<std::uint32_t>(levels)); !written)
+        return written.error();
+    PackReport report;
+    for (const PackedRegion& region : regions) {
+        report.positions += region.positions;
+        report.values += region.values;
+    }
+    report.accuracy = file.levelCount() * sizeof(format::PackedLevelEntry);
+    return report;
 }
 
 Status checkReplayed(const Model& model)
@@ -394,42 +623,60 @@ Status checkReplayed(const Model& model)
     return {};
 }
 
-/// Fills the mesh with the samples that the model was built from, as far as it tells them; the mesh is that of the
-/// start then. False if its sites are no sites.
-Result<bool> fillSamples(const Model& model, ReplayMesh& mesh, const Progress& progress)
+/// Finds the samples that the model was built from, as far as it tells them. False if its sites are no sites.
+Result<bool> fillSamples(const Model& model, const ReplayedLattice& lattice, const Progress& progress)
 {
     const std::span<const std::uint32_t> points = model.points();
-    FreePoints free(mesh.pointCount());
+    FreePoints free(lattice.pointCount());
     for (const std::uint32_t point : points) {
         if (point >= free.size() || !free.has(point))
             return false;
         free.remove(point);
     }
-    const auto firstSites = static_cast<std::ptrdiff_t>(mesh.corners().size());
-    std::vector<std::uint32_t> corners(points.begin(), points.begin() + firstSites);
-    std::ranges::sort(corners);
-    if (!std::ranges::equal(corners, mesh.corners()))
-        return false;
     if (!model.samples().empty()) {
-        std::ranges::copy(model.samples(), mesh.samples().begin());
+        std::memcpy(lattice.samples.get(), model.samples().data(), model.samples().size());
         return true;
     }
-    const std::size_t size = sampleSize(mesh.type());
-    for (std::size_t site = 0; site < points.size(); ++site)
-        std::memcpy(mesh.samples().data() + points[site] * size, model.values().data() + site * size, size);
-    if (const Status added = mesh.add(points.subspan(mesh.corners().size()), {}, progress); !added)
-        return added.error();
-    ReplayMesh::Expectations expected;
-    const Status filled = forEachFree(free, [&](std::span<const std::uint32_t> others) {
-        const Status known = mesh.expect(others, expected, progress);
-        if (known)
-            takeExpected(mesh, others, expected.values);
-        return known;
-    });
-    if (!filled)
-        return filled.error();
-    mesh.restart();
-    return true;
+    const std::size_t size = sampleSize(lattice.type);
+    std::vector<std::vector<std::uint32_t>> sites(lattice.regions.count());
+    std::vector<std::uint32_t> having;
+    for (std::size_t site = 0; site < points.size(); ++site) {
+        std::memcpy(lattice.sample(points[site]), model.values().data() + site * size, size);
+        lattice.regions.having(points[site], having);
+        for (const std::uint32_t region : having)
+            sites[region].push_back(points[site]);
+    }
+    const Status filled =
+        lattice.regions.forEach(progress, packing, [&](const ReplayRegion& region, const Progress& own) -> Status {
+            auto mesh = lattice.mesh(region, own);
+            if (!mesh)
+                return mesh.error();
+            lattice.takeIn(region, **mesh);
+            const std::span<const std::uint32_t> corners = (*mesh)->corners();
+            FreePoints others = OwnPoints(region, lattice.division).others;
+            std::vector<std::uint32_t> inside;
+            for (const std::uint32_t site : sites[region.number]) {
+                const std::uint32_t point = region.inBox(site);
+                if (std::ranges::binary_search(corners, point))
+                    continue;
+                inside.push_back(point);
+                if (others.has(point))
+                    others.remove(point);
+            }
+            if (const Status added = (*mesh)->add(inside, {}, own); !added)
+                return added;
+            ReplayMesh::Expectations expected;
+            const Status known = forEachFree(others, [&](std::span<const std::uint32_t> some) {
+                const Status told = (*mesh)->expect(some, expected, own);
+                if (told)
+                    takeExpected(lattice.type, (*mesh)->samples().data(), some, expected.values);
+                return told;
+            });
+            if (known)
+                lattice.handOver(region, **mesh);
+            return known;
+        });
+    return filled ? Result<bool>(true) : filled.error();
 }
 
 /// Whether building the model again gives the same bytes.
@@ -453,213 +700,376 @@ Result<bool> isReproducible(const Model& model, const Dataset& dataset, const Re
 
 // Unpacking.
 
-/// Reads the sites of a packed model in their steps, and adds them to the mesh.
-class ReplayReader {
+/// The chunks of a region, as the file has them.
+struct RegionChunks {
+    std::vector<std::vector<std::byte>> sites;
+    std::vector<std::vector<std::byte>> others;
+};
+
+/// All chunks up to so many bytes, or all there are: a model's chunks take less than a hundredth of its memory.
+Result<std::vector<RegionChunks>> readChunks(const PackedFile& file, std::uint32_t regionCount, std::uint64_t bytes,
+                                             const Progress& progress)
+{
+    std::vector<RegionChunks> regions(regionCount);
+    PackedChunkReader chunks(file, bytes);
+    for (;;) {
+        const Result<bool> more = chunks.next(progress);
+        if (!more)
+            return more.error();
+        if (!*more)
+            return regions;
+        SiteChunkHead head;
+        const auto kind = static_cast<ReplayChunk>(chunks.kind());
+        if ((kind != ReplayChunk::Sites && kind != ReplayChunk::Others) || chunks.bytes().size() < sizeof head)
+            return file.damaged(Message::say("its sites make no sense"));
+        std::memcpy(&head, chunks.bytes().data(), sizeof head);
+        if (head.region >= regionCount || head.positionBytes > chunks.bytes().size() - sizeof head)
+            return file.damaged(Message::say("its sites make no sense"));
+        RegionChunks& region = regions[head.region];
+        (kind == ReplayChunk::Sites ? region.sites : region.others)
+            .emplace_back(chunks.bytes().begin(), chunks.bytes().end());
+    }
+}
+
+/// Where a region's sites are.
+struct RegionSites {
+    OwnPoints own;                        ///< `others`: those that are no sites
+    std::vector<std::uint32_t> points{};  ///< of the lattice, in the order in which they were added, without corners
+    std::vector<std::size_t> stepEnds{};  ///< by places in `points`
+    std::vector<std::size_t> levelEnds{}; ///< by places in `stepEnds`
+};
+
+/// Reads the positions of a region's chunks.
+class PositionReader {
 public:
-    /// All chunks up to the level, or all there are.
-    ReplayReader(const PackedFile& file, ReplayMesh& mesh, std::uint64_t bytes)
-        : file_(file), mesh_(mesh), chunks_(file, bytes), free_(mesh.pointCount())
+    PositionReader(const PackedFile& file, const std::vector<std::vector<std::byte>>& chunks)
+        : file_(file), chunks_(chunks)
     {
     }
 
-    /// Up to so many, where a step ends.
-    Status readSites(std::uint32_t count, const Progress& progress, InsertionWatch* watch = nullptr);
-    /// Then the samples of all other points.
-    Status readOthers(const Progress& progress);
-    /// In their order, without the corners.
-    std::span<const std::uint32_t> sites() const noexcept { return sites_; }
-    /// Where they were found, for who adds them again: so the same tetrahedra come in the same order.
-    std::span<const std::uint32_t> slots() const noexcept { return slots_; }
+    /// So many levels. Errors: the chunks hold something else, or too little.
+    Status read(const ReplayRegion& region, std::uint32_t levels, RegionSites& sites);
+    /// Whether there is nothing behind these levels.
+    bool atEnd() const { return left_.steps + left_.points == 0 && next_ == chunks_.size(); }
 
 private:
-    Status readChunk(std::uint32_t count, const Progress& progress, InsertionWatch* watch);
-    Status readPart(RangeDecoder& positions, RangeDecoder& values, std::uint32_t count, const Progress& progress);
-    Status beginStep(std::uint32_t count, RangeDecoder& positions);
-    std::uint32_t siteCount() const
-    {
-        return static_cast<std::uint32_t>(sites_.size()) +
-               (begun_ ? static_cast<std::uint32_t>(mesh_.corners().size()) : 0);
-    }
-    Result<SiteChunkHead> headOf(std::span<const std::byte> bytes) const;
+    Status openChunk();
+    Status readStep(const ReplayRegion& region, std::uint64_t points, RegionSites& sites);
     Error damaged() const { return file_.damaged(Message::say("its sites make no sense")); }
 
     const PackedFile& file_;
-    ReplayMesh& mesh_;
-    PackedChunkReader chunks_;
-    FreePoints free_;
-    NumberModel sizes_;
-    GapCoder gaps_;
-    std::unique_ptr<AnyValueCoder> valueCoder_;
-    std::vector<std::uint32_t> sites_;
-    std::vector<std::uint32_t> slots_; ///< of each site
-    ReplayMesh::Expectations expected_;
-    bool begun_ = false;        ///< the corners are known
-    std::size_t stepBegin_ = 0; ///< in sites_
-    std::uint32_t leftInStep_ = 0;
-    std::uint64_t mean_ = 0;
-    std::uint64_t place_ = 0;
+    const std::vector<std::vector<std::byte>>& chunks_;
+    std::size_t next_ = 0;
+    SiteChunkHead left_; ///< in the chunk
+    std::optional<RangeDecoder> coder_;
+    PositionModels models_;
 };
 
-Result<SiteChunkHead> ReplayReader::headOf(std::span<const std::byte> bytes) const
+Status PositionReader::read(const ReplayRegion& region, std::uint32_t levels, RegionSites& sites)
 {
-    SiteChunkHead head;
-    if (bytes.size() < sizeof head)
-        return damaged();
-    std::memcpy(&head, bytes.data(), sizeof head);
-    if (head.positionBytes > bytes.size() - sizeof head || head.points == 0)
-        return damaged();
-    return head;
-}
-
-Status ReplayReader::readSites(std::uint32_t count, const Progress& progress, InsertionWatch* watch)
-{
-    while (!begun_ || siteCount() < count) {
-        const Result<bool> more = chunks_.next(progress);
-        if (!more)
-            return more.error();
-        if (!*more || chunks_.kind() != static_cast<std::uint32_t>(ReplayChunk::Sites))
+    for (std::size_t corners = sites.own.corners.size(); corners > 0;) {
+        if (left_.points == 0)
+            if (const Status opened = openChunk(); !opened)
+                return opened;
+        const auto some = static_cast<std::uint32_t>(std::min<std::size_t>(corners, left_.points));
+        left_.points -= some;
+        corners -= some;
+        if (some == 0)
             return damaged();
-        if (const Status read = readChunk(count, progress, watch); !read)
-            return read;
-        progress.report(static_cast<double>(siteCount()) / static_cast<double>(count), unpackingSites);
     }
-    return leftInStep_ == 0 && siteCount() == count ? Status() : damaged();
+    sites.levelEnds.push_back(0);
+    while (sites.levelEnds.size() < levels) {
+        if (left_.steps == 0)
+            if (const Status opened = openChunk(); !opened)
+                return opened;
+        if (left_.steps-- == 0)
+            return damaged();
+        const std::uint64_t points = models_.steps.code(*coder_, 0);
+        if (points > sites.own.others.count() || coder_->overrun())
+            return damaged();
+        if (points == 0)
+            sites.levelEnds.push_back(sites.stepEnds.size());
+        else if (const Status read = readStep(region, points, sites); !read)
+            return read;
+    }
+    return {};
 }
 
-Status ReplayReader::readChunk(std::uint32_t count, const Progress& progress, InsertionWatch* watch)
+Status PositionReader::readStep(const ReplayRegion& region, std::uint64_t points, RegionSites& sites)
 {
-    const std::span<const std::byte> bytes = chunks_.bytes();
-    const Result<SiteChunkHead> head = headOf(bytes);
-    if (!head)
-        return head.error();
-    RangeDecoder positions(bytes.subspan(sizeof *head, head->positionBytes));
-    RangeDecoder values(bytes.subspan(sizeof *head + head->positionBytes));
-    sizes_ = {};
-    gaps_ = {};
-    valueCoder_ = AnyValueCoder::make(mesh_);
-    for (std::uint32_t left = head->points; left > 0;) {
-        if (leftInStep_ == 0) {
-            if (begun_ && siteCount() == count) // what follows belongs to the next level
-                return {};
-            if (const Status begins = beginStep(count, positions); !begins)
-                return begins;
-        }
-        const bool corners = !begun_;
-        const auto part = static_cast<std::uint32_t>(std::min<std::size_t>({left, leftInStep_, replayedAtOnce}));
-        if (corners) {
-            if (part != leftInStep_)
+    FreePoints& free = sites.own.others;
+    const std::uint64_t mean = free.count() / points;
+    std::uint64_t place = 0;
+    for (; points > 0; --points) {
+        if (left_.points == 0)
+            if (const Status opened = openChunk(); !opened)
+                return opened;
+        if (left_.points-- == 0)
+            return damaged();
+        const std::uint64_t point = free.next(place, models_.gaps.code(*coder_, mean, 0));
+        if (point >= free.size() || coder_->overrun())
+            return damaged();
+        free.remove(point);
+        sites.points.push_back(region.inLattice(static_cast<std::uint32_t>(point)));
+        place = point + 1;
+    }
+    sites.stepEnds.push_back(sites.points.size());
+    return {};
+}
+
+/// The next one, when all that the last one had is read.
+Status PositionReader::openChunk()
+{
+    if (left_.steps + left_.points > 0 || next_ == chunks_.size())
+        return damaged();
+    const std::span<const std::byte> bytes = chunks_[next_++];
+    std::memcpy(&left_, bytes.data(), sizeof left_);
+    coder_.emplace(bytes.subspan(sizeof left_, left_.positionBytes));
+    return {};
+}
+
+/// Reads the samples of a region's chunks, of which something is expected, in the order in which they were packed.
+class SampleReader {
+public:
+    SampleReader(const PackedFile& file, const RegionChunks& chunks) : file_(file), chunks_(chunks) {}
+
+    /// Whether there are samples of points that are no sites.
+    bool hasOthers() const { return !chunks_.others.empty(); }
+    /// Into the lattice's samples. Others come after all sites.
+    Status read(ReplayChunk kind, std::span<const std::uint32_t> points, const double* expected,
+                const ReplayedLattice& lattice);
+
+private:
+    Error damaged() const { return file_.damaged(Message::say("its sites make no sense")); }
+
+    const PackedFile& file_;
+    const RegionChunks& chunks_;
+    std::size_t next_ = 0;   ///< of the sites' chunks, then of the others'
+    std::uint32_t left_ = 0; ///< points in the chunk
+    std::optional<RangeDecoder> coder_;
+    std::unique_ptr<AnyValueCoder> values_;
+};
+
+Status SampleReader::read(ReplayChunk kind, std::span<const std::uint32_t> points, const double* expected,
+                          const ReplayedLattice& lattice)
+{
+    if (!values_)
+        values_ = AnyValueCoder::make(lattice.type, lattice.samples.get());
+    for (std::size_t begin = 0; begin < points.size();) {
+        while (left_ == 0) {
+            const std::size_t before = kind == ReplayChunk::Sites ? 0 : chunks_.sites.size();
+            const auto& chunks = kind == ReplayChunk::Sites ? chunks_.sites : chunks_.others;
+            next_ = std::max(next_, before);
+            if (next_ - before >= chunks.size())
                 return damaged();
-            expected_.values.assign(part, 0.0);
-            valueCoder_->decode(values, mesh_.corners(), expected_.values.data());
-            for (const std::uint32_t corner : mesh_.corners())
-                free_.remove(corner);
-            begun_ = true;
-        } else if (const Status read = readPart(positions, values, part, progress); !read) {
-            return read;
+            const std::span<const std::byte> bytes = chunks[next_++ - before];
+            SiteChunkHead head;
+            std::memcpy(&head, bytes.data(), sizeof head);
+            coder_.emplace(bytes.subspan(sizeof head + head.positionBytes));
+            left_ = head.points;
         }
-        if (positions.overrun() || values.overrun())
+        const std::size_t count = std::min<std::size_t>(left_, points.size() - begin);
+        values_->decode(*coder_, points.subspan(begin, count), expected + begin);
+        if (coder_->overrun())
             return damaged();
-        left -= part;
-        leftInStep_ -= part;
-        if (leftInStep_ > 0 || corners)
-            continue;
-        const auto step = std::span<const std::uint32_t>(sites_).subspan(stepBegin_);
-        if (const Status added = mesh_.add(step, std::span(slots_).subspan(stepBegin_), progress, watch); !added)
-            return added;
-        stepBegin_ = sites_.size();
+        left_ -= static_cast<std::uint32_t>(count);
+        begin += count;
     }
     return {};
 }
 
-/// A level ends with a step: no step leads beyond the sites that are asked for.
-Status ReplayReader::beginStep(std::uint32_t count, RangeDecoder& positions)
-{
-    const std::uint64_t sites = sizes_.code(positions, 0);
-    if (sites == 0 || sites > free_.count() || positions.overrun() || (!begun_ && sites != mesh_.corners().size()))
-        return damaged();
-    if (begun_ && sites > count - siteCount())
-        return damaged();
-    leftInStep_ = static_cast<std::uint32_t>(sites);
-    mean_ = free_.count() / sites;
-    place_ = 0;
-    return {};
-}
+/// What the chunks of a packed lattice hold, up to the end of a level of packing: first all positions, then, with the
+/// places of these, the samples.
+class ReplayReader {
+public:
+    /// Up to a level, or all there is. Errors: damage, the source's, cancelled.
+    static Result<ReplayReader> open(const PackedFile& file, const ReplayedLattice& lattice,
+                                     std::optional<std::size_t> level, const Progress& progress);
 
-Status ReplayReader::readPart(RangeDecoder& positions, RangeDecoder& values, std::uint32_t count,
-                              const Progress& progress)
-{
-    const std::size_t begin = sites_.size();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint64_t point = free_.next(place_, gaps_.code(positions, mean_, 0));
-        if (point >= free_.size() || positions.overrun())
-            return damaged();
-        free_.remove(point);
-        sites_.push_back(static_cast<std::uint32_t>(point));
-        place_ = point + 1;
-    }
-    const auto points = std::span<const std::uint32_t>(sites_).subspan(begin);
-    if (const Status known = mesh_.expect(points, expected_, progress); !known)
-        return known;
-    slots_.insert(slots_.end(), expected_.slots.begin(), expected_.slots.end());
-    valueCoder_->decode(values, points, expected_.values.data());
-    return {};
-}
+    /// Points of the lattice, without corners, by levels, then regions, then in the order in which they were added.
+    std::span<const std::uint32_t> sites() const noexcept { return sites_; }
+    /// Behind the last site of each step, by places in sites().
+    std::span<const std::uint32_t> stepEnds() const noexcept { return stepEnds_; }
+    /// Of the whole lattice, the points that are neither sites nor corners.
+    FreePoints others() const;
 
-Status ReplayReader::readOthers(const Progress& progress)
+    /// The samples of the corners, then those of each step, of which something is expected; others when all steps are
+    /// read.
+    Status readCorners();
+    Status readStep(std::size_t step, const double* expected);
+    /// `expect(points, expected)` tells what is expected of points.
+    Status readOthers(const std::function<void(std::span<const std::uint32_t>, std::vector<double>&)>& expect,
+                      const Progress& progress);
+
+private:
+    ReplayReader(const PackedFile& file, const ReplayedLattice& lattice) : file_(file), lattice_(lattice) {}
+    void mergeSteps(std::uint32_t levels);
+    Error damaged() const { return file_.damaged(Message::say("its sites make no sense")); }
+
+    const PackedFile& file_;
+    const ReplayedLattice& lattice_;
+    std::vector<RegionChunks> chunks_;
+    std::vector<RegionSites> regions_;
+    std::vector<SampleReader> samples_; ///< of each region
+    std::vector<std::uint32_t> sites_, stepEnds_;
+    std::vector<std::uint32_t> stepRegions_;
+};
+
+Result<ReplayReader> ReplayReader::open(const PackedFile& file, const ReplayedLattice& lattice,
+                                        std::optional<std::size_t> level, const Progress& progress)
 {
-    const Result<bool> any = chunks_.next(progress);
-    if (!any)
-        return any.error();
-    if (!*any)
-        return forEachFree(free_, [&](std::span<const std::uint32_t> points) {
-            const Status known = mesh_.expect(points, expected_, progress);
-            if (known)
-                takeExpected(mesh_, points, expected_.values);
-            return known;
+    const format::PackedLevelEntry& last = level ? file.levels()[*level] : file.levels().back();
+    ReplayReader reader(file, lattice);
+    auto chunks = readChunks(file, lattice.regions.count(), level ? last.chunkBytes : file.chunks().size, progress);
+    if (!chunks)
+        return chunks.error();
+    reader.chunks_ = *std::move(chunks);
+    reader.regions_.resize(lattice.regions.count());
+    const std::uint32_t levels = last.replayLevel + 1;
+    const Status read = lattice.regions.forEach(
+        progress, unpackingSites, [&](const ReplayRegion& region, const Progress& own) -> Status {
+            RegionSites& sites = reader.regions_[region.number];
+            sites.own = OwnPoints(region, lattice.division);
+            PositionReader positions(file, reader.chunks_[region.number].sites);
+            const Status done =
+                own.cancelled() ? Status(cancelledError(unpackingSites)) : positions.read(region, levels, sites);
+            return done && !level && !positions.atEnd() ? Status(reader.damaged()) : done;
         });
-    std::optional<RangeDecoder> values;
-    std::uint32_t left = 0;
-    return forEachFree(free_, [&](std::span<const std::uint32_t> points) -> Status {
-        if (const Status known = mesh_.expect(points, expected_, progress); !known)
-            return known;
-        for (std::size_t begin = 0; begin < points.size();) {
-            if (left == 0) {
-                if (values) {
-                    const Result<bool> more = chunks_.next(progress);
-                    if (!more)
-                        return more.error();
-                    if (!*more)
-                        return damaged();
-                }
-                const Result<SiteChunkHead> head = headOf(chunks_.bytes());
-                if (!head || chunks_.kind() != static_cast<std::uint32_t>(ReplayChunk::Others))
-                    return damaged();
-                values.emplace(chunks_.bytes().subspan(sizeof *head + head->positionBytes));
-                valueCoder_ = AnyValueCoder::make(mesh_);
-                left = head->points;
-            }
-            const std::size_t part = std::min<std::size_t>(left, points.size() - begin);
-            valueCoder_->decode(*values, points.subspan(begin, part), expected_.values.data() + begin);
-            if (values->overrun())
-                return damaged();
-            begin += part;
-            left -= static_cast<std::uint32_t>(part);
-        }
-        return {};
-    });
+    if (!read)
+        return read.error();
+    reader.mergeSteps(levels);
+    std::size_t corners = 0;
+    for (const RegionSites& region : reader.regions_)
+        corners += region.own.corners.size();
+    if (corners + reader.sites_.size() != last.sites)
+        return file.damaged(Message::say("its levels make no sense"));
+    for (const RegionChunks& region : reader.chunks_)
+        reader.samples_.emplace_back(file, region);
+    return reader;
 }
 
-Result<std::unique_ptr<ReplayMesh>> replayMeshOf(const PackedFile& file, ReplayMesh::Kept kept,
-                                                 const Progress& progress)
+void ReplayReader::mergeSteps(std::uint32_t levels)
+{
+    for (std::uint32_t level = 1; level < levels; ++level)
+        for (std::uint32_t number = 0; number < regions_.size(); ++number) {
+            const RegionSites& region = regions_[number];
+            for (std::size_t step = region.levelEnds[level - 1]; step < region.levelEnds[level]; ++step) {
+                const auto place = [&](std::size_t end) {
+                    return region.points.begin() + static_cast<std::ptrdiff_t>(end);
+                };
+                sites_.insert(sites_.end(), place(step == 0 ? 0 : region.stepEnds[step - 1]),
+                              place(region.stepEnds[step]));
+                stepEnds_.push_back(static_cast<std::uint32_t>(sites_.size()));
+                stepRegions_.push_back(number);
+            }
+        }
+    for (RegionSites& region : regions_)
+        region.points = {};
+}
+
+FreePoints ReplayReader::others() const
+{
+    FreePoints free(lattice_.pointCount());
+    for (std::uint32_t number = 0; number < regions_.size(); ++number)
+        for (const std::uint32_t corner : regions_[number].own.corners)
+            free.remove(lattice_.regions[number].inLattice(corner));
+    for (const std::uint32_t site : sites_)
+        free.remove(site);
+    return free;
+}
+
+Status ReplayReader::readCorners()
+{
+    for (std::uint32_t number = 0; number < regions_.size(); ++number) {
+        const ReplayRegion region = lattice_.regions[number];
+        std::vector<std::uint32_t> corners;
+        for (const std::uint32_t corner : regions_[number].own.corners)
+            corners.push_back(region.inLattice(corner));
+        const std::vector<double> unknown(corners.size(), 0.0);
+        if (const Status read = samples_[number].read(ReplayChunk::Sites, corners, unknown.data(), lattice_); !read)
+            return read;
+    }
+    return {};
+}
+
+Status ReplayReader::readStep(std::size_t step, const double* expected)
+{
+    const std::size_t begin = step == 0 ? 0 : stepEnds_[step - 1];
+    return samples_[stepRegions_[step]].read(ReplayChunk::Sites, sites().subspan(begin, stepEnds_[step] - begin),
+                                             expected, lattice_);
+}
+
+Status ReplayReader::readOthers(const std::function<void(std::span<const std::uint32_t>, std::vector<double>&)>& expect,
+                                const Progress& progress)
+{
+    std::vector<double> expected;
+    std::vector<std::uint32_t> points;
+    for (std::uint32_t number = 0; number < regions_.size(); ++number) {
+        const ReplayRegion region = lattice_.regions[number];
+        SampleReader& samples = samples_[number];
+        const Status read =
+            forEachFree(regions_[number].own.others, [&](std::span<const std::uint32_t> some) -> Status {
+                if (progress.cancelled())
+                    return cancelledError(unpackingSites);
+                points.clear();
+                for (const std::uint32_t point : some)
+                    points.push_back(region.inLattice(point));
+                expect(points, expected);
+                if (samples.hasOthers())
+                    return samples.read(ReplayChunk::Others, points, expected.data(), lattice_);
+                takeExpected(lattice_.type, lattice_.samples.get(), points, expected);
+                return {};
+            });
+        if (!read)
+            return read;
+    }
+    return {};
+}
+
+/// All samples of a packed lattice.
+Status readSamples(const PackedFile& file, const ReplayedLattice& lattice, const Progress& progress)
+{
+    constexpr double sitesAt = 0.05, placesAt = 0.9;
+    auto reader = ReplayReader::open(file, lattice, std::nullopt, progress.part(0, sitesAt));
+    if (!reader)
+        return reader.error();
+    ReplayPlaces places;
+    if (const Status found = places.find(lattice.division, lattice.metric, reader->sites(), reader->stepEnds(),
+                                         reader->others(), progress.part(sitesAt, placesAt));
+        !found)
+        return found;
+    if (const Status read = reader->readCorners(); !read)
+        return read;
+    const PackedLattice points(lattice.size);
+    std::vector<double> expected;
+    std::size_t first = 0;
+    for (std::size_t step = 0; step < reader->stepEnds().size(); ++step) {
+        if (progress.cancelled())
+            return cancelledError(unpackingSites);
+        const std::size_t count = reader->stepEnds()[step] - first;
+        interpolateIn(points, lattice.type, lattice.samples.get(), places.ofSites().subspan(first, count),
+                      reader->sites().subspan(first, count), expected);
+        if (const Status read = reader->readStep(step, expected.data()); !read)
+            return read;
+        first += count;
+    }
+    std::vector<ReplayPlaces::Vertices> tetrahedra;
+    return reader->readOthers(
+        [&](std::span<const std::uint32_t> some, std::vector<double>& told) {
+            tetrahedra.clear();
+            for (const std::uint32_t point : some)
+                tetrahedra.push_back(places.ofOther(point));
+            interpolateIn(points, lattice.type, lattice.samples.get(), tetrahedra, some, told);
+        },
+        progress);
+}
+
+Result<std::unique_ptr<ReplayedLattice>> replayedLatticeOf(const PackedFile& file)
 {
     const ModelDescription& about = file.description();
-    const std::uint64_t points = about.lattice.pointCount();
     if (about.domain != DomainClass::RegularLattice || !isReplayableSize(about.lattice, file.facts().blockCells))
-        return file.damaged(Message::say("a lattice of %1 points cannot be replayed", points));
-    auto mesh = ReplayMesh::make(about.lattice, about.sampleType, file.facts().blockCells, kept, progress);
-    if (mesh && (*mesh)->corners().size() > file.header().siteCount)
-        return file.damaged(Message::say("its blocks make no sense"));
-    return mesh;
+        return file.damaged(Message::say("a lattice of %1 points cannot be replayed", about.lattice.pointCount()));
+    return ReplayedLattice::make(about, file.facts().blockCells);
 }
 
 /// The sections of a model that was built again which are not what they were.
@@ -854,28 +1264,32 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
     if (!cells || !isReplayableSize(about.lattice, *cells) ||
         !std::ranges::is_sorted(model.runningKeys(), std::ranges::greater()))
         return cannot;
-    if (!latticeMetric(BlockDivision(about.lattice.size, *cells).box(0).size, about.lattice.spacing))
+    const auto recipe = replayRecipe(about, *cells);
+    if (!recipe || !latticeMetric(BlockDivision(about.lattice.size, *cells).box(0).size, about.lattice.spacing))
         return cannot;
-    auto mesh = ReplayMesh::make(about.lattice, about.sampleType, *cells, ReplayMesh::Kept::AsOne, progress);
-    if (!mesh)
-        return mesh.error();
-    const Result<bool> filled = fillSamples(model, **mesh, progress);
+    const auto lattice = ReplayedLattice::make(about, *cells);
+    if (!lattice)
+        return lattice.error();
+    constexpr double filledAt = 0.1;
+    const Result<bool> filled = fillSamples(model, **lattice, progress.part(0, filledAt));
     if (!filled)
         return filled.error();
-    const auto recipe = replayRecipe(about, *cells);
-    if (!*filled || !recipe)
+    if (!*filled)
         return cannot;
-    const auto dataset = replayedDataset(about, (*mesh)->sharedSamples());
+    const auto dataset = replayedDataset(about, (*lattice)->samples);
     if (!dataset)
         return cannot;
-    const Result<bool> same = isReproducible(model, *dataset, *recipe, file.target(), progress.part(0, triedAt));
+    const Result<bool> same = isReproducible(model, *dataset, *recipe, file.target(), progress.part(filledAt, triedAt));
     if (!same)
         return same.error();
     if (!*same)
         return cannot;
     file.setBlockCells(*cells);
-    const Result<PackReport> report =
-        ReplayPacker(**mesh, file).pack(finestOf(**mesh, about, *recipe), progress.part(triedAt, 1));
+    const auto regions =
+        packRegions(**lattice, levelLimits(about.range.extent(), finestOf(about, *recipe)), progress.part(triedAt, 1));
+    if (!regions)
+        return regions.error();
+    const Result<PackReport> report = writeRegions(*regions, file);
     if (!report)
         return report.error();
     return std::optional(*report);
@@ -885,24 +1299,19 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
                                     const Progress& progress)
 {
     constexpr double readAt = 0.4;
-    auto mesh = replayMeshOf(file, ReplayMesh::Kept::InParts, progress);
-    if (!mesh)
-        return mesh.error();
+    auto lattice = replayedLatticeOf(file);
+    if (!lattice)
+        return lattice.error();
     const ModelDescription& about = file.description();
     const auto recipe = replayRecipe(about, file.facts().blockCells);
     if (!recipe)
         return file.damaged(Message::say("its text does not tell how it is built"));
-    {
-        ReplayReader reader(file, **mesh, file.chunks().size);
-        if (const Status read = reader.readSites(file.levels().back().sites, progress.part(0, readAt)); !read)
-            return read.error();
-        if (const Status read = reader.readOthers(progress); !read)
-            return read.error();
-    }
-    const auto dataset = replayedDataset(about, (*mesh)->sharedSamples());
+    if (const Status read = readSamples(file, **lattice, progress.part(0, readAt)); !read)
+        return read.error();
+    const auto dataset = replayedDataset(about, (*lattice)->samples);
     if (!dataset)
         return file.damaged(Message::say("its samples are not those that it was packed with"));
-    mesh->reset();
+    lattice->reset();
     if (const Status built = buildAgain(*dataset, about, *recipe, output, progress.part(readAt, 1)); !built)
         return built.error();
     return compareSections(file, output);
@@ -912,7 +1321,10 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
                               const Progress& progress)
 {
     constexpr double readAt = 0.5;
-    const auto mesh = replayMeshOf(file, ReplayMesh::Kept::AsOne, progress);
+    const auto lattice = replayedLatticeOf(file);
+    if (!lattice)
+        return lattice.error();
+    const auto mesh = (*lattice)->wholeMesh(progress);
     if (!mesh)
         return mesh.error();
     ReplayMesh& replayed = **mesh;
@@ -928,31 +1340,50 @@ Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const s
     const auto numbers = addStart(corners, start, none);
     if (!numbers)
         return numbers.error();
-    ReplayReader reader(file, replayed, levels.back().chunkBytes);
-    LifeWatch lives(*numbers, levels, firstSites);
-    if (const Status read = reader.readSites(levels.back().sites, progress.part(0, readAt), &lives); !read)
+    auto reader = ReplayReader::open(file, **lattice, level, progress.part(0, readAt / 10));
+    if (!reader)
+        return reader.error();
+    if (const Status read = reader->readCorners(); !read)
         return read;
+    const std::span<const std::uint32_t> sites = reader->sites();
+    LifeWatch lives(*numbers, levels, firstSites);
+    // Where they were found, for who adds them again: so the same tetrahedra come in the same order.
+    std::vector<std::uint32_t> slots;
+    ReplayMesh::Expectations expected;
+    for (std::size_t step = 0, first = 0; step < reader->stepEnds().size(); ++step) {
+        const auto points = sites.subspan(first, reader->stepEnds()[step] - first);
+        if (const Status known = replayed.expect(points, expected, progress); !known)
+            return known;
+        if (const Status read = reader->readStep(step, expected.values.data()); !read)
+            return read;
+        if (const Status added = replayed.add(points, expected.slots, progress, &lives); !added)
+            return added;
+        slots.insert(slots.end(), expected.slots.begin(), expected.slots.end());
+        first += points.size();
+        progress.part(readAt / 10, readAt)
+            .report(static_cast<double>(first) / static_cast<double>(sites.size()), unpackingSites);
+    }
     replayed.restart();
 
     Dataset dataset;
     dataset.lattice = file.description().lattice;
-    dataset.values = ScalarField(replayed.type(), replayed.pointCount(), replayed.sharedSamples());
+    dataset.values = ScalarField((*lattice)->type, (*lattice)->pointCount(), (*lattice)->samples);
     const auto writer = ModelWriter::create(output, dataset, file.description(), {}, KnownSamples::OfSites);
     if (!writer)
         return writer.error();
     HistoryTraits traits;
-    traits.blockCells = replayed.division().blockCells();
+    traits.blockCells = BlockDivision((*lattice)->size, (*lattice)->blockCells).blockCells();
     if (const Status begun = (*writer)->begin(traits); !begun)
         return begun;
-    HistoryWatch history(*numbers, levels, firstSites, lives.deaths(), reader.sites(), **writer);
+    HistoryWatch history(*numbers, levels, firstSites, lives.deaths(), sites, **writer);
     for (std::size_t i = 0; i < start.size(); ++i)
         start[i].error = history.errorOf((*numbers)[i]);
     if (const auto added = addStart(corners, start, **writer); !added)
         return added.error();
-    const std::span<const std::uint32_t> sites = reader.sites();
     for (std::size_t first = 0; first < sites.size(); first += replayedAtOnce) {
         const auto part = sites.subspan(first, std::min(replayedAtOnce, sites.size() - first));
-        if (const Status added = replayed.add(part, reader.slots().subspan(first, part.size()), progress, &history);
+        if (const Status added = replayed.add(part, std::span<const std::uint32_t>(slots).subspan(first, part.size()),
+                                              progress, &history);
             !added)
             return added;
         if (!history.status())

@@ -120,9 +120,10 @@ struct PackReport {
 };
 
 /// Packs a model into `output`, atomically; a model or packed model that was there is replaced at the end, any other
-/// file is not (WrongUsage). Takes about three times as long as building the model took, and of memory up to 600 bytes
-/// a site besides; while it works it needs room for the unpacked model beside `output`. Errors: a damaged model, no
-/// room, not enough memory, cancelled. Uses all threads for models in blocks; call it from a worker thread.
+/// file is not (WrongUsage). Takes about three times as long as building the model took, and of memory 600 bytes a site
+/// of a lattice of one block; of one in blocks, those of as many regions of some 64^3 points as there are threads.
+/// While it works it needs room for the unpacked model beside `output`. Errors: a damaged model, no room, not enough
+/// memory, cancelled. Uses all threads for models in blocks; call it from a worker thread.
 TAN_API Result<PackReport> packModel(const Model& model, const std::filesystem::path& output,
                                      const Progress& progress = {});
 
@@ -132,8 +133,8 @@ struct UnpackReport {
     std::vector<std::string> derived;
 };
 
-/// Makes the model again, at `output`, which is treated as by packModel(). Time and memory as for building the model
-/// and half as much again. Errors: damaged bytes, no room, not enough memory, the source's, cancelled.
+/// Makes the model again, at `output`, which is treated as by packModel(). Time as for building the model and a third as
+/// much again; memory as for building it, and of lattices some 30 bytes a site besides. Errors: damaged bytes, no room, not enough memory, the source's, cancelled.
 TAN_API Result<UnpackReport> unpackModel(const PackedModel& packed, const std::filesystem::path& output,
                                          const Progress& progress = {});
 

@@ -540,24 +540,40 @@ pointsOfStart(const LatticeDelaunay& delaunay, const LatticeBox& box, std::uint3
     return inside;
 }
 
+namespace {
+
+/// volumesAt() the point (x, y, z).
+TETRA_SIMD_INLINE std::array<std::int64_t, 4> volumesAround(const PackedLattice& lattice, std::int32_t x,
+                                                            std::int32_t y, std::int32_t z,
+                                                            const std::array<PackedPoint, 4>& vertices)
+{
+    std::array<std::array<std::int64_t, 3>, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i)
+        corners[i] = {lattice.x(vertices[i]) - x, lattice.y(vertices[i]) - y, lattice.z(vertices[i]) - z};
+    const auto cross = [](const auto& a, const auto& b) -> std::array<std::int64_t, 3> {
+        return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto dot = [](const auto& a, const auto& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const auto& [a, b, c, d] = corners;
+    const std::array<std::int64_t, 3> ab = cross(a, b), cd = cross(c, d);
+    return {dot(b, cd), -dot(a, cd), dot(d, ab), -dot(c, ab)};
+}
+
+} // namespace
+
+std::array<std::int64_t, 4> volumesAt(const PackedLattice& lattice, PackedPoint point,
+                                      const std::array<PackedPoint, 4>& vertices)
+{
+    return volumesAround(lattice, lattice.x(point), lattice.y(point), lattice.z(point), vertices);
+}
+
 PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot)
 {
     const PackedLattice lattice = delaunay.lattice();
     const std::int32_t x = lattice.x(point), y = lattice.y(point), z = lattice.z(point);
     for (;;) {
         const DelaunayTetrahedron& tetrahedron = delaunay[slot];
-        std::array<std::array<std::int64_t, 3>, 4> corners;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const PackedPoint vertex = tetrahedron.vertices[i];
-            corners[i] = {lattice.x(vertex) - x, lattice.y(vertex) - y, lattice.z(vertex) - z};
-        }
-        const auto cross = [](const auto& a, const auto& b) -> std::array<std::int64_t, 3> {
-            return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-        };
-        const auto dot = [](const auto& a, const auto& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-        const auto& [a, b, c, d] = corners;
-        const std::array<std::int64_t, 3> ab = cross(a, b), cd = cross(c, d);
-        const std::array<std::int64_t, 4> volumes = {dot(b, cd), -dot(a, cd), dot(d, ab), -dot(c, ab)};
+        const std::array<std::int64_t, 4> volumes = volumesAround(lattice, x, y, z, tetrahedron.vertices);
         std::size_t least = 0;
         for (std::size_t face = 1; face < 4; ++face)
             least = volumes[face] < volumes[least] ? face : least;

@@ -175,6 +175,11 @@ struct PlacedPoint {
     std::array<std::int64_t, 4> volumes{};
 };
 
+/// Six times the volume of a point with the face opposite to each vertex of a positive tetrahedron: negative where the
+/// point lies beyond the face.
+std::array<std::int64_t, 4> volumesAt(const PackedLattice& lattice, PackedPoint point,
+                                      const std::array<PackedPoint, 4>& vertices);
+
 /// As walkTo(), but across the face that the point is farthest beyond. No slot if that leads out of the mesh.
 PlacedPoint placeIn(const LatticeDelaunay& delaunay, PackedPoint point, std::uint32_t slot);
 

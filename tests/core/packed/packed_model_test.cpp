@@ -131,29 +131,43 @@ private slots:
         provePrefixes(**packed, dataset);
     }
 
-    /// C16, B5: what comes out does not depend on the threads, nor on the parts in which the mesh of blocks is kept:
-    /// neither the model nor those of its levels.
+    /// C16, B5: what is packed and what comes out does not depend on the threads that share the regions of a lattice:
+    /// neither the model nor those of its levels, which are proved.
+    void threadsMakeNoDifference_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::newRow("integers") << int(SampleType::UInt8);
+        QTest::newRow("floats") << int(SampleType::Float32);
+    }
     void threadsMakeNoDifference()
     {
-        const Dataset dataset = wavesOf(SampleType::UInt8, {7, 38, 41}, 0.2, 5);
+        QFETCH(int, type);
+        const Dataset dataset = wavesOf(SampleType(type), {67, 4, 66}, 0.2, 5, {1, 1.25, 2});
         QVERIFY(buildModel(dataset, path("a.tan"), Refinement{.block = 4u}).ok());
-        QVERIFY(packModel(**Model::open(path("a.tan")), path("a.packed.tan")).ok());
-        const auto packed = *PackedModel::open(path("a.packed.tan"));
-        const auto levels = packed->levels();
         std::vector<std::vector<char>> made;
+        constexpr std::size_t files = 4;
         for (const int threads : {1, 2, 7}) {
             const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                               static_cast<std::size_t>(threads));
             tbb::task_arena arena(threads);
-            QVERIFY(arena.execute([&] { return unpackModel(*packed, path("b.tan")).ok(); }));
+            const auto packed = arena.execute([&] { return packModel(**Model::open(path("a.tan")), path("p.tan")); });
+            QVERIFY2(packed.ok(), textOf(packed));
+            QCOMPARE(packed->method, PackMethod::Replayed);
+            made.push_back(contentOf(path("p.tan")));
+            const auto opened = *PackedModel::open(path("p.tan"));
+            QVERIFY(arena.execute([&] { return unpackModel(*opened, path("b.tan")).ok(); }));
             QVERIFY(contentOf(path("b.tan")) == contentOf(path("a.tan")));
-            for (const std::size_t level : {levels.size() / 2, levels.size() - 1}) {
-                QVERIFY(arena.execute([&] { return unpackPrefix(*packed, level, path("p.tan")).ok(); }));
-                made.push_back(contentOf(path("p.tan")));
+            const std::size_t levels = opened->levels().size();
+            for (const std::size_t level : {std::size_t(0), levels / 2, levels - 1}) {
+                QVERIFY(arena.execute([&] { return unpackPrefix(*opened, level, path("l.tan")).ok(); }));
+                made.push_back(contentOf(path("l.tan")));
+                if (threads == 2)
+                    proveLevel(*opened, level, dataset);
             }
+            QCOMPARE(made.size() % files, 0u);
         }
-        for (std::size_t i = 2; i < made.size(); ++i)
-            QVERIFY(made[i] == made[i - 2]);
+        for (std::size_t i = files; i < made.size(); ++i)
+            QVERIFY(made[i] == made[i - files]);
     }
 
     /// Nothing read is trusted: what is damaged gives an error with a sentence, or what it should; with right sums, as
@@ -161,13 +175,18 @@ private slots:
     void damagedFilesAreRefused_data()
     {
         QTest::addColumn<bool>("replayed");
-        QTest::newRow("replayed") << true;
-        QTest::newRow("by parts") << false;
+        QTest::addColumn<QList<unsigned>>("size");
+        QTest::addColumn<int>("damages");
+        QTest::newRow("replayed") << true << QList<unsigned>{9, 8, 7} << 400;
+        QTest::newRow("in regions") << true << QList<unsigned>{67, 3, 66} << 100;
+        QTest::newRow("by parts") << false << QList<unsigned>{9, 8, 7} << 400;
     }
     void damagedFilesAreRefused()
     {
         QFETCH(bool, replayed);
-        const Dataset dataset = wavesOf(SampleType::UInt16, {9, 8, 7}, 0.1, 3);
+        QFETCH(QList<unsigned>, size);
+        QFETCH(int, damages);
+        const Dataset dataset = wavesOf(SampleType::UInt16, {size[0], size[1], size[2]}, 0.1, 3);
         if (replayed)
             QVERIFY(buildModel(dataset, path("a.tan"), Refinement{.block = 4u}).ok());
         else
@@ -177,11 +196,11 @@ private slots:
         DamageJudge judge(path("a.packed.tan"), work.path());
         std::mt19937_64 random(1);
         std::array<int, 3> outcomes{};
-        for (int i = 0; i < 400; ++i)
+        for (int i = 0; i < damages; ++i)
             ++outcomes[static_cast<std::size_t>(judge.judge(random))];
         for (const std::string& failure : judge.failures())
             QFAIL(failure.c_str());
-        QVERIFY(outcomes[static_cast<std::size_t>(DamageOutcome::Refused)] > 300);
+        QVERIFY(outcomes[static_cast<std::size_t>(DamageOutcome::Refused)] > damages * 3 / 4);
     }
 
     /// Levels that end where no step of the sites ends, with all checksums right: nothing is read or kept beyond them.
@@ -363,27 +382,32 @@ private:
         QVERIFY(levels.size() > 3);
         const bool isInteger = tetra::isInteger(packed.description().sampleType);
         QVERIFY(levels.back().error <= std::max(3.0, isInteger ? 50 / dataset.values.range().extent() : 0.01) + 1e-6);
-        for (std::size_t level = 0; level < levels.size(); level += level + 2 < levels.size() ? 2 : 1) {
-            const Status made = unpackPrefix(packed, level, path("p.tan"));
-            QVERIFY2(made.ok(), textOf(made));
-            const auto prefix = Model::open(path("p.tan"));
-            QVERIFY2(prefix.ok(), textOf(prefix));
-            QCOMPARE((*prefix)->siteCount(), levels[level].sites);
-            std::vector<Accuracy> asked;
-            for (std::size_t i = 0; i <= level; i += 3)
-                asked.push_back({.error = levels[i].error});
-            asked.push_back({.error = levels[level].error});
-            const auto verdict = verify(**prefix, dataset, asked);
-            QVERIFY2(verdict.ok(), textOf(verdict));
-            for (const std::string& failure : verdict->failures)
+        for (std::size_t level = 0; level < levels.size(); level += level + 2 < levels.size() ? 2 : 1)
+            proveLevel(packed, level, dataset);
+    }
+
+    void proveLevel(const PackedModel& packed, std::size_t level, const Dataset& dataset)
+    {
+        const auto levels = packed.levels();
+        const Status made = unpackPrefix(packed, level, path("p.tan"));
+        QVERIFY2(made.ok(), textOf(made));
+        const auto prefix = Model::open(path("p.tan"));
+        QVERIFY2(prefix.ok(), textOf(prefix));
+        QCOMPARE((*prefix)->siteCount(), levels[level].sites);
+        std::vector<Accuracy> asked;
+        for (std::size_t i = 0; i <= level; i += 3)
+            asked.push_back({.error = levels[i].error});
+        asked.push_back({.error = levels[level].error});
+        const auto verdict = verify(**prefix, dataset, asked);
+        QVERIFY2(verdict.ok(), textOf(verdict));
+        for (const std::string& failure : verdict->failures)
+            QFAIL(failure.c_str());
+        for (const LevelReport& found : verdict->levels) {
+            for (const std::string& failure : found.failures)
                 QFAIL(failure.c_str());
-            for (const LevelReport& found : verdict->levels) {
-                for (const std::string& failure : found.failures)
-                    QFAIL(failure.c_str());
-                QVERIFY(found.conforming && found.covers);
-            }
-            QCOMPARE(verdict->levels.back().sites, levels[level].sites);
+            QVERIFY(found.conforming && found.covers);
         }
+        QCOMPARE(verdict->levels.back().sites, levels[level].sites);
     }
 
     std::filesystem::path path(const char* name) const { return folder_.filePath(name).toStdString(); }

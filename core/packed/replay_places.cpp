@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/packed/replay_places.h"
+
+#include "core/base/progress.h"
+#include "core/base/simd.h"
+#include "core/refine/lattice/lattice_delaunay.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <mutex>
+#include <numeric>
+
+namespace tetra {
+
+namespace {
+
+constexpr MarkedText replayingBlocks = Message::marked("Replaying the insertions");
+
+/// Walks of several points at a time, since each step of one waits for memory, always across the face that the point is
+/// farthest beyond. `slots`: where they begin, and then the tetrahedra that have the points; none if that leads out of
+/// the mesh.
+TETRA_SIMD_INLINE void walkTogether(const LatticeDelaunay& mesh, const PackedPoint* points, std::uint32_t* slots,
+                                    std::size_t count)
+{
+    constexpr std::size_t atOnce = 8;
+    struct Walk {
+        std::int32_t x, y, z;
+        std::uint32_t slot;
+        std::size_t number;
+    };
+    const PackedLattice lattice = mesh.lattice();
+    std::array<Walk, atOnce> walks;
+    std::size_t walking = 0, next = 0;
+    const auto begin = [&](Walk& walk) {
+        const PackedPoint point = points[next];
+        walk = {lattice.x(point), lattice.y(point), lattice.z(point), slots[next], next};
+        ++next;
+        mesh.prefetch(walk.slot);
+    };
+    while (walking < atOnce && next < count)
+        begin(walks[walking++]);
+    while (walking > 0)
+        for (std::size_t i = 0; i < walking;) {
+            Walk& walk = walks[i];
+            const DelaunayTetrahedron& tetrahedron = mesh[walk.slot];
+            Int4 vertices, offsetX, offsetY, offsetZ;
+            std::memcpy(&vertices, &tetrahedron.vertices, sizeof vertices);
+            lattice.unpack(vertices, offsetX, offsetY, offsetZ);
+            const Double4 x = __builtin_convertvector(offsetX - walk.x, Double4);
+            const Double4 y = __builtin_convertvector(offsetY - walk.y, Double4);
+            const Double4 z = __builtin_convertvector(offsetZ - walk.z, Double4);
+            // Six times the volume of the point with the face opposite to each vertex: a . (b x c) of the other three.
+            const Double4 firstX = __builtin_shufflevector(x, x, 1, 0, 3, 2),
+                          firstY = __builtin_shufflevector(y, y, 1, 0, 3, 2),
+                          firstZ = __builtin_shufflevector(z, z, 1, 0, 3, 2);
+            const Double4 secondX = __builtin_shufflevector(x, x, 2, 3, 0, 1),
+                          secondY = __builtin_shufflevector(y, y, 2, 3, 0, 1),
+                          secondZ = __builtin_shufflevector(z, z, 2, 3, 0, 1);
+            const Double4 thirdX = __builtin_shufflevector(x, x, 3, 2, 1, 0),
+                          thirdY = __builtin_shufflevector(y, y, 3, 2, 1, 0),
+                          thirdZ = __builtin_shufflevector(z, z, 3, 2, 1, 0);
+            const Double4 volume = firstX * (secondY * thirdZ - secondZ * thirdY) +
+                                   firstY * (secondZ * thirdX - secondX * thirdZ) +
+                                   firstZ * (secondX * thirdY - secondY * thirdX);
+            std::uint32_t least = 0;
+            double leastVolume = volume[0];
+            for (std::uint32_t face = 1; face < 4; ++face) {
+                least = volume[face] < leastVolume ? face : least;
+                leastVolume = std::min(leastVolume, volume[face]);
+            }
+            if (leastVolume < 0) {
+                walk.slot = tetrahedron.neighbours[least];
+                if (walk.slot != LatticeDelaunay::none) {
+                    mesh.prefetch(walk.slot);
+                    ++i;
+                    continue;
+                }
+            }
+            slots[walk.number] = walk.slot;
+            if (next < count)
+                begin(walks[i++]);
+            else
+                walks[i] = walks[--walking];
+        }
+}
+
+/// The mesh of one block after the other.
+class ReplayedBlock {
+public:
+    /// The mesh of the block's corners.
+    Status start(const LatticeBox& box, const LatticeMetric& metric, bool odd);
+
+    const PackedLattice& lattice() const noexcept { return mesh_.lattice(); }
+    const LatticeDelaunay& mesh() const noexcept { return mesh_; }
+    /// The tetrahedra that have points of the block's lattice. False if one lies in none.
+    [[nodiscard]] bool place(std::span<const PackedPoint> points, std::vector<std::uint32_t>& slots);
+    /// Adds points to the mesh that was asked where they lie. False if it has no room.
+    [[nodiscard]] bool add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots);
+
+private:
+    /// A tetrahedron for each cell of a grid, the last that was made there. Where nothing was made in a cell, a larger
+    /// one that has it tells.
+    struct Hints {
+        std::uint32_t bits;                   ///< of a coordinate that count within a cell
+        std::array<std::size_t, 2> strides{}; ///< along y and z
+        std::vector<std::uint32_t> tetrahedra{};
+    };
+
+    std::uint32_t& hintOf(Hints& hints, PackedPoint point) const
+    {
+        const PackedLattice& lattice = mesh_.lattice();
+        const auto along = [&](std::int32_t coordinate) { return static_cast<std::size_t>(coordinate) >> hints.bits; };
+        return hints.tetrahedra[along(lattice.z(point)) * hints.strides[1] +
+                                along(lattice.y(point)) * hints.strides[0] + along(lattice.x(point))];
+    }
+    std::uint32_t startFor(PackedPoint point)
+    {
+        for (Hints& hints : hints_)
+            if (const std::uint32_t hint = hintOf(hints, point);
+                hint != LatticeDelaunay::none && mesh_[hint].determinant() != 0)
+                return hint;
+        return last_;
+    }
+
+    LatticeDelaunay mesh_;
+    std::array<Hints, 3> hints_ = {Hints{1}, Hints{3}, Hints{5}};
+    std::uint32_t last_ = 0; ///< that was made
+};
+
+Status ReplayedBlock::start(const LatticeBox& box, const LatticeMetric& metric, bool odd)
+{
+    if (const Status started = mesh_.start(box.size, metric, !odd); !started)
+        return started;
+    for (Hints& hints : hints_) {
+        const auto cellsAlong = [&](std::size_t axis) { return std::size_t((box.size[axis] - 1) >> hints.bits) + 1; };
+        hints.strides = {cellsAlong(0), cellsAlong(0) * cellsAlong(1)};
+        hints.tetrahedra.assign(hints.strides[1] * cellsAlong(2), LatticeDelaunay::none);
+    }
+    last_ = LatticeDelaunay::startCount - 1;
+    return {};
+}
+
+bool ReplayedBlock::place(std::span<const PackedPoint> points, std::vector<std::uint32_t>& slots)
+{
+    slots.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        slots[i] = startFor(points[i]);
+    dispatch<walkTogether>(mesh_, points.data(), slots.data(), points.size());
+    return std::ranges::find(slots, LatticeDelaunay::none) == slots.end();
+}
+
+bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        // Waiting for memory is most of an insertion: what the next ones need is fetched step by step.
+        if (i + 4 < points.size())
+            mesh_.prefetch(slots[i + 4]);
+        if (i + 2 < points.size())
+            mesh_.prefetchNeighbours(slots[i + 2]);
+        if (i + 1 < points.size())
+            mesh_.prefetchSurroundings(slots[i + 1]);
+        // An earlier one of the step may have destroyed it.
+        std::uint32_t slot = slots[i];
+        if (!mesh_.conflicts(points[i], slot))
+            slot = mesh_.findConflict(points[i], startFor(points[i]));
+        if (slot == LatticeDelaunay::none || !mesh_.insert(points[i], slot))
+            return false;
+        last_ = mesh_.created().front();
+        for (Hints& hints : hints_)
+            hintOf(hints, points[i]) = last_;
+    }
+    return true;
+}
+
+/// The blocks that have the coordinates along an axis.
+struct BlocksAlong {
+    std::uint32_t first, last;
+};
+
+std::array<std::vector<BlocksAlong>, 3> blocksAlongAxes(const BlockDivision& division)
+{
+    std::array<std::vector<BlocksAlong>, 3> blocks;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::uint32_t coordinate = 0; coordinate < division.size()[axis]; ++coordinate) {
+            const std::uint32_t last = division.blockAlong(axis, coordinate);
+            const bool shared = last > 0 && coordinate == division.box(0).last(axis) * last;
+            blocks[axis].push_back({shared ? last - 1 : last, last});
+        }
+    return blocks;
+}
+
+} // namespace
+
+Status ReplayPlaces::find(const BlockDivision& division, const LatticeMetric& metric,
+                          std::span<const std::uint32_t> sites, std::span<const std::uint32_t> stepEnds,
+                          const FreePoints& others, const Progress& progress)
+{
+    const PackedLattice lattice(division.size());
+    ofSites_.resize(sites.size());
+    if (others.count() > 0)
+        numbers_.resize(others.size());
+    // The sites of each block, by their places in `sites`; those on a border in each block that has them.
+    std::vector<std::vector<std::uint32_t>> entering(division.count());
+    {
+        const auto along = blocksAlongAxes(division);
+        for (std::uint32_t site = 0; site < sites.size(); ++site) {
+            const PackedPoint point = lattice.pointAt(sites[site]);
+            const auto x = along[0][static_cast<std::size_t>(lattice.x(point))],
+                       y = along[1][static_cast<std::size_t>(lattice.y(point))],
+                       z = along[2][static_cast<std::size_t>(lattice.z(point))];
+            for (std::uint32_t k = z.first; k <= z.last; ++k)
+                for (std::uint32_t j = y.first; j <= y.last; ++j)
+                    for (std::uint32_t i = x.first; i <= x.last; ++i)
+                        entering[(k * division.countAlong(1) + j) * division.countAlong(0) + i].push_back(site);
+        }
+    }
+    // The largest first, so that none is left for the end.
+    std::vector<std::uint32_t> order(division.count());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](std::uint32_t block) { return entering[block].size(); });
+
+    FirstFailure failure;
+    const Progress watched = failure.watching(progress);
+    const auto total = std::transform_reduce(entering.begin(), entering.end(), 0.0, std::plus<>(),
+                                             [](const auto& some) { return static_cast<double>(some.size()); });
+    SharedProgress shared(progress, total, replayingBlocks);
+    std::mutex gathering;
+    const auto replay = [&](ReplayedBlock& replayed, std::uint32_t block) -> Status {
+        const Error tooLarge{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+        const LatticeBox box = division.box(block);
+        const auto& [left, front, bottom] = box.origin;
+        if (const Status started = replayed.start(box, metric, division.odd(block)); !started)
+            return started;
+        const PackedLattice& inside = replayed.lattice();
+        const auto verticesIn = [&](std::uint32_t slot) {
+            Vertices vertices = replayed.mesh()[slot].vertices;
+            for (PackedPoint& vertex : vertices)
+                vertex = lattice.pack(static_cast<std::uint32_t>(inside.x(vertex)) + left,
+                                      static_cast<std::uint32_t>(inside.y(vertex)) + front,
+                                      static_cast<std::uint32_t>(inside.z(vertex)) + bottom);
+            return vertices;
+        };
+        // Points on a border belong to the last block that has them.
+        std::array<std::uint32_t, 3> owned{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            owned[axis] = box.size[axis] - (box.last(axis) == division.size()[axis] - 1 ? 0 : 1);
+        std::vector<PackedPoint> points;
+        std::vector<std::uint32_t> slots;
+        const std::span<const std::uint32_t> enter = entering[block];
+        std::size_t step = 0, told = 0;
+        for (std::size_t begin = 0, end = 0; begin < enter.size(); begin = end) {
+            constexpr std::size_t toldAtOnce = 4096;
+            if (end - told >= toldAtOnce) {
+                if (watched.cancelled())
+                    return cancelledError(replayingBlocks);
+                shared.done(static_cast<double>(end - std::exchange(told, end)));
+            }
+            while (stepEnds[step] <= enter[begin])
+                ++step;
+            points.clear();
+            for (; end < enter.size() && enter[end] < stepEnds[step]; ++end) {
+                const PackedPoint point = lattice.pointAt(sites[enter[end]]);
+                points.push_back(inside.pack(static_cast<std::uint32_t>(lattice.x(point)) - left,
+                                             static_cast<std::uint32_t>(lattice.y(point)) - front,
+                                             static_cast<std::uint32_t>(lattice.z(point)) - bottom));
+            }
+            if (!replayed.place(points, slots))
+                return tooLarge;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                if (static_cast<std::uint32_t>(inside.x(points[i])) < owned[0] &&
+                    static_cast<std::uint32_t>(inside.y(points[i])) < owned[1] &&
+                    static_cast<std::uint32_t>(inside.z(points[i])) < owned[2])
+                    ofSites_[enter[begin + i]] = verticesIn(slots[i]);
+            if (!replayed.add(points, slots))
+                return tooLarge;
+        }
+        shared.done(static_cast<double>(enter.size() - told));
+        if (others.count() == 0)
+            return {};
+        std::vector<std::uint32_t> numbers(replayed.mesh().slotCount(), LatticeDelaunay::none);
+        std::vector<Vertices> tetrahedra;
+        std::vector<std::uint32_t> wholePoints;
+        for (std::uint32_t z = 0; z < owned[2]; ++z) {
+            const std::size_t before = wholePoints.size();
+            points.clear();
+            for (std::uint32_t y = 0; y < owned[1]; ++y)
+                for (std::uint32_t x = 0; x < owned[0]; ++x) {
+                    const std::uint32_t point = lattice.index(lattice.pack(x + left, y + front, z + bottom));
+                    if (!others.has(point))
+                        continue;
+                    points.push_back(inside.pack(x, y, z));
+                    wholePoints.push_back(point);
+                }
+            if (watched.cancelled())
+                return cancelledError(replayingBlocks);
+            if (!replayed.place(points, slots))
+                return tooLarge;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                std::uint32_t& number = numbers[slots[i]];
+                if (number == LatticeDelaunay::none) {
+                    number = static_cast<std::uint32_t>(tetrahedra.size());
+                    tetrahedra.push_back(verticesIn(slots[i]));
+                }
+                numbers_[wholePoints[before + i]] = number;
+            }
+        }
+        std::size_t first = 0;
+        {
+            const std::lock_guard lock(gathering);
+            first = tetrahedra_.size();
+            tetrahedra_.insert(tetrahedra_.end(), tetrahedra.begin(), tetrahedra.end());
+        }
+        for (const std::uint32_t point : wholePoints)
+            numbers_[point] += static_cast<std::uint32_t>(first);
+        return {};
+    };
+    tbb::enumerable_thread_specific<ReplayedBlock> replayed;
+    std::atomic<std::uint32_t> next = 0;
+    tbb::parallel_for(std::uint32_t(0), division.count(), [&](std::uint32_t) {
+        failure.run(
+            [&]() -> Status { return failure.happened() ? Status() : replay(replayed.local(), order[next++]); });
+    });
+    if (progress.cancelled())
+        return cancelledError(replayingBlocks);
+    return failure.status();
+}
+
+} // namespace tetra

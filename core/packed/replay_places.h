@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/packed/free_points.h"
+#include "core/refine/lattice/block_division.h"
+#include "core/refine/lattice/packed_lattice.h"
+
+#include <tan/base.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace tetra {
+
+/// Where the points of a replayed model lie: a site in the mesh of the steps before its own, any other point in that of
+/// all sites. No sample is asked for, so each block goes through all steps by itself, on any thread, in memory that the
+/// next one takes over.
+class ReplayPlaces {
+public:
+    using Vertices = std::array<PackedPoint, 4>; ///< of a tetrahedron, as points of the whole lattice
+
+    /// `sites`: those behind the blocks' corners, in their order; `stepEnds`: behind the last site of each step, by
+    /// their places in `sites`; `others`: all points that are no sites. Two to three microseconds a site and thread,
+    /// 20 bytes a site and 4 a point besides the mesh of the blocks at work. On all threads; may throw std::bad_alloc.
+    /// Errors: too large a lattice, refused memory, cancelled.
+    Status find(const BlockDivision& division, const LatticeMetric& metric, std::span<const std::uint32_t> sites,
+                std::span<const std::uint32_t> stepEnds, const FreePoints& others, const Progress& progress);
+
+    /// Of the sites, tetrahedra that have them.
+    std::span<const Vertices> ofSites() const noexcept { return ofSites_; }
+    /// Of one of the other points.
+    const Vertices& ofOther(std::uint32_t point) const { return tetrahedra_[numbers_[point]]; }
+
+private:
+    std::vector<Vertices> ofSites_;
+    std::vector<Vertices> tetrahedra_; ///< of the last mesh, those that have other points ...
+    Buffer<std::uint32_t> numbers_;    ///< ... and for each of these which
+};
+
+} // namespace tetra
