@@ -250,7 +250,7 @@ QLayout* BuildPanel::makeTargetRow()
 
 QWidget* BuildPanel::makeResume()
 {
-    resume_ = new QCheckBox(tr("&Resume if interrupted"));
+    resume_ = new QCheckBox(tr("Re&sume if interrupted"));
     resume_->setObjectName("build.resume");
     resume_->setToolTip(
         tr("Write down now and then how far the build is, so that it can be paused, and goes on where it was if the "
