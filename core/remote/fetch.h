@@ -23,7 +23,7 @@ struct FetchedAnswer {
 /// Asks a server question after question on one connection (R28), which stays open in between for as long as the server
 /// likes; one that it has closed is made anew. From any thread: of questions at once each has a connection of its own,
 /// and that of the last one stays.
-class TAN_INTERNAL ServerConnection {
+class ServerConnection {
 public:
     /// As fetchOnce().
     Result<FetchedAnswer> fetch(const std::string& address, const std::string& token, std::uint64_t mostBytes,
