@@ -8,6 +8,8 @@
 #include "core/history/section_writer.h"
 #include "core/packed/parts_history.h"
 #include "core/packed/range_coder.h"
+#include "core/packed/replay.h"
+#include "core/packed/site_replay.h"
 
 #include <algorithm>
 #include <bit>
@@ -31,13 +33,15 @@ constexpr MarkedText unpackingParts = Message::marked("Unpacking the model");
 
 /// What a chunk holds. A record that is longer than a chunk may be goes on in the next one.
 enum class PartKind : std::uint32_t {
-    GoesOn = 1,  ///< the record's end is not in this chunk
-    Facts = 2,   ///< PartFacts; the first record
-    History = 3, ///< some groups; of all chunks of the history, in order
-    Rest = 4     ///< what the whole file has besides; the last record, behind all levels
+    GoesOn = 1,   ///< the record's end is not in this chunk
+    Facts = 2,    ///< PartFacts; the first record
+    History = 3,  ///< some groups; of all chunks of the history, in order
+    Rest = 4,     ///< what the whole file has besides; the last record, behind all levels
+    Sites = 5,    ///< in place of History: the sites alone, from which the history follows
+    OwnBounds = 6 ///< then, behind all sites: those of all tetrahedra, as far as they do not follow
 };
 
-/// In front of the groups of a History record.
+/// In front of a History or Sites record.
 struct PieceHead {
     std::uint32_t sites = 0; ///< of the piece
     float endKey = 0;        ///< the key of the mesh behind it, if that has one
@@ -132,6 +136,23 @@ HistoryFacts factsOf(const Header& header, const ModelDescription& description, 
     facts.warpingWeight = description.warpingWeight;
     facts.siteCount = header.siteCount;
     facts.tetrahedronCount = header.tetrahedronCount;
+    return facts;
+}
+
+SiteFacts siteFactsOf(const HistoryFacts& history, const ModelDescription& description, const PartFacts& known)
+{
+    SiteFacts facts;
+    facts.history = history;
+    const Eigen::AlignedBox3d& bounds = description.bounds;
+    facts.grid = tetra::factsOf(description.leftHanded ? -1 : 1,
+                                std::max(std::abs(description.range.minimum), std::abs(description.range.maximum)),
+                                std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff()));
+    std::uint64_t cells = 1;
+    for (const std::uint32_t size : description.lattice.size)
+        cells *= std::max(size, 1u) - 1;
+    for (const Fault& fault : known.faultsOfCells)
+        if (fault.kind == static_cast<std::uint32_t>(format::FaultKind::FoldedCell) && fault.number < cells)
+            facts.foldedCells.push_back(fault.number);
     return facts;
 }
 
@@ -536,14 +557,25 @@ public:
         codeFacts(coder, facts_, std::numeric_limits<std::uint64_t>::max());
         if (const Status added = records_.add(PartKind::Facts, coder.finish()); !added)
             return added.error();
-        HistoryEncoder encoder(model_, factsOf(layout->header, model_.description(), facts_));
+        const HistoryFacts facts = factsOf(layout->header, model_.description(), facts_);
+        const auto told = findTold(siteFactsOf(facts, model_.description(), facts_));
+        if (!told)
+            return told.error();
+        if (*told)
+            return packTold(**told, siteFactsOf(facts, model_.description(), facts_));
+        HistoryEncoder encoder(model_, facts);
         if (const Status packed = packHistory(encoder); !packed)
             return packed.error();
         if (const Status packed = packRest(encoder.arrays()); !packed)
             return packed.error();
+        return reportOf(encoder.cost());
+    }
+
+private:
+    static PackReport reportOf(const HistoryCost& cost)
+    {
         PackReport report;
         report.method = PackMethod::StoredByParts;
-        const HistoryCost& cost = encoder.cost();
         report.positions = cost.positions;
         report.values = cost.values;
         report.accuracy = cost.accuracy;
@@ -551,7 +583,82 @@ public:
         return report;
     }
 
-private:
+    /// A history that follows from its sites, and its own bounds, coded.
+    struct Told {
+        HistoryArrays history;
+        std::vector<std::byte> ownBounds;
+    };
+
+    /// Nothing if the model's is not such a one.
+    Result<std::optional<Told>> findTold(const SiteFacts& facts)
+    {
+        if (!maySitesTell(model_) || facts_.blockCells != std::array<std::uint32_t, 3>{})
+            return std::optional<Told>();
+        auto samples = allocateSamples(facts.history.sampleType, facts.history.lattice.pointCount());
+        if (!samples)
+            return samples.error();
+        KnownSites sites(facts, *std::move(samples));
+        const std::span<const std::uint32_t> points = model_.points();
+        for (const std::uint32_t point : points) {
+            if (point >= sites.pointCount() || sites.isKnown(point))
+                return std::optional<Told>();
+            sites.setKnown(point);
+        }
+        const auto scatter = [points](std::span<const std::byte> from, std::size_t size, std::span<std::byte> to) {
+            for (std::size_t site = 0; size > 0 && site < points.size(); ++site)
+                std::memcpy(to.data() + points[site] * size, from.data() + site * size, size);
+        };
+        scatter(model_.values(), sites.sampleBytes(), sites.samples());
+        scatter(model_.floatPositions().empty() ? std::as_bytes(model_.doublePositions())
+                                                : std::as_bytes(model_.floatPositions()),
+                3 * sites.coordinateBytes(), sites.positions());
+        auto history = sites.history(progress_.part(0, triedAt));
+        if (!history && history.error().kind == ErrorKind::Cancelled)
+            return history.error();
+        if (!history || !sameButForBounds(*history, model_))
+            return std::optional<Told>();
+        Told told{*std::move(history), {}};
+        told.ownBounds = encodeOwnBounds(facts, told.history, model_);
+        if (!std::ranges::equal(told.history.ownErrors, model_.ownErrors()) ||
+            !std::ranges::equal(told.history.ownWarpings, model_.ownWarpings()))
+            return std::optional<Told>();
+        return std::optional(std::move(told));
+    }
+
+    Result<PackReport> packTold(const Told& told, const SiteFacts& facts)
+    {
+        const auto encoder = SiteEncoder::make(model_, facts, progress_);
+        if (!encoder)
+            return encoder.error();
+        std::uint32_t site = 0;
+        for (const LevelPlan& level : planLevels(model_)) {
+            const auto piece = (*encoder)->encode(level.sites, progress_);
+            if (!piece)
+                return piece.error();
+            if (const Status added = addPiece(PartKind::Sites, {level.sites - site, level.key}, *piece); !added)
+                return added.error();
+            site = level.sites;
+            if (site == model_.siteCount())
+                if (const Status added = records_.add(PartKind::OwnBounds, told.ownBounds); !added)
+                    return added.error();
+            progress_.report(triedAt + (1 - triedAt) * site / model_.siteCount(), packingParts);
+            file_.endLevel(level.error, level.warping, level.sites);
+        }
+        if (const Status packed = packRest(told.history); !packed)
+            return packed.error();
+        PackReport report = reportOf((*encoder)->cost());
+        report.ownErrors = told.ownBounds.size();
+        return report;
+    }
+
+    Status addPiece(PartKind kind, const PieceHead& head, std::span<const std::byte> piece)
+    {
+        std::vector<std::byte> record(sizeof head);
+        std::memcpy(record.data(), &head, sizeof head);
+        record.insert(record.end(), piece.begin(), piece.end());
+        return records_.add(kind, record);
+    }
+
     Status packHistory(HistoryEncoder& encoder)
     {
         std::uint32_t site = 0;
@@ -563,10 +670,7 @@ private:
                     return piece.error();
                 const PieceHead head{end - site,
                                      end < model_.siteCount() ? model_.runningKeys()[end] : model_.finalKey()};
-                std::vector<std::byte> record(sizeof head);
-                std::memcpy(record.data(), &head, sizeof head);
-                record.insert(record.end(), piece->begin(), piece->end());
-                if (const Status added = records_.add(PartKind::History, record); !added)
+                if (const Status added = addPiece(PartKind::History, head, *piece); !added)
                     return added;
                 site = end;
                 if (progress_.cancelled())
@@ -647,32 +751,61 @@ public:
     {
         if (const Status facts = readFacts(); !facts)
             return facts;
-        decoder_.emplace(factsOf(file_.header(), file_.description(), facts_));
+        const HistoryFacts facts = historyFacts();
+        std::optional<PartKind> kind;
+        std::unique_ptr<SiteDecoder> sitesAlone;
         std::uint32_t site = 0;
         while (site < sites) {
-            if (const Status read = expect(PartKind::History); !read)
-                return read;
+            const auto found = records_.next(progress_);
+            if (!found)
+                return found.error();
+            if (!*found || (kind ? **found != *kind : **found != PartKind::History && **found != PartKind::Sites))
+                return damaged();
+            if (!kind && **found == PartKind::Sites) {
+                if (!isOnLattice(file_.description().domain) || !file_.description().delaunay)
+                    return damaged();
+                auto made = SiteDecoder::make(siteFactsOf(facts, file_.description(), facts_), progress_);
+                if (!made)
+                    return made.error();
+                sitesAlone = *std::move(made);
+            } else if (!kind) {
+                decoder_.emplace(facts);
+            }
+            kind = **found;
             PieceHead head;
             const std::span<const std::byte> record = records_.record();
             if (record.size() < sizeof head)
                 return damaged();
             std::memcpy(&head, record.data(), sizeof head);
-            if (head.sites == 0 || head.sites > sites - site ||
-                !decoder_->decode(record.subspan(sizeof head), site + head.sites))
+            if (head.sites == 0 || head.sites > sites - site)
+                return damaged();
+            const std::span<const std::byte> piece = record.subspan(sizeof head);
+            const Result<bool> decoded = sitesAlone ? sitesAlone->decode(piece, head.sites, progress_)
+                                                    : Result<bool>(decoder_->decode(piece, site + head.sites));
+            if (!decoded)
+                return decoded.error();
+            if (!*decoded)
                 return damaged();
             site += head.sites;
             endKey_ = head.endKey;
-            progress_.report(0.9 * site / sites, unpackingParts);
+            progress_.report((sitesAlone ? 0.4 : 0.9) * site / sites, unpackingParts);
         }
         if (!(endKey_ >= 0) || !std::isfinite(endKey_))
             return damaged();
-        return {};
+        return sitesAlone ? makeHistory(*sitesAlone, sites) : Status();
     }
 
     WrittenModel model(const KeptSamples& kept) const
     {
-        return {decoder_->arrays(), file_.description(), facts_, endKey_, kept.values, kept.positions};
+        return {
+            decoder_ ? decoder_->arrays() : told_, file_.description(), facts_, endKey_, kept.values, kept.positions};
     }
+    /// Whether the history that was made of its sites is the one that was packed: another version of the builder may
+    /// make another one.
+    bool isAgain() const noexcept { return isAgain_; }
+    bool isToldBySites() const noexcept { return !decoder_; }
+    /// Puts own bounds that hold whatever the other points are in place of those that were told.
+    void boundByRunningKeys() { boundByKeys(historyFacts(), endKey_, told_); }
     std::span<const std::uint32_t> order() const noexcept { return order_; }
 
     Status expect(PartKind kind)
@@ -699,12 +832,41 @@ private:
         return right && !coder.overrun() ? Status() : damaged();
     }
 
+    HistoryFacts historyFacts() const { return factsOf(file_.header(), file_.description(), facts_); }
+
+    Status makeHistory(SiteDecoder& decoder, std::uint32_t sites)
+    {
+        const KnownSites& known = decoder.takeSites();
+        auto history = known.history(progress_.part(0.4, 0.9));
+        if (!history)
+            return history.error().kind == ErrorKind::BadInput ? damaged() : Status(history.error());
+        told_ = *std::move(history);
+        if (told_.points.size() != sites)
+            return damaged();
+        if (sites < file_.header().siteCount) {
+            boundByRunningKeys();
+            return {};
+        }
+        if (const Status read = expect(PartKind::OwnBounds); !read)
+            return read;
+        const auto sum =
+            std::ranges::find(file_.sums(), static_cast<std::uint32_t>(SectionId::OtherSites), &format::PackedSum::id);
+        isAgain_ = sum != file_.sums().end() && sum->checksum == checksum(std::as_bytes(std::span(told_.otherSites)));
+        if (!isAgain_)
+            boundByRunningKeys();
+        else if (!decodeOwnBounds(known.facts(), records_.record(), told_))
+            return damaged();
+        return {};
+    }
+
     const PackedFile& file_;
     RecordReader records_;
     const Progress& progress_;
     std::vector<std::uint32_t> order_;
     PartFacts facts_;
     std::optional<HistoryDecoder> decoder_;
+    HistoryArrays told_; ///< of the sites alone
+    bool isAgain_ = true;
     float endKey_ = 0;
 };
 
@@ -774,18 +936,6 @@ private:
     const std::filesystem::path& output_;
 };
 
-/// Whether a file is the one that was packed: its front holds the checksums of all that follows.
-Result<bool> isOriginal(const PackedFile& file, const std::filesystem::path& path)
-{
-    const auto made = MappedFile::open(path);
-    if (!made)
-        return made.error();
-    const auto layout = readLayout((*made)->bytes(), path);
-    if (!layout)
-        return layout.error();
-    return layout->header.checksum == file.facts().headerChecksum && (*made)->bytes().size() == file.facts().fileBytes;
-}
-
 } // namespace
 
 Result<PackReport> packParts(const Model& model, PackedFileWriter& file, const Progress& progress)
@@ -830,24 +980,33 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
     const std::filesystem::path made = folder->path() / "model.tan";
     if (const Status written = writeModelFile(model, reader.order(), made); !written)
         return written.error();
-    if (differing) {
+    if (differing && reader.isAgain()) {
         const std::filesystem::path put = folder->path() / "differing.tan";
         if (const Status written = DifferingWriter(file, *differing, made, put).run(plain); !written)
             return written.error();
         std::filesystem::rename(put, made);
     }
-    const Result<bool> original = isOriginal(file, made);
-    if (!original)
-        return original.error();
-    if (!*original)
+    Result<UnpackReport> compared = compareSections(file, made);
+    if (!compared)
+        return compared.error();
+    if (!compared->derived.empty() && !reader.isToldBySites())
         return reader.damaged().error();
+    if (!compared->derived.empty() && reader.isAgain()) {
+        // What another version of the builder finds at the sites tells nothing of the other points.
+        reader.boundByRunningKeys();
+        if (const Status written = writeModelFile(model, reader.order(), made); !written)
+            return written.error();
+        compared = compareSections(file, made);
+        if (!compared)
+            return compared.error();
+    }
     std::error_code failure;
     std::filesystem::rename(made, behindLinks(output), failure);
     if (failure)
         return Error{ErrorKind::CannotWrite,
                      Message::say("'%1' cannot be written: %2.", output.string(), systemErrorText(failure.value()))};
     progress.report(1, unpackingParts);
-    return UnpackReport{};
+    return compared;
 }
 
 Status unpackPrefixOfParts(const PackedFile& file, std::size_t level, const std::filesystem::path& output,

@@ -1072,7 +1072,8 @@ Result<std::unique_ptr<ReplayedLattice>> replayedLatticeOf(const PackedFile& fil
     return ReplayedLattice::make(about, file.facts().blockCells);
 }
 
-/// The sections of a model that was built again which are not what they were.
+} // namespace
+
 Result<UnpackReport> compareSections(const PackedFile& file, const std::filesystem::path& model)
 {
     const auto mapped = MappedFile::open(model);
@@ -1096,6 +1097,8 @@ Result<UnpackReport> compareSections(const PackedFile& file, const std::filesyst
         report.derived.emplace_back("header");
     return report;
 }
+
+namespace {
 
 // A prefix: a history of its own, in two passes: in the first one shows how long each tetrahedron lives.
 

@@ -28,4 +28,7 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
 Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const std::filesystem::path& output,
                               const Progress& progress);
 
+/// Which sections of a model that was made again are not what they were when it was packed.
+Result<UnpackReport> compareSections(const PackedFile& file, const std::filesystem::path& model);
+
 } // namespace tetra

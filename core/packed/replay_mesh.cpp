@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 
 namespace tetra {
@@ -19,45 +18,6 @@ namespace tetra {
 namespace {
 
 constexpr MarkedText replaying = Message::marked("Replaying the insertions");
-
-/// The linear interpolation at a point of a tetrahedron, whose weights the point's volumes are. Of integers of up to 16
-/// bits it is one division of exact integers; of others the weights are reduced fractions, and only vertices of a
-/// weight count, in the lattice's order: so a point on a face gets the same from both sides.
-template <class T, class SampleAt> double interpolatedAt(const SampleAt& sampleAt,
-                                                         const std::array<PackedPoint, 4>& vertices,
-                                                         const std::array<std::int64_t, 4>& volumes)
-{
-    const std::int64_t whole = volumes[0] + volumes[1] + volumes[2] + volumes[3];
-    if (whole == 0) // no mesh has it
-        return 0;
-    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
-        std::int64_t sum = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            sum += volumes[i] * static_cast<std::int64_t>(sampleAt(vertices[i]));
-        return static_cast<double>(sum) / static_cast<double>(whole);
-    } else {
-        std::array<std::pair<PackedPoint, std::int64_t>, 4> weights;
-        std::int64_t divisor = whole;
-        for (std::size_t i = 0; i < 4; ++i) {
-            weights[i] = {vertices[i], volumes[i]};
-            divisor = std::gcd(divisor, volumes[i]);
-        }
-        std::ranges::sort(weights);
-        double sum = 0, first = 0;
-        bool begun = false;
-        for (const auto& [vertex, weight] : weights) {
-            if (weight == 0)
-                continue;
-            const auto value = static_cast<double>(sampleAt(vertex));
-            if (!begun)
-                first = value;
-            begun = true;
-            sum += static_cast<double>(weight / divisor) * (value - first);
-        }
-        const double result = first + sum / static_cast<double>(whole / divisor);
-        return std::isfinite(result) ? result : first;
-    }
-}
 
 /// The numbers of a tetrahedron's vertices among sorted ones.
 std::array<std::uint32_t, 4> numbersOf(const std::array<PackedPoint, 4>& tetrahedron,

@@ -4,9 +4,10 @@
 /// tan/packed.h: models packed for archives and for the way over a network, in files of their own (FORMAT.md, "Packed
 /// form").
 ///
-/// A packed model takes 1 to 4 bytes a site in place of 300, or 12 to 30 where the method is StoredByParts, and gives
-/// the model back byte for byte. It is made to be read from its front: it has *levels*, each a conforming mesh of a
-/// stated error, the coarse ones first, and whoever has the file's first PackedLevel::bytes can make that mesh.
+/// A packed model takes 1 to 4 bytes a site in place of 300 if its history follows from its samples or sites, else 12
+/// to 30, and gives the model back byte for byte. It is made to be read from its front: it has *levels*, each a
+/// conforming mesh of a stated error, the coarse ones first, and whoever has the file's first PackedLevel::bytes can
+/// make that mesh.
 ///
 /// ~~~{.cpp}
 /// /// Packs a model, and says what it takes of the room.
@@ -55,7 +56,9 @@ enum class PackMethod : std::uint32_t {
     /// Of lattices by refinement, whose samples are known: the samples, in the order in which they became sites.
     /// Unpacking builds the model again from them, and proves by its checksums that it is the same.
     Replayed = 1,
-    /// Of all others: each array of the file by itself.
+    /// Of all others. Where refining with the sites alone makes the same history again (lattices and curvilinear grids
+    /// as a whole, without weights and by the normalised selection), the sites and what they do not tell of the own
+    /// errors; else each array of the file by itself.
     StoredByParts = 2
 };
 

@@ -324,7 +324,12 @@ CurvilinearFacts factsOf(const std::array<std::uint32_t, 3>& size, std::span<con
             return of;
         },
         std::plus());
-    return {sums.balance < 0 ? -1 : 1, roundingOf(sums.largestValue), roundingOf(2 * sums.largestCoordinate)};
+    return factsOf(sums.balance < 0 ? -1 : 1, sums.largestValue, sums.largestCoordinate);
+}
+
+CurvilinearFacts factsOf(int handedness, double largestValue, double largestCoordinate)
+{
+    return {handedness, roundingOf(largestValue), roundingOf(2 * largestCoordinate)};
 }
 
 CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
@@ -337,6 +342,20 @@ CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, const
                                  std::span<const Eigen::Vector3d> positions, const LatticeSamples& samples,
                                  const CurvilinearFacts& facts)
     : lattice_(box.size), facts_(facts)
+{
+    fill(size, box, positions, samples);
+    findFoldedCells();
+}
+
+CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
+                                 const LatticeSamples& samples, const KnownOfGrid& known)
+    : lattice_(size), facts_(known.facts), foldedCells_(known.foldedCells)
+{
+    fill(size, {{0, 0, 0}, size}, positions, samples);
+}
+
+void CurvilinearGrid::fill(const std::array<std::uint32_t, 3>& size, const LatticeBox& box,
+                           std::span<const Eigen::Vector3d> positions, const LatticeSamples& samples)
 {
     points_.resize(box.pointCount());
     weights_.resize(samples.weighted() ? box.pointCount() : 0);
@@ -357,7 +376,6 @@ CurvilinearGrid::CurvilinearGrid(const std::array<std::uint32_t, 3>& size, const
                     weights_[index] = samples.weight(lattice_, row[x]);
             }
         }
-    findFoldedCells();
 }
 
 /// Exact signs are found only of cells of which not all corners are of the grid's hand without doubt.

@@ -72,6 +72,14 @@ struct CurvilinearFacts {
 /// finite.
 CurvilinearFacts factsOf(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
                          const LatticeSamples& samples);
+/// Of a grid whose hand, and whose values and coordinates of the largest magnitudes, are known.
+CurvilinearFacts factsOf(int handedness, double largestValue, double largestCoordinate);
+
+/// What is known of a grid whose points are not: what else would be found by looking at all of them.
+struct KnownOfGrid {
+    CurvilinearFacts facts;
+    FoldedCells foldedCells;
+};
 
 /// A curvilinear grid, or a box of one, in computational space (a lattice of unit spacing) with what lies in physical
 /// space at each point. 32 bytes a point. Immutable.
@@ -86,6 +94,9 @@ public:
     CurvilinearGrid(const std::array<std::uint32_t, 3>& size, const LatticeBox& box,
                     std::span<const Eigen::Vector3d> positions, const LatticeSamples& samples,
                     const CurvilinearFacts& facts);
+    /// The grid of which some points are not known: those of weight 0, whose positions mean nothing.
+    CurvilinearGrid(const std::array<std::uint32_t, 3>& size, std::span<const Eigen::Vector3d> positions,
+                    const LatticeSamples& samples, const KnownOfGrid& known);
 
     const PackedLattice& lattice() const noexcept { return lattice_; }
     const PhysicalPoint& operator[](std::uint32_t index) const noexcept { return points_[index]; }
@@ -110,6 +121,8 @@ public:
     double leastWarping() const noexcept { return facts_.leastWarping; }
 
 private:
+    void fill(const std::array<std::uint32_t, 3>& size, const LatticeBox& box,
+              std::span<const Eigen::Vector3d> positions, const LatticeSamples& samples);
     void findFoldedCells();
 
     PackedLattice lattice_;

@@ -263,8 +263,11 @@ Result<CurvilinearRefinementResult> refineCurvilinear(const std::array<std::uint
 {
     if (Status status = checkSize(size); !status)
         return status.error();
-    return guarded(noMemoryForGrid,
-                   [&] { return refine(CurvilinearGrid(size, positions, samples), options, sink, progress); });
+    return guarded(noMemoryForGrid, [&] {
+        return options.known != nullptr
+                   ? refine(CurvilinearGrid(size, positions, samples, *options.known), options, sink, progress)
+                   : refine(CurvilinearGrid(size, positions, samples), options, sink, progress);
+    });
 }
 
 namespace {

@@ -32,6 +32,8 @@ struct CurvilinearRefinementOptions {
     bool inSpace = false;
     /// That the refinement goes on from, if there is one, and keeps up to date; of this grid and these options.
     SavedState* state = nullptr;
+    /// For those who make a history again, and know its sites only: all other points have the weight 0.
+    const KnownOfGrid* known = nullptr;
 };
 
 struct CurvilinearRefinementResult {
