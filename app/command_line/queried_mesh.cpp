@@ -3,7 +3,7 @@
 
 #include "app/command_line/query_options.h"
 #include "app/command_line/table.h"
-#include "core/history/query/query_words.h"
+#include "core/history/query_words.h"
 #include "core/verify/verify_mesh.h"
 
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "app/command_line/focus_option.h"
 #include "app/command_line/option_values.h"
-#include "core/history/query/query_words.h"
+#include "core/history/query_words.h"
 
 #include <tan/query.h>
 

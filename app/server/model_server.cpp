@@ -7,7 +7,7 @@
 #include "app/command_line/query_options.h"
 #include "core/base/checksum.h"
 #include "core/history/format.h"
-#include "core/history/query/query_words.h"
+#include "core/history/query_words.h"
 #include "core/opening/served_model.h"
 #include "core/packed/packed_mesh.h"
 

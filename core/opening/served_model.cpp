@@ -2,7 +2,7 @@
 #include "core/opening/served_model.h"
 
 #include "core/base/json.h"
-#include "core/history/query/query_words.h"
+#include "core/history/query_words.h"
 #include "core/packed/packed_mesh.h"
 #include "core/remote/fetch.h"
 #include "core/remote/remote_file.h"

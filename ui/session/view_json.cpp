@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/view_json.h"
 
-#include "core/history/query/query_words.h"
+#include "core/history/query_words.h"
 #include <tan/render.h>
 #include <tan/transfer.h>
 
