@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/packed/replay.h"
 
+#include "core/base/simd.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "core/history/model_writer.h"
@@ -795,23 +796,39 @@ Status PositionReader::read(const ReplayRegion& region, std::uint32_t levels, Re
     return {};
 }
 
+/// Takes points of a step out of the free ones, from `place` on. False if there are none.
+TETRA_SIMD_INLINE bool takePoints(RangeDecoder& coder, GapCoder& gaps, std::uint64_t mean, FreePoints& free,
+                                  std::uint64_t& place, std::span<std::uint32_t> points)
+{
+    for (std::uint32_t& point : points) {
+        const std::uint64_t found = free.next(place, gaps.code(coder, mean, 0));
+        if (found >= free.size() || coder.overrun())
+            return false;
+        free.remove(found);
+        point = static_cast<std::uint32_t>(found);
+        place = found + 1;
+    }
+    return true;
+}
+
 Status PositionReader::readStep(const ReplayRegion& region, std::uint64_t points, RegionSites& sites)
 {
     FreePoints& free = sites.own.others;
     const std::uint64_t mean = free.count() / points;
     std::uint64_t place = 0;
-    for (; points > 0; --points) {
+    while (points > 0) {
         if (left_.points == 0)
             if (const Status opened = openChunk(); !opened)
                 return opened;
-        if (left_.points-- == 0)
+        const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(points, left_.points));
+        sites.points.resize(sites.points.size() + count);
+        const std::span<std::uint32_t> taken = std::span(sites.points).last(count);
+        if (count == 0 || !dispatch<takePoints>(*coder_, models_.gaps, mean, free, place, taken))
             return damaged();
-        const std::uint64_t point = free.next(place, models_.gaps.code(*coder_, mean, 0));
-        if (point >= free.size() || coder_->overrun())
-            return damaged();
-        free.remove(point);
-        sites.points.push_back(region.inLattice(static_cast<std::uint32_t>(point)));
-        place = point + 1;
+        for (std::uint32_t& point : taken)
+            point = region.inLattice(point);
+        left_.points -= count;
+        points -= count;
     }
     sites.stepEnds.push_back(sites.points.size());
     return {};
