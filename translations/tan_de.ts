@@ -1674,6 +1674,46 @@ beliebige Verwerfung</translation>
         <source>rectilinear grid of %1 points, %2 cells</source>
         <translation>rechtwinkliges Gitter mit %1 Punkten, %2 Zellen</translation>
     </message>
+    <message>
+        <source>Re&amp;sume if interrupted</source>
+        <translation>Bei Unterbrechung &amp;fortsetzbar</translation>
+    </message>
+    <message>
+        <source>Write down now and then how far the build is, so that it can be paused, and goes on where it was if the program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it takes up to three times the size of the model on the disk</source>
+        <translation>Hält ab und zu fest, wie weit der Bau ist, sodass er angehalten werden kann und dort weitergeht, wo er war, wenn das Programm oder der Rechner ausfällt. Kurze Bauten dauern dadurch bis zu ein Fünftel länger, und bis zum Ende des Baus belegt das bis zum Dreifachen der Modellgröße auf der Platte</translation>
+    </message>
+    <message>
+        <source>Begin &amp;Anew</source>
+        <translation>Vo&amp;n vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Delete what the interrupted build has left</source>
+        <translation>Löscht, was der unterbrochene Bau hinterlassen hat</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Stop the build; it goes on from there later, even if the program is closed meanwhile</source>
+        <translation>Hält den Bau an; er geht später von dort weiter, auch wenn das Programm inzwischen beendet wird</translation>
+    </message>
+    <message>
+        <source>Resume &amp;Build</source>
+        <translation>Ba&amp;u fortsetzen</translation>
+    </message>
+    <message>
+        <source>An interrupted build of these data was found: it goes on where it stopped.</source>
+        <translation>Ein unterbrochener Bau dieser Daten wurde gefunden: Er geht dort weiter, wo er aufgehört hat.</translation>
+    </message>
+    <message>
+        <source>An interrupted build of other data, or with other options, was found. Give the same ones, or begin anew.</source>
+        <translation>Ein unterbrochener Bau anderer Daten oder mit anderen Optionen wurde gefunden. Geben Sie dieselben an, oder beginnen Sie von vorn.</translation>
+    </message>
+    <message>
+        <source>Pausing…</source>
+        <translation>Wird angehalten …</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CacheDialog</name>
@@ -2712,6 +2752,14 @@ beliebige Verwerfung</translation>
     <message>
         <source>&amp;Continue Without Saving</source>
         <translation>Ohne Speichern &amp;fortfahren</translation>
+    </message>
+    <message>
+        <source>You can resume it when you open these data again.</source>
+        <translation>Sie können ihn fortsetzen, wenn Sie diese Daten wieder öffnen.</translation>
+    </message>
+    <message>
+        <source>Quit and &amp;Resume Later</source>
+        <translation>Beenden und &amp;später fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -8141,10 +8189,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>ein Gitter von %1 Punkten kann nicht wiederholt werden</translation>
     </message>
     <message>
-        <source>its blocks make no sense</source>
-        <translation>seine Blöcke ergeben keinen Sinn</translation>
-    </message>
-    <message>
         <source>its text does not tell how it is built</source>
         <translation>sein Text sagt nicht, wie es gebaut wird</translation>
     </message>
@@ -8391,6 +8435,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>The model &apos;%1&apos; was changed on its server. Open it again.</source>
         <translation>Das Modell „%1“ wurde auf seinem Server geändert. Öffnen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The sites make more than they should.</source>
+        <translation>Die Punkte ergeben mehr, als sie sollten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has positions or values that are not finite.</source>
+        <translation>'%1' hat Positionen oder Werte, die nicht endlich sind.</translation>
     </message>
 </context>
 <context>

@@ -1674,6 +1674,46 @@ deformazione qualsiasi</translation>
         <source>rectilinear grid of %1 points, %2 cells</source>
         <translation>griglia rettilinea di %1 punti, %2 celle</translation>
     </message>
+    <message>
+        <source>Re&amp;sume if interrupted</source>
+        <translation>Ri&amp;prendibile se interrotta</translation>
+    </message>
+    <message>
+        <source>Write down now and then how far the build is, so that it can be paused, and goes on where it was if the program or the machine stops. Quick builds take up to a fifth longer by that, and until the build ends it takes up to three times the size of the model on the disk</source>
+        <translation>Annota di tanto in tanto a che punto è la costruzione, così che si possa mettere in pausa e riprenda da dove era se il programma o il computer si arresta. Le costruzioni brevi durano fino a un quinto in più e, fino alla fine della costruzione, su disco si occupa fino al triplo della dimensione del modello</translation>
+    </message>
+    <message>
+        <source>Begin &amp;Anew</source>
+        <translation>Ricomincia &amp;da capo</translation>
+    </message>
+    <message>
+        <source>Delete what the interrupted build has left</source>
+        <translation>Elimina ciò che la costruzione interrotta ha lasciato</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>Pa&amp;usa</translation>
+    </message>
+    <message>
+        <source>Stop the build; it goes on from there later, even if the program is closed meanwhile</source>
+        <translation>Ferma la costruzione; più tardi riprende da lì, anche se intanto il programma viene chiuso</translation>
+    </message>
+    <message>
+        <source>Resume &amp;Build</source>
+        <translation>Riprendi &amp;costruzione</translation>
+    </message>
+    <message>
+        <source>An interrupted build of these data was found: it goes on where it stopped.</source>
+        <translation>È stata trovata una costruzione interrotta di questi dati: riprende da dove si era fermata.</translation>
+    </message>
+    <message>
+        <source>An interrupted build of other data, or with other options, was found. Give the same ones, or begin anew.</source>
+        <translation>È stata trovata una costruzione interrotta di altri dati o con altre opzioni. Indicare gli stessi, oppure ricominciare da capo.</translation>
+    </message>
+    <message>
+        <source>Pausing…</source>
+        <translation>Messa in pausa…</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CacheDialog</name>
@@ -2712,6 +2752,14 @@ deformazione qualsiasi</translation>
     <message>
         <source>&amp;Continue Without Saving</source>
         <translation>&amp;Continua senza salvare</translation>
+    </message>
+    <message>
+        <source>You can resume it when you open these data again.</source>
+        <translation>Si può riprendere quando si riaprono questi dati.</translation>
+    </message>
+    <message>
+        <source>Quit and &amp;Resume Later</source>
+        <translation>Esci e &amp;riprendi dopo</translation>
     </message>
 </context>
 <context>
@@ -8141,10 +8189,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>un reticolo di %1 punti non può essere ripetuto</translation>
     </message>
     <message>
-        <source>its blocks make no sense</source>
-        <translation>i suoi blocchi non hanno senso</translation>
-    </message>
-    <message>
         <source>its text does not tell how it is built</source>
         <translation>il suo testo non dice come è costruito</translation>
     </message>
@@ -8391,6 +8435,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>The model &apos;%1&apos; was changed on its server. Open it again.</source>
         <translation>Il modello «%1» è stato modificato sul suo server. Aprirlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>The sites make more than they should.</source>
+        <translation>I siti producono più di quanto dovrebbero.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has positions or values that are not finite.</source>
+        <translation>'%1' contiene posizioni o valori non finiti.</translation>
     </message>
 </context>
 <context>
