@@ -27,7 +27,8 @@ void addPacking(const PackReport& report, std::uint64_t unpackedBytes, Outcome& 
         static_cast<double>(unpackedBytes) / static_cast<double>(std::max<std::uint64_t>(report.fileBytes, 1));
     outcome.text += "packed in " + byteText(report.fileBytes) + " instead of " + byteText(unpackedBytes) + ", " +
                     rounded(times, 3) + " times smaller, " +
-                    (replayed ? "as the samples that the history is made from\n" : "each part of the file by itself\n");
+                    (replayed ? "as the samples that the history is made from\n"
+                              : "part by part, without what follows from the rest\n");
 }
 
 Syntax packSyntax(PluginHost&)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/packed/replay.h"
 
-#include "core/base/simd.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "core/history/model_writer.h"
@@ -41,49 +40,11 @@ struct SiteChunkHead {
     std::uint32_t positionBytes = 0;
 };
 
-/// Codes the values of points against what is expected of them, whatever their type is.
-class AnyValueCoder {
-public:
-    virtual ~AnyValueCoder() = default;
-    virtual void encode(RangeEncoder& coder, std::span<const std::uint32_t> points, const double* expected) = 0;
-    /// Into the samples.
-    virtual void decode(RangeDecoder& coder, std::span<const std::uint32_t> points, const double* expected) = 0;
-
-    /// `samples`: of the points' lattice or box.
-    static std::unique_ptr<AnyValueCoder> make(SampleType type, std::byte* samples);
-};
-
 /// What has been learnt of where a region's sites are, from its first chunk to its last.
 struct PositionModels {
     NumberModel steps;
     GapCoder gaps;
 };
-
-template <class T> class TypedValueCoder final : public AnyValueCoder {
-public:
-    explicit TypedValueCoder(T* samples) : samples_(samples) {}
-    void encode(RangeEncoder& coder, std::span<const std::uint32_t> points, const double* expected) override
-    {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            values_.code(coder, expected[i], samples_[points[i]]);
-    }
-    void decode(RangeDecoder& coder, std::span<const std::uint32_t> points, const double* expected) override
-    {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            samples_[points[i]] = values_.code(coder, expected[i], T());
-    }
-
-private:
-    T* samples_;
-    ValueCoder<T> values_;
-};
-
-std::unique_ptr<AnyValueCoder> AnyValueCoder::make(SampleType type, std::byte* samples)
-{
-    return visitSampleType(type, [&]<class T>() -> std::unique_ptr<AnyValueCoder> {
-        return std::make_unique<TypedValueCoder<T>>(reinterpret_cast<T*>(samples));
-    });
-}
 
 /// Sets the samples of `points` to what the mesh says of them, rounded.
 void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint32_t> points,
@@ -164,18 +125,6 @@ template <class Visit> Status forEachFree(const FreePoints& free, const Visit& v
 }
 
 constexpr MarkedText packing = Message::marked("Packing"), unpackingSites = Message::marked("Unpacking");
-
-/// Whether a mesh of all points can be kept: in address space, and in the numbers of its tetrahedra.
-bool isReplayableSize(const Lattice& lattice, std::uint32_t blockCells)
-{
-    constexpr std::uint64_t mostPoints = 1ull << 28, mostBlocks = 1 << 17;
-    if (lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
-        return false;
-    std::uint64_t blocks = 1;
-    for (const std::uint32_t size : lattice.size)
-        blocks *= blockCells == 0 ? 1 : (size - 2) / blockCells + 1;
-    return blocks <= mostBlocks;
-}
 
 // The recipe.
 
@@ -350,8 +299,7 @@ class RegionPacker {
 public:
     RegionPacker(const ReplayRegion& region, const BlockDivision& division, ReplayMesh& mesh, SharedSites& shared,
                  std::uint32_t regionCount)
-        : region_(region), mesh_(mesh), shared_(shared), own_(region, division),
-          valueCoder_(AnyValueCoder::make(mesh.type(), mesh.samples().data())),
+        : region_(region), mesh_(mesh), shared_(shared), own_(region, division), valueCoder_(mesh.type()),
           leastChunk_(std::max<std::size_t>(256, (4 << 10) / regionCount))
     {
     }
@@ -374,7 +322,7 @@ private:
     SharedSites& shared_;
     OwnPoints own_;
     PositionModels models_;
-    std::unique_ptr<AnyValueCoder> valueCoder_;
+    SampleCoder valueCoder_;
     RangeEncoder positions_, values_;
     std::size_t leastChunk_;
     SiteChunkHead chunk_;
@@ -466,7 +414,7 @@ void RegionPacker::packValues(std::span<const std::uint32_t> points, const doubl
 {
     for (std::size_t begin = 0; begin < points.size(); begin += codedAtOnce) {
         const auto part = points.subspan(begin, std::min(codedAtOnce, points.size() - begin));
-        valueCoder_->encode(values_, part, expected + begin);
+        valueCoder_.code(values_, mesh_.samples().data(), part, expected + begin);
         chunk_.points += static_cast<std::uint32_t>(part.size());
         if (kind == ReplayChunk::Sites) {
             sites_ += static_cast<std::uint32_t>(part.size());
@@ -796,21 +744,6 @@ Status PositionReader::read(const ReplayRegion& region, std::uint32_t levels, Re
     return {};
 }
 
-/// Takes points of a step out of the free ones, from `place` on. False if there are none.
-TETRA_SIMD_INLINE bool takePoints(RangeDecoder& coder, GapCoder& gaps, std::uint64_t mean, FreePoints& free,
-                                  std::uint64_t& place, std::span<std::uint32_t> points)
-{
-    for (std::uint32_t& point : points) {
-        const std::uint64_t found = free.next(place, gaps.code(coder, mean, 0));
-        if (found >= free.size() || coder.overrun())
-            return false;
-        free.remove(found);
-        point = static_cast<std::uint32_t>(found);
-        place = found + 1;
-    }
-    return true;
-}
-
 Status PositionReader::readStep(const ReplayRegion& region, std::uint64_t points, RegionSites& sites)
 {
     FreePoints& free = sites.own.others;
@@ -864,14 +797,14 @@ private:
     std::size_t next_ = 0;   ///< of the sites' chunks, then of the others'
     std::uint32_t left_ = 0; ///< points in the chunk
     std::optional<RangeDecoder> coder_;
-    std::unique_ptr<AnyValueCoder> values_;
+    std::optional<SampleCoder> values_;
 };
 
 Status SampleReader::read(ReplayChunk kind, std::span<const std::uint32_t> points, const double* expected,
                           const ReplayedLattice& lattice)
 {
     if (!values_)
-        values_ = AnyValueCoder::make(lattice.type, lattice.samples.get());
+        values_.emplace(lattice.type);
     for (std::size_t begin = 0; begin < points.size();) {
         while (left_ == 0) {
             const std::size_t before = kind == ReplayChunk::Sites ? 0 : chunks_.sites.size();
@@ -886,7 +819,7 @@ Status SampleReader::read(ReplayChunk kind, std::span<const std::uint32_t> point
             left_ = head.points;
         }
         const std::size_t count = std::min<std::size_t>(left_, points.size() - begin);
-        values_->decode(*coder_, points.subspan(begin, count), expected + begin);
+        values_->code(*coder_, lattice.samples.get(), points.subspan(begin, count), expected + begin);
         if (coder_->overrun())
             return damaged();
         left_ -= static_cast<std::uint32_t>(count);
@@ -1084,7 +1017,7 @@ Status readSamples(const PackedFile& file, const ReplayedLattice& lattice, const
 Result<std::unique_ptr<ReplayedLattice>> replayedLatticeOf(const PackedFile& file)
 {
     const ModelDescription& about = file.description();
-    if (about.domain != DomainClass::RegularLattice || !isReplayableSize(about.lattice, file.facts().blockCells))
+    if (about.domain != DomainClass::RegularLattice || !ReplayMesh::fits(about.lattice, file.facts().blockCells))
         return file.damaged(Message::say("a lattice of %1 points cannot be replayed", about.lattice.pointCount()));
     return ReplayedLattice::make(about, file.facts().blockCells);
 }
@@ -1269,7 +1202,7 @@ bool mayBeReplayed(const Model& model)
 {
     const ModelDescription& about = model.description();
     return about.domain == DomainClass::RegularLattice && about.delaunay && about.builder == "refinement" &&
-           isReplayableSize(about.lattice, 0);
+           ReplayMesh::fits(about.lattice, 0);
 }
 
 Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWriter& file, const Progress& progress)
@@ -1281,7 +1214,7 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
     const auto notFirst = std::ranges::find_if(model.runningKeys(), [](float key) { return !std::isinf(key); });
     const auto cells = edgeOfBlocks(
         about.lattice.size, model.points().first(static_cast<std::size_t>(notFirst - model.runningKeys().begin())));
-    if (!cells || !isReplayableSize(about.lattice, *cells) ||
+    if (!cells || !ReplayMesh::fits(about.lattice, *cells) ||
         !std::ranges::is_sorted(model.runningKeys(), std::ranges::greater()))
         return cannot;
     const auto recipe = replayRecipe(about, *cells);

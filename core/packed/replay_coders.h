@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/simd.h"
+#include "core/packed/free_points.h"
 #include "core/packed/range_coder.h"
+
+#include <tan/data.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +13,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace tetra {
@@ -34,6 +40,21 @@ private:
     std::vector<NumberModel> models_ = std::vector<NumberModel>(34 * classes);
     std::uint64_t before_ = 0; ///< lately, on average
 };
+
+/// Takes points of a step out of the free ones, from `place` on. False if there are none.
+TETRA_SIMD_INLINE bool takePoints(RangeDecoder& coder, GapCoder& gaps, std::uint64_t mean, FreePoints& free,
+                                  std::uint64_t& place, std::span<std::uint32_t> points)
+{
+    for (std::uint32_t& point : points) {
+        const std::uint64_t found = free.next(place, gaps.code(coder, mean, 0));
+        if (found >= free.size() || coder.overrun())
+            return false;
+        free.remove(found);
+        point = static_cast<std::uint32_t>(found);
+        place = found + 1;
+    }
+    return true;
+}
 
 inline bool codedBit(RangeEncoder& coder, BitModel& model, bool one)
 {
@@ -135,6 +156,33 @@ private:
     std::vector<Context> contexts_ = std::vector<Context>(72);
     std::int64_t spread_ = 256;        ///< of integers: steps on average, in 256ths
     int expectedExponent_ = 1023 * 16; ///< of floats: of the difference, in 16ths
+};
+
+/// Codes samples of points, whatever their type is, against what is expected of them.
+class SampleCoder {
+public:
+    explicit SampleCoder(SampleType type) : type_(type)
+    {
+        visitSampleType(type, [this]<class T>() { coder_.emplace<ValueCoder<T>>(); });
+    }
+
+    /// `samples`: of the points' lattice or box. An encoder takes them from there, a decoder puts them there.
+    template <class Coder>
+    void code(Coder& coder, std::byte* samples, std::span<const std::uint32_t> points, const double* expected)
+    {
+        visitSampleType(type_, [&]<class T>() {
+            auto& values = std::get<ValueCoder<T>>(coder_);
+            T* const of = reinterpret_cast<T*>(samples);
+            for (std::size_t i = 0; i < points.size(); ++i)
+                of[points[i]] = values.code(coder, expected[i], of[points[i]]);
+        });
+    }
+
+private:
+    SampleType type_;
+    std::variant<ValueCoder<std::uint8_t>, ValueCoder<std::int8_t>, ValueCoder<std::uint16_t>, ValueCoder<std::int16_t>,
+                 ValueCoder<std::uint32_t>, ValueCoder<std::int32_t>, ValueCoder<float>, ValueCoder<double>>
+        coder_;
 };
 
 } // namespace tetra

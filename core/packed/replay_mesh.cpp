@@ -75,6 +75,17 @@ ReplayMesh::ReplayMesh(const Shape& shape, SampleType type, std::shared_ptr<std:
 {
 }
 
+bool ReplayMesh::fits(const Lattice& lattice, std::uint32_t blockCells)
+{
+    constexpr std::uint64_t mostPoints = 1ull << 28, mostBlocks = 1 << 17;
+    if (lattice.pointCount() > mostPoints || !PackedLattice::fits(lattice.size))
+        return false;
+    std::uint64_t blocks = 1;
+    for (const std::uint32_t size : lattice.size)
+        blocks *= blockCells == 0 ? 1 : (size - 2) / blockCells + 1;
+    return blocks <= mostBlocks;
+}
+
 Result<std::unique_ptr<ReplayMesh>> ReplayMesh::make(const Shape& shape, SampleType type,
                                                      std::shared_ptr<std::byte> samples, const Progress& progress)
 {

@@ -80,6 +80,8 @@ public:
         bool firstIsOdd = false;                    ///< the box's first block (BlockDivision::odd())
         bool shared = false;                        ///< other threads are at work on other boxes
     };
+    /// Whether the mesh of a whole lattice can be kept: in address space, and in the numbers of its tetrahedra.
+    static bool fits(const Lattice& lattice, std::uint32_t blockCells);
     /// The mesh of the blocks' corners. `samples`: one of `type` a point, which others may use, too; null if nothing is
     /// asked that needs them. Errors: too large a lattice, refused memory, cancelled.
     static Result<std::unique_ptr<ReplayMesh>> make(const Shape& shape, SampleType type,

@@ -25,12 +25,6 @@ namespace tetra {
 namespace {
 
 /// Whether the mesh of all points can be kept: in address space, and in the numbers of its tetrahedra.
-bool isCodableSize(const Lattice& lattice)
-{
-    constexpr std::uint64_t mostPoints = 1ull << 28;
-    return lattice.pointCount() <= mostPoints && PackedLattice::fits(lattice.size);
-}
-
 /// Of the lattice in whose space the points of a lattice or grid are meshed.
 Eigen::Vector3d spacingOfMesh(const HistoryFacts& facts)
 {
@@ -90,7 +84,7 @@ bool maySitesTell(const Model& model)
 {
     const ModelDescription& about = model.description();
     if (!isOnLattice(about.domain) || !about.delaunay || about.builder != "refinement" || model.siteCount() < 8 ||
-        !isCodableSize(about.lattice))
+        !ReplayMesh::fits(about.lattice, 0))
         return false;
     for (const auto& [name, text] : about.parameters)
         if ((name == "weights" && !text.empty()) || (name == "selection" && text == "paper") ||
@@ -209,10 +203,6 @@ void boundByKeys(const HistoryFacts& facts, float endKey, HistoryArrays& history
 
 namespace {
 
-using AnySiteValues =
-    std::variant<ValueCoder<std::uint8_t>, ValueCoder<std::int8_t>, ValueCoder<std::uint16_t>, ValueCoder<std::int16_t>,
-                 ValueCoder<std::uint32_t>, ValueCoder<std::int32_t>, ValueCoder<float>, ValueCoder<double>>;
-
 /// A coordinate as a number that rises with it.
 template <class T> auto coordinateOrder(T number)
 {
@@ -305,9 +295,9 @@ struct LineNeighbours {
 
 struct SiteCoding {
     SiteCoding(const SiteFacts& facts, std::unique_ptr<ReplayMesh> made, std::shared_ptr<std::byte> samples)
-        : mesh(std::move(made)), sites(facts, std::move(samples)), free(mesh->pointCount())
+        : mesh(std::move(made)), sites(facts, std::move(samples)), free(mesh->pointCount()),
+          values(facts.history.sampleType)
     {
-        visitSampleType(facts.history.sampleType, [this]<class T>() { values.emplace<ValueCoder<T>>(); });
     }
 
     std::unique_ptr<ReplayMesh> mesh;
@@ -317,12 +307,12 @@ struct SiteCoding {
     // What is learnt, from the first set to the last:
     NumberModel sizes;
     GapCoder gaps;
-    AnySiteValues values;
+    SampleCoder values;
     GridPositionCoder positions;
 
     static Result<std::unique_ptr<SiteCoding>> make(const SiteFacts& facts, const Progress& progress)
     {
-        if (!isCodableSize(facts.history.lattice))
+        if (!ReplayMesh::fits(facts.history.lattice, 0))
             return Error{ErrorKind::OutOfResource, Message::say("The lattice is too large to be packed as a whole.")};
         const HistoryFacts& history = facts.history;
         const auto metric = latticeMetric(history.lattice.size, spacingOfMesh(history));
@@ -368,21 +358,16 @@ public:
             return false;
         const std::uint64_t mean = coding_.free.count() / count;
         std::uint64_t place = 0;
-        if constexpr (!encodes)
-            points.assign(count, 0);
-        for (std::uint32_t& point : points) {
-            std::uint64_t gap = 0;
-            if constexpr (encodes)
-                gap = coding_.free.countBetween(place, point);
-            gap = coding_.gaps.code(coder_, mean, gap);
-            if constexpr (!encodes) {
-                const std::uint64_t found = coding_.free.next(place, gap);
-                if (found >= coding_.free.size())
-                    return false;
-                point = static_cast<std::uint32_t>(found);
+        if constexpr (encodes) {
+            for (const std::uint32_t point : points) {
+                coding_.gaps.code(coder_, mean, coding_.free.countBetween(place, point));
+                coding_.free.remove(point);
+                place = point + 1ull;
             }
-            coding_.free.remove(point);
-            place = point + 1ull;
+        } else {
+            points.resize(count);
+            if (!dispatch<takePoints>(coder_, coding_.gaps, mean, coding_.free, place, std::span(points)))
+                return false;
         }
         // What the mesh says of samples does not take their positions.
         ReplayMesh::Expectations expected;
@@ -410,11 +395,9 @@ private:
 
     void codeValues(std::span<const std::uint32_t> points, std::span<const double> expected)
     {
+        coding_.values.code(coder_, coding_.mesh->samples().data(), points, expected.data());
         visitSampleType(coding_.mesh->type(), [&]<class T>() {
-            const std::span<T> samples = coding_.mesh->samplesAs<T>();
-            auto& values = std::get<ValueCoder<T>>(coding_.values);
-            for (std::size_t i = 0; i < points.size(); ++i)
-                samples[points[i]] = values.code(coder_, expected[i], samples[points[i]]);
+            const std::span<const T> samples = coding_.mesh->samplesAs<T>();
             if constexpr (std::is_floating_point_v<T>)
                 for (const std::uint32_t point : points)
                     finite_ &= std::isfinite(samples[point]);
