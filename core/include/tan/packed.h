@@ -136,8 +136,8 @@ struct UnpackReport {
     std::vector<std::string> derived;
 };
 
-/// Makes the model again, at `output`, which is treated as by packModel(). Time as for building the model and a third as
-/// much again; memory as for building it, and of lattices some 30 bytes a site besides. Errors: damaged bytes, no room, not enough memory, the source's, cancelled.
+/// Makes the model again at `output`, treated as by packModel(), in somewhat more time and memory than building it
+/// takes. Errors: damaged bytes, no room, not enough memory, the source's, cancelled.
 TAN_API Result<UnpackReport> unpackModel(const PackedModel& packed, const std::filesystem::path& output,
                                          const Progress& progress = {});
 
