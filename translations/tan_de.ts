@@ -8442,7 +8442,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
-        <translation>'%1' hat Positionen oder Werte, die nicht endlich sind.</translation>
+        <translation>&apos;%1&apos; hat Positionen oder Werte, die nicht endlich sind.</translation>
     </message>
 </context>
 <context>

@@ -8442,7 +8442,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
-        <translation>'%1' contiene posizioni o valori non finiti.</translation>
+        <translation>&apos;%1&apos; contiene posizioni o valori non finiti.</translation>
     </message>
 </context>
 <context>
