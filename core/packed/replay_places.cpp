@@ -88,6 +88,8 @@ TETRA_SIMD_INLINE void walkTogether(const LatticeDelaunay& mesh, const PackedPoi
         }
 }
 
+} // namespace
+
 /// The mesh of one block after the other.
 class ReplayedBlock {
 public:
@@ -176,6 +178,8 @@ bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std
     return true;
 }
 
+namespace {
+
 /// The blocks that have the coordinates along an axis.
 struct BlocksAlong {
     std::uint32_t first, last;
@@ -193,141 +197,200 @@ std::array<std::vector<BlocksAlong>, 3> blocksAlongAxes(const BlockDivision& div
     return blocks;
 }
 
+/// The sites that enter each block, by their places in `sites`; those on a border enter each block that has them.
+std::vector<std::vector<std::uint32_t>> sitesOfBlocks(const BlockDivision& division,
+                                                      std::span<const std::uint32_t> sites)
+{
+    const PackedLattice lattice(division.size());
+    const auto along = blocksAlongAxes(division);
+    std::vector<std::vector<std::uint32_t>> entering(division.count());
+    for (std::uint32_t site = 0; site < sites.size(); ++site) {
+        const PackedPoint point = lattice.pointAt(sites[site]);
+        const auto x = along[0][static_cast<std::size_t>(lattice.x(point))],
+                   y = along[1][static_cast<std::size_t>(lattice.y(point))],
+                   z = along[2][static_cast<std::size_t>(lattice.z(point))];
+        for (std::uint32_t k = z.first; k <= z.last; ++k)
+            for (std::uint32_t j = y.first; j <= y.last; ++j)
+                for (std::uint32_t i = x.first; i <= x.last; ++i)
+                    entering[(k * division.countAlong(1) + j) * division.countAlong(0) + i].push_back(site);
+    }
+    return entering;
+}
+
+/// The largest first, so that none is left for the end.
+std::vector<std::uint32_t> orderOfBlocks(const std::vector<std::vector<std::uint32_t>>& entering)
+{
+    std::vector<std::uint32_t> order(entering.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](std::uint32_t block) { return entering[block].size(); });
+    return order;
+}
+
+Error grewTooLarge()
+{
+    return {ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
+}
+
 } // namespace
+
+/// Where a block lies in the lattice, and its mesh.
+class PlacedBlock {
+public:
+    PlacedBlock(const BlockDivision& division, std::uint32_t block, ReplayedBlock& replayed)
+        : lattice_(division.size()), box_(division.box(block)), replayed_(replayed)
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            own_[axis] = box_.size[axis] - (box_.last(axis) == division.size()[axis] - 1 ? 0 : 1);
+    }
+
+    ReplayedBlock& mesh() noexcept { return replayed_; }
+    const LatticeBox& box() const noexcept { return box_; }
+    /// So many of its points along each axis are its own: those on a border belong to the last block that has them.
+    const std::array<std::uint32_t, 3>& own() const noexcept { return own_; }
+    bool owns(PackedPoint inBlock) const
+    {
+        const auto [x, y, z] = placeIn(replayed_.lattice(), inBlock);
+        return x < own_[0] && y < own_[1] && z < own_[2];
+    }
+    PackedPoint inBlock(PackedPoint inLattice) const
+    {
+        const auto [x, y, z] = placeIn(lattice_, inLattice);
+        return replayed_.lattice().pack(x - box_.origin[0], y - box_.origin[1], z - box_.origin[2]);
+    }
+    PackedPoint inLattice(PackedPoint inBlock) const
+    {
+        const auto [x, y, z] = placeIn(replayed_.lattice(), inBlock);
+        return lattice_.pack(x + box_.origin[0], y + box_.origin[1], z + box_.origin[2]);
+    }
+    const PackedLattice& wholeLattice() const noexcept { return lattice_; }
+    ReplayPlaces::Vertices verticesIn(std::uint32_t slot) const
+    {
+        ReplayPlaces::Vertices vertices = replayed_.mesh()[slot].vertices;
+        for (PackedPoint& vertex : vertices)
+            vertex = inLattice(vertex);
+        return vertices;
+    }
+
+private:
+    static std::array<std::uint32_t, 3> placeIn(const PackedLattice& lattice, PackedPoint point)
+    {
+        return {static_cast<std::uint32_t>(lattice.x(point)), static_cast<std::uint32_t>(lattice.y(point)),
+                static_cast<std::uint32_t>(lattice.z(point))};
+    }
+
+    PackedLattice lattice_;
+    LatticeBox box_;
+    std::array<std::uint32_t, 3> own_{};
+    ReplayedBlock& replayed_;
+};
 
 Status ReplayPlaces::find(const BlockDivision& division, const LatticeMetric& metric,
                           std::span<const std::uint32_t> sites, std::span<const std::uint32_t> stepEnds,
                           const FreePoints& others, const Progress& progress)
 {
-    const PackedLattice lattice(division.size());
     ofSites_.resize(sites.size());
     if (others.count() > 0)
         numbers_.resize(others.size());
-    // The sites of each block, by their places in `sites`; those on a border in each block that has them.
-    std::vector<std::vector<std::uint32_t>> entering(division.count());
-    {
-        const auto along = blocksAlongAxes(division);
-        for (std::uint32_t site = 0; site < sites.size(); ++site) {
-            const PackedPoint point = lattice.pointAt(sites[site]);
-            const auto x = along[0][static_cast<std::size_t>(lattice.x(point))],
-                       y = along[1][static_cast<std::size_t>(lattice.y(point))],
-                       z = along[2][static_cast<std::size_t>(lattice.z(point))];
-            for (std::uint32_t k = z.first; k <= z.last; ++k)
-                for (std::uint32_t j = y.first; j <= y.last; ++j)
-                    for (std::uint32_t i = x.first; i <= x.last; ++i)
-                        entering[(k * division.countAlong(1) + j) * division.countAlong(0) + i].push_back(site);
-        }
-    }
-    // The largest first, so that none is left for the end.
-    std::vector<std::uint32_t> order(division.count());
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, std::ranges::greater(),
-                             [&](std::uint32_t block) { return entering[block].size(); });
-
-    FirstFailure failure;
-    const Progress watched = failure.watching(progress);
+    const auto entering = sitesOfBlocks(division, sites);
+    const std::vector<std::uint32_t> order = orderOfBlocks(entering);
     const auto total = std::transform_reduce(entering.begin(), entering.end(), 0.0, std::plus<>(),
                                              [](const auto& some) { return static_cast<double>(some.size()); });
     SharedProgress shared(progress, total, replayingBlocks);
-    std::mutex gathering;
-    const auto replay = [&](ReplayedBlock& replayed, std::uint32_t block) -> Status {
-        const Error tooLarge{ErrorKind::OutOfResource, Message::say("The mesh grew beyond what was reserved for it.")};
-        const LatticeBox box = division.box(block);
-        const auto& [left, front, bottom] = box.origin;
-        if (const Status started = replayed.start(box, metric, division.odd(block)); !started)
-            return started;
-        const PackedLattice& inside = replayed.lattice();
-        const auto verticesIn = [&](std::uint32_t slot) {
-            Vertices vertices = replayed.mesh()[slot].vertices;
-            for (PackedPoint& vertex : vertices)
-                vertex = lattice.pack(static_cast<std::uint32_t>(inside.x(vertex)) + left,
-                                      static_cast<std::uint32_t>(inside.y(vertex)) + front,
-                                      static_cast<std::uint32_t>(inside.z(vertex)) + bottom);
-            return vertices;
-        };
-        // Points on a border belong to the last block that has them.
-        std::array<std::uint32_t, 3> owned{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            owned[axis] = box.size[axis] - (box.last(axis) == division.size()[axis] - 1 ? 0 : 1);
-        std::vector<PackedPoint> points;
-        std::vector<std::uint32_t> slots;
-        const std::span<const std::uint32_t> enter = entering[block];
-        std::size_t step = 0, told = 0;
-        for (std::size_t begin = 0, end = 0; begin < enter.size(); begin = end) {
-            constexpr std::size_t toldAtOnce = 4096;
-            if (end - told >= toldAtOnce) {
-                if (watched.cancelled())
-                    return cancelledError(replayingBlocks);
-                shared.done(static_cast<double>(end - std::exchange(told, end)));
-            }
-            while (stepEnds[step] <= enter[begin])
-                ++step;
-            points.clear();
-            for (; end < enter.size() && enter[end] < stepEnds[step]; ++end) {
-                const PackedPoint point = lattice.pointAt(sites[enter[end]]);
-                points.push_back(inside.pack(static_cast<std::uint32_t>(lattice.x(point)) - left,
-                                             static_cast<std::uint32_t>(lattice.y(point)) - front,
-                                             static_cast<std::uint32_t>(lattice.z(point)) - bottom));
-            }
-            if (!replayed.place(points, slots))
-                return tooLarge;
-            for (std::size_t i = 0; i < points.size(); ++i)
-                if (static_cast<std::uint32_t>(inside.x(points[i])) < owned[0] &&
-                    static_cast<std::uint32_t>(inside.y(points[i])) < owned[1] &&
-                    static_cast<std::uint32_t>(inside.z(points[i])) < owned[2])
-                    ofSites_[enter[begin + i]] = verticesIn(slots[i]);
-            if (!replayed.add(points, slots))
-                return tooLarge;
-        }
-        shared.done(static_cast<double>(enter.size() - told));
-        if (others.count() == 0)
-            return {};
-        std::vector<std::uint32_t> numbers(replayed.mesh().slotCount(), LatticeDelaunay::none);
-        std::vector<Vertices> tetrahedra;
-        std::vector<std::uint32_t> wholePoints;
-        for (std::uint32_t z = 0; z < owned[2]; ++z) {
-            const std::size_t before = wholePoints.size();
-            points.clear();
-            for (std::uint32_t y = 0; y < owned[1]; ++y)
-                for (std::uint32_t x = 0; x < owned[0]; ++x) {
-                    const std::uint32_t point = lattice.index(lattice.pack(x + left, y + front, z + bottom));
-                    if (!others.has(point))
-                        continue;
-                    points.push_back(inside.pack(x, y, z));
-                    wholePoints.push_back(point);
-                }
-            if (watched.cancelled())
-                return cancelledError(replayingBlocks);
-            if (!replayed.place(points, slots))
-                return tooLarge;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                std::uint32_t& number = numbers[slots[i]];
-                if (number == LatticeDelaunay::none) {
-                    number = static_cast<std::uint32_t>(tetrahedra.size());
-                    tetrahedra.push_back(verticesIn(slots[i]));
-                }
-                numbers_[wholePoints[before + i]] = number;
-            }
-        }
-        std::size_t first = 0;
-        {
-            const std::lock_guard lock(gathering);
-            first = tetrahedra_.size();
-            tetrahedra_.insert(tetrahedra_.end(), tetrahedra.begin(), tetrahedra.end());
-        }
-        for (const std::uint32_t point : wholePoints)
-            numbers_[point] += static_cast<std::uint32_t>(first);
-        return {};
-    };
+    FirstFailure failure;
     tbb::enumerable_thread_specific<ReplayedBlock> replayed;
     std::atomic<std::uint32_t> next = 0;
-    tbb::parallel_for(std::uint32_t(0), division.count(), [&](std::uint32_t) {
-        failure.run(
-            [&]() -> Status { return failure.happened() ? Status() : replay(replayed.local(), order[next++]); });
-    });
+    const auto replayNext = [&]() -> Status {
+        if (failure.happened())
+            return {};
+        const std::uint32_t number = order[next++];
+        const auto points = static_cast<double>(entering[number].size());
+        const Progress own = failure.watching(progress).withCallback(shared.piece(points));
+        PlacedBlock block(division, number, replayed.local());
+        if (const Status started = block.mesh().start(block.box(), metric, division.odd(number)); !started)
+            return started;
+        if (const Status placed = placeSites(block, entering[number], sites, stepEnds, own); !placed)
+            return placed;
+        own.report(1, {});
+        return others.count() == 0 ? Status() : placeOthers(block, others, own);
+    };
+    tbb::parallel_for(std::uint32_t(0), division.count(), [&](std::uint32_t) { failure.run(replayNext); });
     if (progress.cancelled())
         return cancelledError(replayingBlocks);
     return failure.status();
+}
+
+Status ReplayPlaces::placeSites(PlacedBlock& block, std::span<const std::uint32_t> enter,
+                                std::span<const std::uint32_t> sites, std::span<const std::uint32_t> stepEnds,
+                                const Progress& progress)
+{
+    constexpr std::size_t toldAtOnce = 4096;
+    std::vector<PackedPoint> points;
+    std::vector<std::uint32_t> slots;
+    std::size_t step = 0, told = 0;
+    for (std::size_t begin = 0, end = 0; begin < enter.size(); begin = end) {
+        if (end - told >= toldAtOnce) {
+            if (progress.cancelled())
+                return cancelledError(replayingBlocks);
+            told = end;
+            progress.report(static_cast<double>(told) / static_cast<double>(enter.size()), {});
+        }
+        while (stepEnds[step] <= enter[begin])
+            ++step;
+        points.clear();
+        for (; end < enter.size() && enter[end] < stepEnds[step]; ++end)
+            points.push_back(block.inBlock(block.wholeLattice().pointAt(sites[enter[end]])));
+        if (!block.mesh().place(points, slots))
+            return grewTooLarge();
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (block.owns(points[i]))
+                ofSites_[enter[begin + i]] = block.verticesIn(slots[i]);
+        if (!block.mesh().add(points, slots))
+            return grewTooLarge();
+    }
+    return {};
+}
+
+Status ReplayPlaces::placeOthers(PlacedBlock& block, const FreePoints& others, const Progress& progress)
+{
+    std::vector<std::uint32_t> numbers(block.mesh().mesh().slotCount(), LatticeDelaunay::none);
+    std::vector<Vertices> tetrahedra;
+    std::vector<PackedPoint> points;
+    std::vector<std::uint32_t> slots, placed;
+    for (std::uint32_t z = 0; z < block.own()[2]; ++z) {
+        const std::size_t before = placed.size();
+        points.clear();
+        for (std::uint32_t y = 0; y < block.own()[1]; ++y)
+            for (std::uint32_t x = 0; x < block.own()[0]; ++x) {
+                const PackedPoint inside = block.mesh().lattice().pack(x, y, z);
+                const std::uint32_t point = block.wholeLattice().index(block.inLattice(inside));
+                if (!others.has(point))
+                    continue;
+                points.push_back(inside);
+                placed.push_back(point);
+            }
+        if (progress.cancelled())
+            return cancelledError(replayingBlocks);
+        if (!block.mesh().place(points, slots))
+            return grewTooLarge();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            std::uint32_t& number = numbers[slots[i]];
+            if (number == LatticeDelaunay::none) {
+                number = static_cast<std::uint32_t>(tetrahedra.size());
+                tetrahedra.push_back(block.verticesIn(slots[i]));
+            }
+            numbers_[placed[before + i]] = number;
+        }
+    }
+    std::size_t first = 0;
+    {
+        const std::lock_guard lock(gathering_);
+        first = tetrahedra_.size();
+        tetrahedra_.insert(tetrahedra_.end(), tetrahedra.begin(), tetrahedra.end());
+    }
+    for (const std::uint32_t point : placed)
+        numbers_[point] += static_cast<std::uint32_t>(first);
+    return {};
 }
 
 } // namespace tetra

@@ -9,10 +9,13 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
 namespace tetra {
+
+class PlacedBlock;
 
 /// Where the points of a replayed model lie: a site in the mesh of the steps before its own, any other point in that of
 /// all sites. No sample is asked for, so each block goes through all steps by itself, on any thread, in memory that the
@@ -34,6 +37,13 @@ public:
     const Vertices& ofOther(std::uint32_t point) const { return tetrahedra_[numbers_[point]]; }
 
 private:
+    /// The sites that enter a block, in their steps.
+    Status placeSites(PlacedBlock& block, std::span<const std::uint32_t> enter, std::span<const std::uint32_t> sites,
+                      std::span<const std::uint32_t> stepEnds, const Progress& progress);
+    /// A block's own points of the others, when all its sites are there.
+    Status placeOthers(PlacedBlock& block, const FreePoints& others, const Progress& progress);
+
+    std::mutex gathering_; ///< of tetrahedra
     std::vector<Vertices> ofSites_;
     std::vector<Vertices> tetrahedra_; ///< of the last mesh, those that have other points ...
     Buffer<std::uint32_t> numbers_;    ///< ... and for each of these which
