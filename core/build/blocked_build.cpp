@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <system_error>
@@ -34,7 +35,7 @@ public:
     Status check(const RunTotals& soFar, const RunTotals& expected)
     {
         const DiskNeed need = diskNeed(expected, type_, domain_);
-        told_ = textOf(need);
+        tell(textOf(need));
         const std::uint64_t free = freeDiskBytes(workFolder_);
         if (free == 0) // not known
             return {};
@@ -45,14 +46,27 @@ public:
     Progress telling(const Progress& progress) const
     {
         return progress.withCallback([this, progress](double fraction, const Message& activity) {
-            progress.report(fraction, told_.empty() ? activity : Message::say("%1 (%2)", activity, told_));
+            const Message told = this->told();
+            progress.report(fraction, told.empty() ? activity : Message::say("%1 (%2)", activity, told));
         });
     }
 
 private:
+    void tell(Message need)
+    {
+        const std::lock_guard lock(mutex_);
+        told_ = std::move(need);
+    }
+    Message told() const
+    {
+        const std::lock_guard lock(mutex_);
+        return told_;
+    }
+
     std::filesystem::path workFolder_;
     SampleType type_;
     DomainClass domain_;
+    mutable std::mutex mutex_; ///< one block is counted while others report
     Message told_;
 };
 
