@@ -285,7 +285,10 @@ try {
     if (path.empty())
         return list();
     const auto name = percentDecoded(path);
-    const auto file = name ? folder_.find(*name) : std::nullopt;
+    const auto found = name ? folder_.find(*name) : Result<std::optional<ServedFile>>(std::nullopt);
+    if (!found)
+        return refusal(found.error());
+    const std::optional<ServedFile>& file = *found;
     if (!file)
         return errorAnswer(404, "There is no such model here. '/' lists those that there are.");
     if (mark == std::string::npos)
@@ -301,8 +304,14 @@ try {
 ServedAnswer ModelServer::list() const
 {
     QJsonArray models;
-    for (const std::string& name : folder_.names(limits_.listed)) {
-        const auto file = folder_.find(name);
+    const auto names = folder_.names(limits_.listed);
+    if (!names)
+        return refusal(names.error());
+    for (const std::string& name : *names) {
+        const auto found = folder_.find(name);
+        if (!found)
+            return refusal(found.error());
+        const std::optional<ServedFile>& file = *found;
         format::Header header;
         if (!file || file->size < sizeof header || !file->read(0, {reinterpret_cast<char*>(&header), sizeof header}) ||
             header.magic != format::magic)

@@ -86,6 +86,12 @@ std::string tagOf(const struct stat& state)
            hexadecimal(static_cast<std::uint64_t>(state.st_mtim.tv_sec * nanoseconds + state.st_mtim.tv_nsec)) + "\"";
 }
 
+Error cannotLook(int error)
+{
+    return {ErrorKind::OutOfResource,
+            Message::say("The server cannot look for its models now: %1. Ask again.", systemErrorText(error))};
+}
+
 } // namespace
 
 bool ServedFile::read(std::uint64_t offset, std::span<char> to) const
@@ -126,26 +132,29 @@ Result<ServedFolder> ServedFolder::open(const std::filesystem::path& folder)
     return served;
 }
 
-std::optional<ServedFile> ServedFolder::find(std::string_view name) const
+Result<std::optional<ServedFile>> ServedFolder::find(std::string_view name) const
 {
     if (!mayBeNamed(name))
-        return {};
+        return std::optional<ServedFile>();
     const int descriptor = openBeneath(*descriptor_, std::string(name));
-    if (descriptor < 0)
-        return {};
+    if (descriptor < 0) {
+        if (const int error = errno; isLackOfResources(error))
+            return cannotLook(error);
+        return std::optional<ServedFile>();
+    }
     ServedFile file;
     file.descriptor = owned(descriptor);
     struct stat state {};
     if (::fstat(descriptor, &state) != 0 || !S_ISREG(state.st_mode))
-        return {};
+        return std::optional<ServedFile>();
     file.name = name;
     file.size = static_cast<std::uint64_t>(state.st_size);
     file.changed = state.st_mtim.tv_sec;
     file.tag = tagOf(state);
-    return file;
+    return std::optional(std::move(file));
 }
 
-std::vector<std::string> ServedFolder::names(std::size_t most) const
+Result<std::vector<std::string>> ServedFolder::names(std::size_t most) const
 {
     namespace fs = std::filesystem;
     std::vector<std::string> found;
@@ -159,6 +168,8 @@ std::vector<std::string> ServedFolder::names(std::size_t most) const
             found.push_back(name);
         place.increment(problem);
     }
+    if (problem)
+        return cannotLook(problem.value());
     std::ranges::sort(found);
     return found;
 }

@@ -36,10 +36,10 @@ public:
     static Result<ServedFolder> open(const std::filesystem::path& folder);
 
     /// A file by its name as decoded from a URL. Nothing for any name that is not one of its files: that it does not
-    /// exist, or may not be named.
-    std::optional<ServedFile> find(std::string_view name) const;
-    /// The names of its files, sorted; at most so many.
-    std::vector<std::string> names(std::size_t most) const;
+    /// exist, or may not be named. Errors: ErrorKind::OutOfResource, if it cannot be known now.
+    Result<std::optional<ServedFile>> find(std::string_view name) const;
+    /// The names of its files, sorted; at most so many. Errors as those of find().
+    Result<std::vector<std::string>> names(std::size_t most) const;
 
 private:
     std::filesystem::path path_;

@@ -111,6 +111,40 @@ Answer ask(int port, const QByteArray& target, const QByteArray& headers = {}, c
     return answerIn(client.rest());
 }
 
+/// Takes all descriptors that this process may have, but for `left`, until it goes.
+class FewDescriptors {
+public:
+    explicit FewDescriptors(int left)
+    {
+        ::getrlimit(RLIMIT_NOFILE, &before_);
+        rlimit few = before_;
+        few.rlim_cur = 100;
+        ::setrlimit(RLIMIT_NOFILE, &few);
+        for (int next = ::dup(STDERR_FILENO); next >= 0; next = ::dup(STDERR_FILENO))
+            taken_.push_back(next);
+        for (; left > 0; --left)
+            give();
+    }
+    ~FewDescriptors()
+    {
+        while (!taken_.empty())
+            give();
+        ::setrlimit(RLIMIT_NOFILE, &before_);
+    }
+    FewDescriptors(const FewDescriptors&) = delete;
+    FewDescriptors& operator=(const FewDescriptors&) = delete;
+
+private:
+    void give()
+    {
+        ::close(taken_.back());
+        taken_.pop_back();
+    }
+
+    rlimit before_{};
+    std::vector<int> taken_;
+};
+
 /// Of each question for a model's sizes or meshes, in the order in which they were answered, the connection.
 QStringList connectionsThatAsked(const LocalServer& server)
 {
@@ -184,6 +218,28 @@ private slots:
                      model["tag"].toString().toUtf8());
         }
         QCOMPARE(files, QStringList({"lattice.tan", "part.tan", "within/grid.tan", "within/packed.tan"}));
+    }
+
+    /// A server that has no descriptors left does not say that it has no models.
+    void lackOfDescriptorsIsTold()
+    {
+        ModelServer server(*ServedFolder::open(folder_.toStdString()), {}, {});
+        const auto noHeader = [](std::string_view) { return std::optional<std::string>(); };
+        const auto statusOf = [&](const std::string& target) {
+            return server.answer({.isHead = false, .target = target, .header = noHeader, .gone = {}}).status;
+        };
+        const auto statuses = [&] {
+            return std::array{statusOf("/"), statusOf("/lattice.tan"), statusOf("/none.tan")};
+        };
+        QCOMPARE(statuses(), (std::array{200, 200, 404}));
+        {
+            const FewDescriptors none(0);
+            QCOMPARE(statuses(), (std::array{503, 503, 503}));
+        }
+        {
+            const FewDescriptors one(1); // enough for the folder, and not for the one within it
+            QCOMPARE(statuses(), (std::array{503, 200, 404}));
+        }
     }
 
     void rangesAreTheFilesBytes_data()
