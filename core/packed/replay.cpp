@@ -94,18 +94,24 @@ struct OwnPoints {
 
 OwnPoints::OwnPoints(const ReplayRegion& region, const BlockDivision& division) : others(region.box.pointCount())
 {
-    std::uint32_t point = 0;
-    const auto& [left, front, bottom] = region.box.origin;
-    for (std::uint32_t z = 0; z < region.box.size[2]; ++z)
-        for (std::uint32_t y = 0; y < region.box.size[1]; ++y) {
-            const bool onEdge = division.isBorder(2, z + bottom) && division.isBorder(1, y + front);
-            for (std::uint32_t x = 0; x < region.box.size[0]; ++x, ++point) {
-                const bool isCorner = onEdge && division.isBorder(0, x + left), isOwn = region.owns({x, y, z});
-                if (isCorner && isOwn)
-                    corners.push_back(point);
-                if (isCorner || !isOwn)
-                    others.remove(point);
-            }
+    const LatticeBox& box = region.box;
+    std::vector<std::uint32_t> bordersAlongX;
+    for (std::uint32_t x = 0; x < box.size[0]; ++x)
+        if (division.isBorder(0, x + box.origin[0]))
+            bordersAlongX.push_back(x);
+    std::uint64_t row = 0;
+    for (std::uint32_t z = 0; z < box.size[2]; ++z)
+        for (std::uint32_t y = 0; y < box.size[1]; ++y, row += box.size[0]) {
+            const auto point = [row](std::uint32_t x) { return static_cast<std::uint32_t>(row + x); };
+            const std::uint32_t firstOwn = region.firstOwn(y, z);
+            for (std::uint32_t x = 0; x < firstOwn; ++x)
+                others.remove(point(x));
+            if (division.isBorder(2, z + box.origin[2]) && division.isBorder(1, y + box.origin[1]))
+                for (const std::uint32_t x : bordersAlongX)
+                    if (x >= firstOwn) {
+                        corners.push_back(point(x));
+                        others.remove(point(x));
+                    }
         }
 }
 
@@ -976,6 +982,28 @@ Status ReplayReader::readOthers(const std::function<void(std::span<const std::ui
     return {};
 }
 
+/// The samples of the sites, in their order.
+Status readSites(ReplayReader& reader, const ReplayPlaces& places, const ReplayedLattice& lattice,
+                 const Progress& progress)
+{
+    if (const Status read = reader.readCorners(); !read)
+        return read;
+    const PackedLattice points(lattice.size);
+    std::vector<double> expected;
+    std::size_t first = 0;
+    for (std::size_t step = 0; step < reader.stepEnds().size(); ++step) {
+        if (progress.cancelled())
+            return cancelledError(unpackingSites);
+        const std::size_t count = reader.stepEnds()[step] - first;
+        interpolateIn(points, lattice.type, lattice.samples.get(), places.ofSites().subspan(first, count),
+                      reader.sites().subspan(first, count), expected);
+        if (const Status read = reader.readStep(step, expected.data()); !read)
+            return read;
+        first += count;
+    }
+    return {};
+}
+
 /// All samples of a packed lattice.
 Status readSamples(const PackedFile& file, const ReplayedLattice& lattice, const Progress& progress)
 {
@@ -985,24 +1013,12 @@ Status readSamples(const PackedFile& file, const ReplayedLattice& lattice, const
         return reader.error();
     ReplayPlaces places;
     if (const Status found = places.find(lattice.division, lattice.metric, reader->sites(), reader->stepEnds(),
-                                         reader->others(), progress.part(sitesAt, placesAt));
+                                         reader->others(), nullptr, progress.part(sitesAt, placesAt));
         !found)
         return found;
-    if (const Status read = reader->readCorners(); !read)
+    if (const Status read = readSites(*reader, places, lattice, progress); !read)
         return read;
     const PackedLattice points(lattice.size);
-    std::vector<double> expected;
-    std::size_t first = 0;
-    for (std::size_t step = 0; step < reader->stepEnds().size(); ++step) {
-        if (progress.cancelled())
-            return cancelledError(unpackingSites);
-        const std::size_t count = reader->stepEnds()[step] - first;
-        interpolateIn(points, lattice.type, lattice.samples.get(), places.ofSites().subspan(first, count),
-                      reader->sites().subspan(first, count), expected);
-        if (const Status read = reader->readStep(step, expected.data()); !read)
-            return read;
-        first += count;
-    }
     std::vector<ReplayPlaces::Vertices> tetrahedra;
     return reader->readOthers(
         [&](std::span<const std::uint32_t> some, std::vector<double>& told) {
@@ -1050,151 +1066,112 @@ Result<UnpackReport> compareSections(const PackedFile& file, const std::filesyst
 
 namespace {
 
-// A prefix: a history of its own, in two passes: in the first one shows how long each tetrahedron lives.
+// A prefix: a history of its own.
 
-class UnheardSink final : public HistorySink {
+/// Puts the histories of a prefix's blocks together.
+class HistoryOfBlocks {
 public:
-    Status add(const HistoryStep&) override { return {}; }
-    Status finish(float) override { return {}; }
-};
+    /// `sites`: behind the corners.
+    HistoryOfBlocks(const BlockDivision& division, const BlockHistories& histories,
+                    std::span<const std::uint32_t> sites, std::span<const format::PackedLevelEntry> levels);
 
-/// The tetrahedra in the slots of a mesh by their numbers in the history.
-class NumberedSlots {
-public:
-    explicit NumberedSlots(std::span<const std::uint32_t> start)
-        : numbers_(start.begin(), start.end()), count_(static_cast<std::uint32_t>(start.size()))
-    {
-    }
-
-    std::uint32_t operator[](std::uint32_t slot) const { return numbers_[slot]; }
-    std::uint32_t take(std::uint32_t slot)
-    {
-        if (slot >= numbers_.size())
-            numbers_.resize(slot + 1 + slot / 2);
-        numbers_[slot] = count_;
-        return count_++;
-    }
-    std::uint32_t count() const noexcept { return count_; }
+    Status handOver(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink, const Progress& progress);
 
 private:
-    std::vector<std::uint32_t> numbers_;
-    std::uint32_t count_;
-};
-
-/// The level that each site of a prefix belongs to.
-class LevelsOfSites {
-public:
-    explicit LevelsOfSites(std::span<const format::PackedLevelEntry> levels) : levels_(levels) {}
-
-    /// Of sites that are asked for in rising order.
-    std::uint16_t of(std::uint32_t site) noexcept
-    {
-        while (levels_[level_].sites <= site)
-            ++level_;
-        return level_;
-    }
-
-private:
-    std::span<const format::PackedLevelEntry> levels_;
-    std::uint16_t level_ = 0;
-};
-
-/// The first pass: in which level each tetrahedron is destroyed.
-class LifeWatch final : public InsertionWatch {
-public:
-    static constexpr std::uint16_t never = 0xffff;
-
-    LifeWatch(std::span<const std::uint32_t> start, std::span<const format::PackedLevelEntry> levels,
-              std::uint32_t firstSites)
-        : slots_(start), levels_(levels), firstSites_(firstSites), deaths_(start.size(), never)
-    {
-    }
-
-    void inserted(const LocalDelaunay& mesh, std::span<const std::uint32_t> destroyed,
-                  std::span<const std::uint32_t> created) override
-    {
-        const std::uint16_t level = levels_.of(firstSites_ + static_cast<std::uint32_t>(mesh.added().size()) - 1);
-        for (const std::uint32_t slot : destroyed)
-            deaths_[slots_[slot]] = level;
-        for (const std::uint32_t slot : created)
-            slots_.take(slot);
-        deaths_.resize(slots_.count(), never);
-    }
-
-    const std::vector<std::uint16_t>& deaths() const noexcept { return deaths_; }
-
-private:
-    NumberedSlots slots_;
-    LevelsOfSites levels_;
-    std::uint32_t firstSites_;
-    std::vector<std::uint16_t> deaths_;
-};
-
-/// The second one: hands the history over.
-class HistoryWatch final : public InsertionWatch {
-public:
-    HistoryWatch(std::span<const std::uint32_t> start, std::span<const format::PackedLevelEntry> levels,
-                 std::uint32_t firstSites, const std::vector<std::uint16_t>& deaths,
-                 std::span<const std::uint32_t> sites, HistorySink& sink)
-        : slots_(start), table_(levels), levels_(levels), firstSites_(firstSites), deaths_(deaths), sites_(sites),
-          sink_(sink)
-    {
-    }
-
     /// How far a tetrahedron may be off: what the last mesh that has it is.
-    float errorOf(std::uint32_t number) const
+    float errorOf(const BlockHistory& block, std::uint32_t tetrahedron) const
     {
-        const std::uint16_t death = deaths_[number];
-        return death == LifeWatch::never ? table_.back().error : table_[death > 0 ? death - 1 : 0].error;
+        const std::uint32_t destroyer = block.destroyers[tetrahedron];
+        return destroyer == BlockHistory::never ? finalError_ : errorsBefore_[destroyer];
     }
+    Status addStartOf(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink);
+    void takeStep(std::uint32_t block);
 
-    void inserted(const LocalDelaunay& mesh, std::span<const std::uint32_t> destroyed,
-                  std::span<const std::uint32_t> created) override
-    {
-        // A point on a border of blocks is inserted several times.
-        const auto site = static_cast<std::uint32_t>(mesh.added().size()) - 1;
-        if (site != site_)
-            handOver();
-        site_ = site;
-        for (const std::uint32_t slot : destroyed)
-            destroyed_.push_back(slots_[slot]);
-        for (const std::uint32_t slot : created) {
-            const auto& [creator, a, b, c] = mesh.numbers(slot);
-            star_.push_back({{a, b, c}, errorOf(slots_.take(slot)), 0});
-        }
+    const BlockDivision& division_;
+    PackedLattice lattice_;
+    const BlockHistories& histories_;
+    std::span<const std::uint32_t> sites_;
+    float finalError_;
+    std::vector<float> errorsBefore_;                 ///< of each site: the error of the level before its own
+    std::uint32_t count_ = 0;                         ///< of tetrahedra that were handed over
+    std::vector<std::vector<std::uint32_t>> numbers_; ///< theirs, of those of each block
+    std::vector<std::uint32_t> next_;                 ///< of each block, of its sites
+    std::vector<HistoryTetrahedron> star_;
+    std::vector<std::uint32_t> destroyed_;
+};
+
+HistoryOfBlocks::HistoryOfBlocks(const BlockDivision& division, const BlockHistories& histories,
+                                 std::span<const std::uint32_t> sites, std::span<const format::PackedLevelEntry> levels)
+    : division_(division), lattice_(division.size()), histories_(histories), sites_(sites),
+      finalError_(levels.back().error), next_(histories.blocks.size(), 0)
+{
+    for (std::size_t level = 1; level < levels.size(); ++level)
+        errorsBefore_.resize(levels[level].sites - histories.corners.size(), levels[level - 1].error);
+    for (const BlockHistory& block : histories.blocks)
+        numbers_.emplace_back(block.destroyers.size());
+}
+
+Status HistoryOfBlocks::addStartOf(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink)
+{
+    constexpr std::uint32_t ofBlock = LatticeDelaunay::startCount;
+    std::vector<StartTetrahedron> tetrahedra;
+    for (std::uint32_t i = 0; i < start.size(); ++i)
+        tetrahedra.push_back({start[i], errorOf(histories_.blocks[i / ofBlock], i % ofBlock), 0});
+    const std::vector<std::uint64_t> corners(histories_.corners.begin(), histories_.corners.end());
+    const auto numbers = addStart(corners, tetrahedra, sink);
+    if (!numbers)
+        return numbers.error();
+    for (std::uint32_t i = 0; i < start.size(); ++i)
+        numbers_[i / ofBlock][i % ofBlock] = (*numbers)[i];
+    count_ = static_cast<std::uint32_t>(start.size());
+    return {};
+}
+
+/// What the next site of a block does there.
+void HistoryOfBlocks::takeStep(std::uint32_t block)
+{
+    const BlockHistory& history = histories_.blocks[block];
+    const std::uint32_t number = next_[block]++;
+    const BlockHistory::Site before = number == 0 ? BlockHistory::Site() : history.sites[number - 1];
+    const BlockHistory::Site& site = history.sites[number];
+    for (std::uint32_t i = before.destroyedEnd; i < site.destroyedEnd; ++i)
+        destroyed_.push_back(numbers_[block][history.destroyed[i]]);
+    for (std::uint32_t i = before.madeEnd; i < site.madeEnd; ++i) {
+        const std::uint32_t tetrahedron = LatticeDelaunay::startCount + i;
+        numbers_[block][tetrahedron] = count_++;
+        star_.push_back({history.otherSites[i], errorOf(history, tetrahedron), 0});
     }
+}
 
-    /// The last one, when all are inserted.
-    Status finish()
-    {
-        handOver();
-        return status_;
-    }
-    const Status& status() const noexcept { return status_; }
-
-private:
-    void handOver()
-    {
-        if (status_ && !star_.empty()) {
-            const std::uint16_t level = levels_.of(firstSites_ + site_);
-            status_ = sink_.add({sites_[site_], table_[level - 1u].error, star_, destroyed_});
+Status HistoryOfBlocks::handOver(std::span<const std::array<std::uint32_t, 4>> start, HistorySink& sink,
+                                 const Progress& progress)
+{
+    constexpr MarkedText writing = Message::marked("Writing the model");
+    constexpr std::uint32_t toldAtOnce = 1 << 14;
+    if (const Status added = addStartOf(start, sink); !added)
+        return added;
+    std::vector<std::uint32_t> blocks;
+    for (std::uint32_t place = 0; place < sites_.size(); ++place) {
+        if (place % toldAtOnce == 0) {
+            if (progress.cancelled())
+                return cancelledError(writing);
+            progress.report(static_cast<double>(place) / static_cast<double>(sites_.size()), writing);
         }
         star_.clear();
         destroyed_.clear();
+        const PackedPoint point = lattice_.pointAt(sites_[place]);
+        // A point on a border of blocks enters several.
+        division_.blocksOf({static_cast<std::uint32_t>(lattice_.x(point)),
+                            static_cast<std::uint32_t>(lattice_.y(point)),
+                            static_cast<std::uint32_t>(lattice_.z(point))},
+                           blocks);
+        for (const std::uint32_t block : blocks)
+            takeStep(block);
+        if (const Status added = sink.add({sites_[place], errorsBefore_[place], star_, destroyed_}); !added)
+            return added;
     }
-
-    NumberedSlots slots_;
-    std::span<const format::PackedLevelEntry> table_;
-    LevelsOfSites levels_;
-    std::uint32_t firstSites_;
-    const std::vector<std::uint16_t>& deaths_;
-    std::span<const std::uint32_t> sites_;
-    HistorySink& sink_;
-    std::uint32_t site_ = 0;
-    std::vector<HistoryTetrahedron> star_;
-    std::vector<std::uint32_t> destroyed_;
-    Status status_;
-};
+    return {};
+}
 
 } // namespace
 
@@ -1273,78 +1250,42 @@ Result<UnpackReport> unpackReplayed(const PackedFile& file, const std::filesyste
 Status unpackPrefixOfReplayed(const PackedFile& file, std::size_t level, const std::filesystem::path& output,
                               const Progress& progress)
 {
-    constexpr double readAt = 0.5;
-    const auto lattice = replayedLatticeOf(file);
-    if (!lattice)
-        return lattice.error();
-    const auto mesh = (*lattice)->wholeMesh(progress);
-    if (!mesh)
-        return mesh.error();
-    ReplayMesh& replayed = **mesh;
+    constexpr double sitesAt = 0.05, placesAt = 0.4, readAt = 0.5;
+    const auto made = replayedLatticeOf(file);
+    if (!made)
+        return made.error();
+    const ReplayedLattice& lattice = **made;
+    auto start = startOfBlocks(lattice.division, lattice.metric, false);
+    if (!start)
+        return start.error();
     const auto levels = file.levels().first(level + 1);
-    const auto firstSites = static_cast<std::uint32_t>(replayed.corners().size());
-    if (levels.front().sites != firstSites)
+    if (levels.front().sites != start->corners.size())
         return file.damaged(Message::say("its levels make no sense"));
-    const std::vector<std::uint64_t> corners(replayed.corners().begin(), replayed.corners().end());
-    std::vector<StartTetrahedron> start;
-    for (const std::array<std::uint32_t, 4>& sites : replayed.start())
-        start.push_back({sites, 0, 0});
-    UnheardSink none;
-    const auto numbers = addStart(corners, start, none);
-    if (!numbers)
-        return numbers.error();
-    auto reader = ReplayReader::open(file, **lattice, level, progress.part(0, readAt / 10));
+    auto reader = ReplayReader::open(file, lattice, level, progress.part(0, sitesAt));
     if (!reader)
         return reader.error();
-    if (const Status read = reader->readCorners(); !read)
-        return read;
-    const std::span<const std::uint32_t> sites = reader->sites();
-    LifeWatch lives(*numbers, levels, firstSites);
-    // Where they were found, for who adds them again: so the same tetrahedra come in the same order.
-    std::vector<std::uint32_t> slots;
-    ReplayMesh::Expectations expected;
-    for (std::size_t step = 0, first = 0; step < reader->stepEnds().size(); ++step) {
-        const auto points = sites.subspan(first, reader->stepEnds()[step] - first);
-        if (const Status known = replayed.expect(points, expected, progress); !known)
-            return known;
-        if (const Status read = reader->readStep(step, expected.values.data()); !read)
+    BlockHistories histories{std::move(start->corners), {}};
+    {
+        ReplayPlaces places;
+        if (const Status found = places.find(lattice.division, lattice.metric, reader->sites(), reader->stepEnds(),
+                                             FreePoints(0), &histories, progress.part(sitesAt, placesAt));
+            !found)
+            return found;
+        if (const Status read = readSites(*reader, places, lattice, progress.part(placesAt, readAt)); !read)
             return read;
-        if (const Status added = replayed.add(points, expected.slots, progress, &lives); !added)
-            return added;
-        slots.insert(slots.end(), expected.slots.begin(), expected.slots.end());
-        first += points.size();
-        progress.part(readAt / 10, readAt)
-            .report(static_cast<double>(first) / static_cast<double>(sites.size()), unpackingSites);
     }
-    replayed.restart();
-
     Dataset dataset;
     dataset.lattice = file.description().lattice;
-    dataset.values = ScalarField((*lattice)->type, (*lattice)->pointCount(), (*lattice)->samples);
+    dataset.values = ScalarField(lattice.type, lattice.pointCount(), lattice.samples);
     const auto writer = ModelWriter::create(output, dataset, file.description(), {}, KnownSamples::OfSites);
     if (!writer)
         return writer.error();
     HistoryTraits traits;
-    traits.blockCells = BlockDivision((*lattice)->size, (*lattice)->blockCells).blockCells();
+    traits.blockCells = lattice.division.blockCells();
     if (const Status begun = (*writer)->begin(traits); !begun)
         return begun;
-    HistoryWatch history(*numbers, levels, firstSites, lives.deaths(), sites, **writer);
-    for (std::size_t i = 0; i < start.size(); ++i)
-        start[i].error = history.errorOf((*numbers)[i]);
-    if (const auto added = addStart(corners, start, **writer); !added)
-        return added.error();
-    for (std::size_t first = 0; first < sites.size(); first += replayedAtOnce) {
-        const auto part = sites.subspan(first, std::min(replayedAtOnce, sites.size() - first));
-        if (const Status added = replayed.add(part, std::span<const std::uint32_t>(slots).subspan(first, part.size()),
-                                              progress, &history);
-            !added)
-            return added;
-        if (!history.status())
-            return history.status();
-        progress.part(readAt, 1).report(static_cast<double>(first) / static_cast<double>(sites.size()),
-                                        Message::marked("Writing the model"));
-    }
-    if (const Status handed = history.finish(); !handed)
+    HistoryOfBlocks history(lattice.division, histories, reader->sites(), levels);
+    if (const Status handed = history.handOver(start->tetrahedra, **writer, progress.part(readAt, 1)); !handed)
         return handed;
     return (*writer)->finish(levels.back().error);
 }

@@ -69,6 +69,28 @@ void interpolateIn(const PackedLattice& lattice, SampleType type, const std::byt
     });
 }
 
+Result<BlockStart> startOfBlocks(const BlockDivision& division, const LatticeMetric& metric, bool firstIsOdd)
+{
+    LatticeDelaunay first;
+    if (const Status prepared =
+            first.prepare(division.size(), metric, 64 + std::uint64_t(LatticeDelaunay::startCount) * division.count());
+        !prepared)
+        return prepared.error();
+    for (std::uint32_t block = 0; block < division.count(); ++block)
+        first.addBox(division.box(block), division.odd(block) == firstIsOdd);
+    std::vector<PackedPoint> vertices;
+    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra())
+        vertices.insert(vertices.end(), tetrahedron.vertices.begin(), tetrahedron.vertices.end());
+    std::ranges::sort(vertices);
+    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    BlockStart start;
+    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra())
+        start.tetrahedra.push_back(numbersOf(tetrahedron.vertices, vertices));
+    for (const PackedPoint vertex : vertices)
+        start.corners.push_back(first.lattice().index(vertex));
+    return start;
+}
+
 ReplayMesh::ReplayMesh(const Shape& shape, SampleType type, std::shared_ptr<std::byte> samples)
     : type_(type), pointCount_(std::uint64_t(shape.size[0]) * shape.size[1] * shape.size[2]), shared_(shape.shared),
       samples_(std::move(samples))
@@ -98,25 +120,16 @@ Result<std::unique_ptr<ReplayMesh>> ReplayMesh::make(const Shape& shape, SampleT
 Status ReplayMesh::prepare(const Shape& shape, const Progress& progress)
 {
     const BlockDivision division(shape.size, shape.blockCells);
-    LatticeDelaunay first;
-    if (const Status prepared =
-            first.prepare(shape.size, shape.metric, 64 + std::uint64_t(LatticeDelaunay::startCount) * division.count());
-        !prepared)
-        return prepared;
-    for (std::uint32_t block = 0; block < division.count(); ++block)
-        first.addBox(division.box(block), division.odd(block) == shape.firstIsOdd);
-    std::vector<PackedPoint> vertices;
-    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra())
-        vertices.insert(vertices.end(), tetrahedron.vertices.begin(), tetrahedron.vertices.end());
-    std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
-    for (const DelaunayTetrahedron& tetrahedron : first.tetrahedra())
-        start_.push_back(numbersOf(tetrahedron.vertices, vertices));
-    for (const PackedPoint vertex : vertices)
-        corners_.push_back(first.lattice().index(vertex));
+    auto start = startOfBlocks(division, shape.metric, shape.firstIsOdd);
+    if (!start)
+        return start.error();
     if (const Status prepared = delaunay_.prepare(division, shape.metric); !prepared)
         return prepared;
-    switch (delaunay_.load(start_, vertices, progress)) {
+    corners_ = std::move(start->corners);
+    std::vector<PackedPoint> vertices;
+    for (const std::uint32_t corner : corners_)
+        vertices.push_back(lattice().pointAt(corner));
+    switch (delaunay_.load(start->tetrahedra, vertices, progress)) {
     case MeshLoading::Done: return {};
     case MeshLoading::Cancelled: return cancelledError(replaying);
     default: return Error{ErrorKind::OutOfResource, Message::say("The lattice is too large to be packed as a whole.")};
@@ -173,7 +186,7 @@ Error meshGrewTooLarge()
 } // namespace
 
 Status ReplayMesh::add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots,
-                       const Progress& progress, InsertionWatch* watch)
+                       const Progress& progress)
 {
     std::vector<PackedPoint> packed;
     for (std::size_t first = 0; first < points.size(); first += addedAtOnce) {
@@ -183,7 +196,7 @@ Status ReplayMesh::add(std::span<const std::uint32_t> points, std::span<const st
         packed.clear();
         for (const std::uint32_t point : some)
             packed.push_back(lattice().pointAt(point));
-        if (!delaunay_.add(packed, slots.empty() ? slots : slots.subspan(first, some.size()), watch))
+        if (!delaunay_.add(packed, slots.empty() ? slots : slots.subspan(first, some.size())))
             return meshGrewTooLarge();
     }
     return {};

@@ -69,6 +69,15 @@ void interpolateIn(const PackedLattice& lattice, SampleType type, const std::byt
                    std::span<const std::array<PackedPoint, 4>> tetrahedra, std::span<const std::uint32_t> points,
                    std::vector<double>& expected);
 
+/// The mesh of the corners of a lattice's blocks.
+struct BlockStart {
+    std::vector<std::uint32_t> corners; ///< points of the lattice, by rising numbers
+    /// By their places in these, LatticeDelaunay::startCount of each block.
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra;
+};
+/// `firstIsOdd`: ReplayMesh::Shape's. Errors: too large a lattice, refused memory.
+Result<BlockStart> startOfBlocks(const BlockDivision& division, const LatticeMetric& metric, bool firstIsOdd);
+
 /// The mesh of a replayed lattice, or of a box of its blocks, while sites enter it, and the samples as far as they are
 /// known. Points are numbered in the box. Allocations throw std::bad_alloc.
 class ReplayMesh {
@@ -94,10 +103,6 @@ public:
     std::uint64_t pointCount() const noexcept { return pointCount_; }
     /// The corners of the blocks, by rising numbers; the mesh's first vertices have their places here as numbers.
     std::span<const std::uint32_t> corners() const noexcept { return corners_; }
-    /// The mesh of these alone, by their places.
-    std::span<const std::array<std::uint32_t, 4>> start() const noexcept { return start_; }
-    /// Back to that.
-    void restart() { delaunay_.restore(); }
 
     /// Its tetrahedra, in slots.
     const LatticeDelaunay& delaunay() const noexcept { return delaunay_.mesh(); }
@@ -116,8 +121,7 @@ public:
 
     /// Adds sites; `slots` are none, or those that expect() told of the mesh before. Errors: the mesh grew beyond what
     /// was reserved, cancelled.
-    Status add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots, const Progress& progress,
-               InsertionWatch* watch = nullptr);
+    Status add(std::span<const std::uint32_t> points, std::span<const std::uint32_t> slots, const Progress& progress);
 
     // For those who pack: all samples are known.
 
@@ -146,7 +150,6 @@ private:
     bool shared_;
     LocalDelaunay delaunay_;
     std::vector<std::uint32_t> corners_;
-    std::vector<std::array<std::uint32_t, 4>> start_;
     std::shared_ptr<std::byte> samples_;
     std::vector<float> errors_;               ///< of the tetrahedron in each slot ...
     std::vector<PackedPoint> worst_;          ///< ... and the point that has it

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <mutex>
 #include <numeric>
+#include <optional>
 
 namespace tetra {
 
@@ -100,8 +101,10 @@ public:
     const LatticeDelaunay& mesh() const noexcept { return mesh_; }
     /// The tetrahedra that have points of the block's lattice. False if one lies in none.
     [[nodiscard]] bool place(std::span<const PackedPoint> points, std::vector<std::uint32_t>& slots);
-    /// Adds points to the mesh that was asked where they lie. False if it has no room.
-    [[nodiscard]] bool add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots);
+    /// Adds points to the mesh that was asked where they lie, and calls added(i) after each. False if it has no room.
+    template <class Added> [[nodiscard]] bool add(std::span<const PackedPoint> points,
+                                                  std::span<const std::uint32_t> slots, const Added& added);
+    void label(PackedPoint point, std::uint32_t number) { mesh_.label(point, number); }
 
 private:
     /// A tetrahedron for each cell of a grid, the last that was made there. Where nothing was made in a cell, a larger
@@ -155,7 +158,8 @@ bool ReplayedBlock::place(std::span<const PackedPoint> points, std::vector<std::
     return std::ranges::find(slots, LatticeDelaunay::none) == slots.end();
 }
 
-bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots)
+template <class Added>
+bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots, const Added& added)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         // Waiting for memory is most of an insertion: what the next ones need is fetched step by step.
@@ -174,6 +178,7 @@ bool ReplayedBlock::add(std::span<const PackedPoint> points, std::span<const std
         last_ = mesh_.created().front();
         for (Hints& hints : hints_)
             hintOf(hints, points[i]) = last_;
+        added(i);
     }
     return true;
 }
@@ -285,11 +290,72 @@ private:
     ReplayedBlock& replayed_;
 };
 
+/// Notes what the sites that enter a block do to its mesh.
+class BlockRecorder {
+public:
+    /// `corners`: of all blocks; `siteCount`: how many enter.
+    BlockRecorder(PlacedBlock& block, std::span<const std::uint32_t> corners, std::size_t siteCount,
+                  BlockHistory& history);
+    /// The site of this place was just added.
+    void added(PackedPoint inBlock, std::uint32_t place);
+
+private:
+    ReplayedBlock& block_;
+    std::uint32_t cornerCount_;
+    BlockHistory& history_;
+    std::vector<std::uint32_t> numbers_; ///< of the tetrahedra in the mesh's slots
+};
+
+BlockRecorder::BlockRecorder(PlacedBlock& block, std::span<const std::uint32_t> corners, std::size_t siteCount,
+                             BlockHistory& history)
+    : block_(block.mesh()), cornerCount_(static_cast<std::uint32_t>(corners.size())), history_(history),
+      numbers_(LatticeDelaunay::startCount)
+{
+    std::iota(numbers_.begin(), numbers_.end(), 0u);
+    constexpr std::size_t usuallyMade = 18, usuallyDestroyed = 12; // by a site
+    history_.sites.reserve(siteCount);
+    history_.destroyed.reserve(usuallyDestroyed * siteCount);
+    history_.otherSites.reserve(usuallyMade * siteCount);
+    history_.destroyers.reserve(LatticeDelaunay::startCount + usuallyMade * siteCount);
+    history_.destroyers.assign(LatticeDelaunay::startCount, BlockHistory::never);
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        const auto [x, y, z] = block.box().corner(corner);
+        const PackedPoint point = block.wholeLattice().pack(x, y, z);
+        const auto found = std::ranges::lower_bound(corners, block.wholeLattice().index(point));
+        block_.label(block.inBlock(point), static_cast<std::uint32_t>(found - corners.begin()));
+    }
+}
+
+void BlockRecorder::added(PackedPoint inBlock, std::uint32_t place)
+{
+    const LatticeDelaunay& mesh = block_.mesh();
+    for (const std::uint32_t slot : mesh.destroyed()) {
+        history_.destroyers[numbers_[slot]] = place;
+        history_.destroyed.push_back(numbers_[slot]);
+    }
+    const std::span<const std::uint32_t> labels = mesh.star().labels();
+    const std::span<const std::array<std::uint32_t, 3>> corners = mesh.star().corners();
+    for (std::size_t i = 0; i < mesh.created().size(); ++i) {
+        const std::uint32_t slot = mesh.created()[i];
+        if (slot >= numbers_.size())
+            numbers_.resize(slot + 1 + slot / 2);
+        numbers_[slot] = static_cast<std::uint32_t>(history_.destroyers.size());
+        history_.destroyers.push_back(BlockHistory::never);
+        const auto& [a, b, c] = corners[i];
+        history_.otherSites.push_back({labels[a], labels[b], labels[c]});
+    }
+    history_.sites.push_back({place, static_cast<std::uint32_t>(history_.destroyed.size()),
+                              static_cast<std::uint32_t>(history_.otherSites.size())});
+    block_.label(inBlock, cornerCount_ + place);
+}
+
 Status ReplayPlaces::find(const BlockDivision& division, const LatticeMetric& metric,
                           std::span<const std::uint32_t> sites, std::span<const std::uint32_t> stepEnds,
-                          const FreePoints& others, const Progress& progress)
+                          const FreePoints& others, BlockHistories* histories, const Progress& progress)
 {
     ofSites_.resize(sites.size());
+    if (histories != nullptr)
+        histories->blocks.resize(division.count());
     if (others.count() > 0)
         numbers_.resize(others.size());
     const auto entering = sitesOfBlocks(division, sites);
@@ -309,7 +375,12 @@ Status ReplayPlaces::find(const BlockDivision& division, const LatticeMetric& me
         PlacedBlock block(division, number, replayed.local());
         if (const Status started = block.mesh().start(block.box(), metric, division.odd(number)); !started)
             return started;
-        if (const Status placed = placeSites(block, entering[number], sites, stepEnds, own); !placed)
+        std::optional<BlockRecorder> recorder;
+        if (histories != nullptr)
+            recorder.emplace(block, histories->corners, entering[number].size(), histories->blocks[number]);
+        const Status placed =
+            placeSites(block, entering[number], sites, stepEnds, recorder ? &*recorder : nullptr, own);
+        if (!placed)
             return placed;
         own.report(1, {});
         return others.count() == 0 ? Status() : placeOthers(block, others, own);
@@ -322,7 +393,7 @@ Status ReplayPlaces::find(const BlockDivision& division, const LatticeMetric& me
 
 Status ReplayPlaces::placeSites(PlacedBlock& block, std::span<const std::uint32_t> enter,
                                 std::span<const std::uint32_t> sites, std::span<const std::uint32_t> stepEnds,
-                                const Progress& progress)
+                                BlockRecorder* recorder, const Progress& progress)
 {
     constexpr std::size_t toldAtOnce = 4096;
     std::vector<PackedPoint> points;
@@ -345,7 +416,11 @@ Status ReplayPlaces::placeSites(PlacedBlock& block, std::span<const std::uint32_
         for (std::size_t i = 0; i < points.size(); ++i)
             if (block.owns(points[i]))
                 ofSites_[enter[begin + i]] = block.verticesIn(slots[i]);
-        if (!block.mesh().add(points, slots))
+        const bool added =
+            recorder == nullptr
+                ? block.mesh().add(points, slots, [](std::size_t) {})
+                : block.mesh().add(points, slots, [&](std::size_t i) { recorder->added(points[i], enter[begin + i]); });
+        if (!added)
             return grewTooLarge();
     }
     return {};

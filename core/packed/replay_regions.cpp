@@ -33,14 +33,6 @@ std::uint32_t ReplayRegion::inLattice(std::uint32_t boxPoint) const noexcept
     return ((z + box.origin[2]) * latticeSize[1] + y + box.origin[1]) * latticeSize[0] + x + box.origin[0];
 }
 
-bool ReplayRegion::owns(const std::array<std::uint32_t, 3>& place) const noexcept
-{
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (place[axis] == 0 && box.origin[axis] > 0)
-            return false;
-    return true;
-}
-
 bool ReplayRegion::shares(std::uint32_t boxPoint) const noexcept
 {
     const std::array<std::uint32_t, 3> place = placeInBox(boxPoint);
@@ -52,11 +44,11 @@ bool ReplayRegion::shares(std::uint32_t boxPoint) const noexcept
 
 void ReplayRegion::forEachOwnRow(const std::function<void(std::uint32_t, std::uint32_t, std::uint32_t)>& visit) const
 {
-    const auto first = [&](std::size_t axis) { return box.origin[axis] > 0 ? 1u : 0u; };
-    for (std::uint32_t z = first(2); z < box.size[2]; ++z)
-        for (std::uint32_t y = first(1); y < box.size[1]; ++y) {
-            const std::uint32_t inside = (z * box.size[1] + y) * box.size[0] + first(0);
-            visit(inside, inLattice(inside), box.size[0] - first(0));
+    for (std::uint32_t z = 0; z < box.size[2]; ++z)
+        for (std::uint32_t y = 0; y < box.size[1]; ++y) {
+            const std::uint32_t first = firstOwn(y, z), inside = (z * box.size[1] + y) * box.size[0] + first;
+            if (first < box.size[0])
+                visit(inside, inLattice(inside), box.size[0] - first);
         }
 }
 

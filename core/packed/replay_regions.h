@@ -35,8 +35,18 @@ struct ReplayRegion {
     std::uint32_t inBox(std::uint32_t latticePoint) const noexcept;
     std::uint32_t inLattice(std::uint32_t boxPoint) const noexcept;
     /// Whether no region before this one has a point of the box.
-    bool owns(std::uint32_t boxPoint) const noexcept { return owns(placeInBox(boxPoint)); }
-    bool owns(const std::array<std::uint32_t, 3>& inBox) const noexcept;
+    bool owns(std::uint32_t boxPoint) const noexcept
+    {
+        const auto [x, y, z] = placeInBox(boxPoint);
+        return x >= firstOwn(y, z);
+    }
+    /// The first point of a row of the box that it owns, as all behind it; box.size[0] if there is none.
+    std::uint32_t firstOwn(std::uint32_t y, std::uint32_t z) const noexcept
+    {
+        if ((y == 0 && box.origin[1] > 0) || (z == 0 && box.origin[2] > 0))
+            return box.size[0];
+        return box.origin[0] > 0 ? 1 : 0;
+    }
     /// Whether a region after this one has it.
     bool shares(std::uint32_t boxPoint) const noexcept;
     /// Calls visit(in the box, in the lattice, count) for the rows of points that it owns.

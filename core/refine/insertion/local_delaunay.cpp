@@ -218,35 +218,33 @@ void LocalDelaunay::fetchAhead(std::span<const PackedPoint> points, std::span<co
     withHint(1, [this](std::uint32_t slot) { mesh_.prefetchSurroundings(slot); });
 }
 
-bool LocalDelaunay::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots,
-                        InsertionWatch* watch)
+bool LocalDelaunay::add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         fetchAhead(points, slots, i);
-        if (!addOne(points[i], slots.empty() ? HintGrid::none : slots[i], watch))
+        if (!addOne(points[i], slots.empty() ? HintGrid::none : slots[i]))
             return false;
     }
     return true;
 }
 
-bool LocalDelaunay::addOne(PackedPoint point, std::uint32_t slot, InsertionWatch* watch)
+bool LocalDelaunay::addOne(PackedPoint point, std::uint32_t slot)
 {
     const auto number = static_cast<std::uint32_t>(firstVertices_.size() + added_.size());
     const auto place = coordinates(point);
     added_.push_back(point);
     vertexSet_.add(place[0], place[1], place[2]);
     if (!hints_.dividesBlocks())
-        return insertAt(point, slot, hints_.cellOf(place[0], place[1], place[2]), number, watch);
+        return insertAt(point, slot, hints_.cellOf(place[0], place[1], place[2]), number);
     std::array<std::uint32_t, 8> cells{};
     const std::uint32_t count = hints_.cellsOf(place, cells);
     for (std::uint32_t i = 0; i < count; ++i)
-        if (!insertAt(point, slot, cells[i], number, watch))
+        if (!insertAt(point, slot, cells[i], number))
             return false;
     return true;
 }
 
-bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t slot, std::uint32_t cell, std::uint32_t number,
-                             InsertionWatch* watch)
+bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t slot, std::uint32_t cell, std::uint32_t number)
 {
     std::uint32_t found = slot;
     if (slot == HintGrid::none || !mesh_.conflicts(point, slot) ||
@@ -276,8 +274,6 @@ bool LocalDelaunay::insertAt(PackedPoint point, std::uint32_t slot, std::uint32_
     hints_[cell] = created[0];
     if (hints_.dividesBlocks())
         lastOfBlocks_[blockOf(hints_.blockOf(cell))] = created[0];
-    if (watch != nullptr)
-        watch->inserted(*this, destroyed, created);
     return true;
 }
 

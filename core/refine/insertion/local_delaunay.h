@@ -96,18 +96,6 @@ private:
     ReservedArray<std::uint64_t> words_;
 };
 
-class LocalDelaunay;
-
-/// Told of every insertion.
-class InsertionWatch {
-public:
-    virtual ~InsertionWatch() = default;
-    /// A point was inserted into a block: what lay in the slots `destroyed` is gone, and `created` hold what was made,
-    /// some of them in the same slots.
-    virtual void inserted(const LocalDelaunay& mesh, std::span<const std::uint32_t> destroyed,
-                          std::span<const std::uint32_t> created) = 0;
-};
-
 /// A Delaunay mesh of a lattice, whole or in blocks that conform, to which points are added here and there, and which
 /// then goes back to what it was, at the cost of what changed. Vertices are numbered, those of the first mesh first. A
 /// point on the border of blocks is added to each. One thread. Allocations throw std::bad_alloc.
@@ -139,14 +127,10 @@ public:
 
     /// Adds points that are not vertices yet, one after the other. False if the mesh cannot take them: it is too large,
     /// or not what load() had seen.
-    [[nodiscard]] bool add(std::span<const PackedPoint> points, InsertionWatch* watch = nullptr)
-    {
-        return add(points, {}, watch);
-    }
+    [[nodiscard]] bool add(std::span<const PackedPoint> points) { return add(points, {}); }
     /// `slots`: of each point one that place() gave a short while ago, or none. That is faster. Which slots and orders
     /// tetrahedra get depends on them.
-    [[nodiscard]] bool add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots,
-                           InsertionWatch* watch = nullptr);
+    [[nodiscard]] bool add(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots);
     /// Where points of the lattice lie, on a border of blocks in one of these: as many as `placed` has room for.
     /// Quicker for points that are near those before them. From any thread, while nothing changes. No slot where the
     /// mesh is not what load() had seen.
@@ -186,9 +170,8 @@ private:
         return hints_.cellOf(x, y, z);
     }
     void fetchAhead(std::span<const PackedPoint> points, std::span<const std::uint32_t> slots, std::size_t next) const;
-    bool addOne(PackedPoint point, std::uint32_t slot, InsertionWatch* watch);
-    bool insertAt(PackedPoint point, std::uint32_t slot, std::uint32_t cell, std::uint32_t number,
-                  InsertionWatch* watch);
+    bool addOne(PackedPoint point, std::uint32_t slot);
+    bool insertAt(PackedPoint point, std::uint32_t slot, std::uint32_t cell, std::uint32_t number);
     std::uint32_t startFor(std::uint32_t cell) const;
     std::int32_t distance(PackedPoint point, std::uint32_t slot) const;
     std::uint32_t blockOf(const std::array<HintGrid::Bounds, 3>& bounds) const;
