@@ -16,7 +16,7 @@ class RenderedSessionTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase();
-    void init() { window_ = windowOnSample(); }
+    void init() { window_ = windowOnSample(16, {600, 400}); }
     void cleanup() { window_.reset(); }
     void asTheWindowDrawsIt_data();
     void asTheWindowDrawsIt();
@@ -40,7 +40,7 @@ private:
 
 namespace {
 
-constexpr QSize sizeOfPictures(333, 241); // neither that of the view nor of its shape
+constexpr QSize sizeOfPictures(201, 145); // neither that of the view nor of its shape
 
 QByteArray differenceOf(const QImage& one, const QImage& other)
 {
@@ -155,7 +155,7 @@ void RenderedSessionTest::asTheWindowDrawsIt()
     saveSession("state.tansession");
     const QImage drawn =
         savedPicture({sizeOfPictures, 0, false, session().view().annotations}).convertToFormat(QImage::Format_ARGB32);
-    const Run run = tan({"render", "state.tansession", "--size", "333x241", "-o", "program.png"});
+    const Run run = tan({"render", "state.tansession", "--size", "201x145", "-o", "program.png"});
     QVERIFY2(run.exitCode == 0, run.messages);
     const QByteArray difference =
         differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
@@ -205,7 +205,7 @@ void RenderedSessionTest::aModelIsSeenAsAtFirst()
     for (AnnotationPlace& place : none.places)
         place.shown = false;
     const QImage drawn = savedPicture({sizeOfPictures, 0, false, none}).convertToFormat(QImage::Format_ARGB32);
-    const Run run = tan({"render", "c60.tan", "--mode", mode, "--error", "4", "--size", "333x241", "--samples", "4",
+    const Run run = tan({"render", "c60.tan", "--mode", mode, "--error", "4", "--size", "201x145", "--samples", "4",
                          "-o", "program.png"});
     QVERIFY2(run.exitCode == 0, run.messages);
     const QByteArray difference =

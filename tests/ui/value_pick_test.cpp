@@ -54,7 +54,7 @@ void ValuePickTest::initTestCase()
     QCoreApplication::setApplicationName("value-pick");
     QLocale::setDefault(QLocale::c());
     model_ = QString::fromStdString(
-        buildSampleModel(*hostOfThisBuild(), sampleDataset(12), folder_.path().toStdString()).string());
+        buildSampleModel(*hostOfThisBuild(), sampleDataset(8), folder_.path().toStdString()).string());
 }
 
 /// Also with OpenGL, where the test runs on a display that has it.
@@ -63,10 +63,10 @@ void ValuePickTest::init()
     QSettings().clear();
     const bool offscreen = QGuiApplication::platformName() == "offscreen";
     window_ = std::make_unique<WindowFixture>(offscreen ? BackendChoice::Cpu : BackendChoice::Gl);
-    // Small pictures: OpenGL that the processor draws takes seconds for large ones.
+    // Small pictures of few cells: OpenGL that the processor draws takes seconds for others.
     for (QDockWidget* dock : window_->window.findChildren<QDockWidget*>())
         dock->hide();
-    window_->window.resize(640, 400);
+    window_->window.resize(360, 260);
     window_->window.show();
     window_->window.open(model_);
     QTRY_VERIFY_WITH_TIMEOUT(session().model() && window_->settled(), 30'000);
