@@ -107,6 +107,7 @@ void ModelAddressTest::aModelIsShownWhileItComes()
     QVERIFY2(!told.isEmpty() && told.first().contains("more is coming"), qPrintable(told.value(0)));
     QCOMPARE(opening().sitesOfWhole(), 0u);
     QCOMPARE(model()->path().string(), addressOf(*server).toStdString());
+    QVERIFY(opening().proposedPath(".packed.tan").endsWith("/sample.packed.tan"));
     QCOMPARE(recentFiles().value(0), addressOf(*server));
     QVERIFY(window_->window.windowTitle().startsWith("sample.tan"));
     QTRY_VERIFY(window_->settled());
@@ -124,7 +125,8 @@ void ModelAddressTest::aModelIsShownWhileItComes()
 /// R16: of this disk, in parts, and the second time at once.
 void ModelAddressTest::aPackedModelIsShownWhileItIsUnpacked()
 {
-    const std::filesystem::path file = window_->folderPath() + "/sample.tan", packed = window_->folderPath() + "/p.tan";
+    const std::filesystem::path file = window_->folderPath() + "/sample.tan",
+                                packed = window_->folderPath() + "/p.packed.tan";
     std::ofstream(file, std::ios::binary) << model_;
     const auto report = packModel(**Model::open(file), packed);
     QVERIFY2(report.ok(), report ? "" : report.error().text().c_str());
@@ -138,6 +140,7 @@ void ModelAddressTest::aPackedModelIsShownWhileItIsUnpacked()
         QVERIFY(std::ranges::is_sorted(shown));
         QCOMPARE(model()->path(), packed);
         QCOMPARE(recentFiles().value(0), pathText(packed));
+        QVERIFY(opening().proposedPath(".packed.tan").endsWith("/p.packed.tan")); // not p.packed.packed.tan
         QVERIFY(opening().sessionDocument());
         QTRY_VERIFY(window_->settled());
         QCOMPARE(window_->messages(), QStringList());

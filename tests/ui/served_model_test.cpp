@@ -41,6 +41,7 @@ private slots:
     void theNewestRequestWins();
     void aServerThatGoesIsTold();
     void aTokenIsAskedForAndNotKept();
+    void aTokenIsForItsServerAlone();
     void whatNeedsTheModelIsNotOffered();
 
 private:
@@ -202,6 +203,8 @@ void ServedModelTest::theDialogOffersIt()
     QVERIFY(window_->window.windowTitle().startsWith("packed.tan"));
     QCOMPARE(recentFiles().value(0).toStdString(), place(server, "packed.tan"));
     QCOMPARE(window_->messages(), QStringList());
+    // The beginning alone is here, and of a packed model no more is unpacked than would be fetched of another one.
+    QVERIFY(model()->siteCount() < here_->siteCount() / 2);
     // The beginning alone was fetched: no more than a megabyte of the file, and the meshes.
     QVERIFY(std::ranges::none_of(server.records(), [](const HttpRecord& record) { return record.bytes > 2 << 20; }));
 }
@@ -311,6 +314,42 @@ void ServedModelTest::aTokenIsAskedForAndNotKept()
     window_->find<QDialog>("tokenDialog").accept();
     QTRY_VERIFY(model() && model()->siteCount() == here_->siteCount());
     QVERIFY(model()->elsewhere() == nullptr);
+}
+
+/// R28: what was typed for one server goes to no other, whose address is typed over it.
+void ServedModelTest::aTokenIsForItsServerAlone()
+{
+    const QString token = "0123456789abcdef-token";
+    const LocalServer server(folder_.path(), token.toStdString());
+    std::atomic<int> asked = 0, told = 0;
+    const LocalServer other(folder_.path(), {}, {}, {}, [&](const ServedRequest& request) {
+        ++asked;
+        told += request.header("Authorization") ? 1 : 0;
+    });
+    window_->find<QAction>("action.openAddress").trigger();
+    auto& address = window_->find<QLineEdit>("addressDialog.address");
+    auto& field = window_->find<QLineEdit>("addressDialog.token");
+    address.setText(QString::fromStdString(server.address("sample.tan")));
+    QTRY_VERIFY(field.isVisible());
+    field.setText(token);
+    QTRY_VERIFY2(offer().contains("vertices"), qPrintable(offer()));
+    address.setText(QString::fromStdString(server.address("packed.tan"))); // the same server
+    QTRY_VERIFY2(offer().contains("packed"), qPrintable(offer()));
+    QVERIFY(field.isVisible() && field.text() == token);
+    address.setText(QString::fromStdString(other.address("sample.tan")));
+    QVERIFY(!field.isVisible());
+    QTRY_VERIFY2(offer().contains("vertices"), qPrintable(offer()));
+    QVERIFY(asked > 0 && told == 0);
+    address.setText(QString::fromStdString(server.address("sample.tan")));
+    QTRY_VERIFY(field.isVisible());
+    QCOMPARE(field.text(), QString());
+    for (const char* notYet : {"", "h", "http:/", "https://", "tan+"}) {
+        address.setText(notYet);
+        QCOMPARE(offer(), QString());
+    }
+    address.setText("localhost:8080/sample.tan");
+    QVERIFY2(offer().contains("begins with http://"), qPrintable(offer()));
+    QVERIFY(!openButton().isEnabled());
 }
 
 void ServedModelTest::whatNeedsTheModelIsNotOffered()

@@ -16,10 +16,11 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QUrl>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace tetra {
@@ -44,6 +45,21 @@ QLabel* makeExplanation(const QString& text, const QRadioButton& above)
     label->setForegroundRole(QPalette::PlaceholderText);
     label->setIndent(above.iconSize().width() + label->fontMetrics().averageCharWidth());
     return label;
+}
+
+/// Without the way to a file on it.
+QUrl serverIn(const QString& address)
+{
+    return QUrl(address).adjusted(QUrl::RemovePath | QUrl::RemoveQuery | QUrl::RemoveFragment);
+}
+
+/// An address, or what may become one while it is typed.
+bool mayBeAddress(const QString& text)
+{
+    constexpr std::array starts = {"http://", "https://", "tan+http://", "tan+https://"};
+    return isAddress(text.toStdString()) || std::ranges::any_of(starts, [&](const char* start) {
+               return QString(start).startsWith(text, Qt::CaseInsensitive);
+           });
 }
 
 } // namespace
@@ -128,7 +144,9 @@ void AddressDialog::askSoon()
     open_->setEnabled(isAddress(place));
     ++question_;
     asking_.cancel();
-    offer_->clear();
+    if (serverIn(address()) != tokensServer_)
+        showTokenField(false);
+    say(mayBeAddress(address()) ? QString() : tr("An address begins with http:// or https://."));
     hasChosen_ = false;
     const bool isLeft = isLeftAtServer(place);
     leave_->setEnabled(isLeft);
@@ -146,6 +164,18 @@ void AddressDialog::say(const QString& text)
     offer_->setText(text);
     layout()->activate();
     resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+}
+
+/// The token of one server is not sent to another one.
+void AddressDialog::showTokenField(bool shows)
+{
+    const QSignalBlocker asksNothing(token_);
+    const QUrl server = serverIn(address());
+    if (!shows || server != tokensServer_)
+        token_->clear();
+    tokensServer_ = shows ? server : QUrl();
+    tokenLabel_->setVisible(shows);
+    token_->setVisible(shows);
 }
 
 void AddressDialog::ask()
@@ -171,8 +201,7 @@ void AddressDialog::showOffer(const Result<ServerOffer>& offer)
     if (!offer)
         return say(translatedMessage(offer.error().message));
     if (offer->wantsToken) {
-        tokenLabel_->show();
-        token_->show();
+        showTokenField(true);
         say(token().isEmpty() ? tr("This server answers only those who have its token.")
                               : tr("This is not the token of the server."));
         return;

@@ -6,6 +6,7 @@
 
 #include <QDialog>
 #include <QTimer>
+#include <QUrl>
 
 #include <cstdint>
 #include <functional>
@@ -38,6 +39,7 @@ private:
     void askSoon();
     void ask();
     void showOffer(const Result<ServerOffer>& offer);
+    void showTokenField(bool shows);
     void say(const QString& text);
 
     const TokenOf tokenOf_;
@@ -49,6 +51,7 @@ private:
     QLabel* offer_;
     QPushButton* open_ = nullptr;
     QTimer soon_;
+    QUrl tokensServer_;          ///< the one that the token is for
     bool hasChosen_ = false;     ///< between the two
     std::uint64_t question_ = 0; ///< the newest one's number: no other one is answered
     LatestJob asking_;           ///< last: ends before what it uses

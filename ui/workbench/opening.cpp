@@ -502,7 +502,10 @@ QString Opening::proposedPath(const QString& ending) const
     // What lies beside a sample may be gone tomorrow.
     const bool hasFolder = !isOfSample(path) && !isAddress(path.string());
     const QString folder = hasFolder ? model.absolutePath() : documentFolder();
-    return folder + "/" + model.completeBaseName() + ending;
+    QString name = model.completeBaseName();
+    if (ending.contains('.' + QFileInfo(name).suffix() + '.')) // x.packed.tan is not packed into x.packed.packed.tan
+        name = QFileInfo(name).completeBaseName();
+    return folder + "/" + name + ending;
 }
 
 void Opening::openSample(const std::string& name)
