@@ -423,8 +423,14 @@ Result<FoundModel> openLeft(const std::string& place, const OpenOptions& options
     if (!found)
         return found.error();
     const LevelCache& levels = *found;
-    const std::size_t first = levelFor(levels.facts().levels, {}, beginningBytes);
-    if (levels.facts().levels[first].bytes > mostBeginningBytes)
+    const ModelFacts& facts = levels.facts();
+    std::size_t first = levelFor(facts.levels, {}, beginningBytes);
+    // A packed file's beginning of so many bytes would take long to unpack, or be all of it.
+    const double bytesOfSite = double(facts.unpackedBytes) / std::max(facts.sites, 1U);
+    while (facts.form == ModelForm::Packed && first > 0 &&
+           double(facts.levels[first].sites) * bytesOfSite > double(beginningBytes))
+        --first;
+    if (facts.levels[first].bytes > mostBeginningBytes)
         return Error{ErrorKind::BadInput,
                      Message::say("The file of '%1' is of a version of TAn that did not write where its coarse meshes "
                                   "end, so it cannot be left at the server. Build it again, or copy it there with "
