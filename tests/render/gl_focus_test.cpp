@@ -39,8 +39,8 @@ TetrahedralMesh shiftedLattice(int cells, Split split, const Vector3d& shift)
 SceneParts focusScene(const AnyRegion& region, double border, double opacity, const Vector3d& shift = {0, 0, 0})
 {
     const TransferFunction function = rainbow(opacity);
-    SceneParts scene = volumeScene(shiftedLattice(4, Split::Six, shift), function);
-    const Volume fine = volumeOf(volumeMeshOf(shiftedLattice(7, Split::Five, shift)), function);
+    SceneParts scene = volumeScene(shiftedLattice(3, Split::Six, shift), function);
+    const Volume fine = volumeOf(volumeMeshOf(shiftedLattice(5, Split::Five, shift)), function);
     scene.focus = FinePart{fine, region, border};
     return scene;
 }

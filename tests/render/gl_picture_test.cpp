@@ -65,7 +65,7 @@ SceneParts movedBy(const SceneParts& scene, const Eigen::Vector3d& offset)
 struct View {
     SceneParts scene;
     Camera camera;
-    PictureOptions options{.width = 220, .height = 160};
+    PictureOptions options{.width = 140, .height = 100};
 };
 
 View viewNamed(const QString& name)
