@@ -470,19 +470,19 @@ private:
     bool process_and_close_socket(socket_t socket) override
     {
         Connection connection{.socket = socket};
-        bool full = false, stops = false;
         std::uint64_t number = 0;
-        {
-            const std::lock_guard lock(mutex_);
-            full = countBusy() >= static_cast<std::size_t>(limits_.connections);
-            while (!full && connections_.size() >= static_cast<std::size_t>(limits_.connections))
-                endLongestIdle();
-            number = ++lastNumber_;
-            stops = stopping_;
-            if (!full && !stops)
-                connections_.emplace(number, &connection);
-        }
         try {
+            bool full = false, stops = false;
+            {
+                const std::lock_guard lock(mutex_);
+                full = countBusy() >= static_cast<std::size_t>(limits_.connections);
+                while (!full && connections_.size() >= static_cast<std::size_t>(limits_.connections))
+                    endLongestIdle();
+                number = ++lastNumber_;
+                stops = stopping_;
+                if (!full && !stops)
+                    connections_.emplace(number, &connection);
+            }
             const int yes = 1;
             ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
             connection.peer = peerOf(socket);
