@@ -158,18 +158,24 @@ Result<std::vector<std::string>> ServedFolder::names(std::size_t most) const
 {
     namespace fs = std::filesystem;
     std::vector<std::string> found;
-    std::error_code problem;
-    fs::recursive_directory_iterator place(path_, fs::directory_options::skip_permission_denied, problem);
-    while (!problem && place != fs::recursive_directory_iterator() && found.size() < most) {
-        const std::string name = place->path().lexically_relative(path_).generic_string();
-        if (place->path().filename().native().starts_with('.'))
-            place.disable_recursion_pending();
-        else if (mayBeNamed(name))
-            found.push_back(name);
-        place.increment(problem);
+    std::vector<std::string> folders = {""}; // still to be looked into: names that end with '/', and the folder itself
+    while (!folders.empty() && found.size() < most) {
+        const std::string folder = std::move(folders.back());
+        folders.pop_back();
+        std::error_code problem, gone;
+        for (const fs::path& path : pathsIn(path_ / folder, problem)) {
+            const std::string name = path.filename().native();
+            if (name.starts_with('.'))
+                continue;
+            if (fs::symlink_status(path, gone).type() == fs::file_type::directory)
+                folders.push_back(folder + name + '/');
+            else if (mayBeNamed(folder + name) && found.size() < most)
+                found.push_back(folder + name);
+        }
+        // Another folder within may have gone meanwhile, or be for others.
+        if (problem && (folder.empty() || isLackOfResources(problem.value())))
+            return cannotLook(problem.value());
     }
-    if (problem)
-        return cannotLook(problem.value());
     std::ranges::sort(found);
     return found;
 }
