@@ -35,11 +35,10 @@ public:
         const std::uint64_t first = from / 64, last = (to - 1) / 64;
         const std::uint64_t below = ~std::uint64_t(0) << from % 64, above = ~std::uint64_t(0) >> (63 - (to - 1) % 64);
         if (first == last)
-            return static_cast<std::uint64_t>(std::popcount(words_[first] & below & above));
-        auto sum =
-            static_cast<std::uint64_t>(std::popcount(words_[first] & below) + std::popcount(words_[last] & above));
+            return countIn(words_[first] & below & above);
+        std::uint64_t sum = countIn(words_[first] & below) + countIn(words_[last] & above);
         for (std::uint64_t word = first + 1; word < last; ++word)
-            sum += static_cast<std::uint64_t>(std::popcount(words_[word]));
+            sum += countIn(words_[word]);
         return sum;
     }
 
@@ -51,7 +50,7 @@ public:
         std::uint64_t number = from / 64;
         std::uint64_t word = words_[number] & ~std::uint64_t(0) << from % 64;
         for (;;) {
-            const auto there = static_cast<std::uint64_t>(std::popcount(word));
+            const std::uint64_t there = countIn(word);
             if (skipped < there)
                 break;
             skipped -= there;
@@ -68,6 +67,11 @@ public:
     std::uint64_t size() const noexcept { return size_; }
 
 private:
+    static std::uint64_t countIn(std::uint64_t word) noexcept
+    {
+        return static_cast<std::uint64_t>(std::popcount(word));
+    }
+
     std::vector<std::uint64_t> words_;
     std::uint64_t size_;
     std::uint64_t free_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rounding.h"
 #include "core/mesh/topology.h"
+#include "core/packed/number_order.h"
 #include "core/packed/range_coder.h"
-#include "core/packed/replay_coders.h"
 #include "core/packed/site_replay.h"
 
 #include <algorithm>
@@ -117,9 +117,11 @@ private:
         std::uint64_t boxed = 1;
         for (std::size_t axis = 0; axis < 3; ++axis)
             boxed *= static_cast<std::uint64_t>(high[axis] - low[axis] + 1);
-        if (boxed > mostLookedAt)
-            return isAlive(t) ? lookThrough(sites, corners, low, high, visit) : false;
-        return boxed <= 8 && isOneCell(low, high) ? true : lookThrough(sites, corners, low, high, visit);
+        if (boxed > mostLookedAt && !isAlive(t))
+            return false;
+        if (!isOneCell(low, high))
+            lookThrough(sites, corners, low, high, visit);
+        return true;
     }
 
     /// A cell has no points but its corners, of which those in a tetrahedron of these are its own.
@@ -128,41 +130,41 @@ private:
         return high[0] - low[0] <= 1 && high[1] - low[1] <= 1 && high[2] - low[2] <= 1;
     }
 
-    template <class Visit> bool lookThrough(const Tetrahedron& sites, const std::array<SitePlace, 4>& corners,
+    template <class Visit> void lookThrough(const Tetrahedron& sites, const std::array<SitePlace, 4>& corners,
                                             const SitePlace& low, const SitePlace& high, const Visit& visit) const
     {
         const std::int64_t whole = determinantOf(corners[0], corners[1], corners[2], corners[3]);
         if (whole <= 0)
-            return true;
-        std::array<std::int64_t, 4> start{}, step{};
+            return;
+        std::array<std::int64_t, 4> weights{}, step{};
         const auto weightsAt = [&](const SitePlace& at) -> std::array<std::int64_t, 4> {
-            std::array<std::int64_t, 4> weights{};
+            std::array<std::int64_t, 4> there{};
             for (std::size_t i = 1; i < 4; ++i) {
                 std::array<SitePlace, 4> with = corners;
                 with[i] = at;
-                weights[i] = determinantOf(with[0], with[1], with[2], with[3]);
+                there[i] = determinantOf(with[0], with[1], with[2], with[3]);
             }
-            weights[0] = whole - weights[1] - weights[2] - weights[3];
-            return weights;
+            there[0] = whole - there[1] - there[2] - there[3];
+            return there;
         };
         for (std::int32_t z = low[2]; z <= high[2]; ++z)
             for (std::int32_t y = low[1]; y <= high[1]; ++y) {
-                start = weightsAt({low[0], y, z});
+                weights = weightsAt({low[0], y, z});
                 if (low[0] < high[0]) {
                     step = weightsAt({low[0] + 1, y, z});
                     for (std::size_t i = 0; i < 4; ++i)
-                        step[i] -= start[i];
+                        step[i] -= weights[i];
                 }
                 std::uint64_t point =
                     (std::uint64_t(z) * size_[1] + std::uint64_t(y)) * size_[0] + std::uint64_t(low[0]);
                 for (std::int32_t x = low[0]; x <= high[0]; ++x, ++point) {
-                    if ((start[0] | start[1] | start[2] | start[3]) >= 0 && !isSite_[point])
-                        visit(point, interpolated(sites, start, whole));
+                    const bool noneIsNegative = (weights[0] | weights[1] | weights[2] | weights[3]) >= 0;
+                    if (noneIsNegative && !isSite_[point])
+                        visit(point, interpolated(sites, weights, whole));
                     for (std::size_t i = 0; i < 4; ++i)
-                        start[i] += step[i];
+                        weights[i] += step[i];
                 }
             }
-        return true;
     }
 
     double interpolated(const Tetrahedron& sites, const std::array<std::int64_t, 4>& weights, std::int64_t whole) const
@@ -241,7 +243,7 @@ public:
     {
     }
 
-    bool run()
+    void run()
     {
         const bool warps = !history_.ownWarpings.empty();
         bool follow = false; // all of them from the sites
@@ -249,7 +251,7 @@ public:
             follow = std::ranges::equal(history_.ownErrors, model_->ownErrors()) &&
                      std::ranges::equal(history_.ownWarpings, model_->ownWarpings());
         if (models_.all.code(coder_, follow ? 1 : 0) != 0)
-            return true;
+            return;
         const std::vector<std::uint32_t> parents = parentsOf(history_, mesh_);
         std::size_t site = 0;
         for (std::uint32_t t = 0; t < history_.otherSites.size(); ++t) {
@@ -262,12 +264,9 @@ public:
             if (warps)
                 code(1, t, parents[t], history_.runningKeys[site], others);
         }
-        return true;
     }
 
 private:
-    bool bit(BitModel& model, bool truth) { return codedBit(coder_, model, truth); }
-
     void code(std::size_t kind, std::uint32_t t, std::uint32_t parent, float key, const OthersInside& others)
     {
         std::vector<std::uint16_t>& own = kind == 0 ? history_.ownErrors : history_.ownWarpings;
@@ -282,12 +281,12 @@ private:
         const std::size_t known = expected > lower ? 2 : lower > 0 ? 1 : 0;
         if (known == 2) {
             const auto many = std::min<std::size_t>(static_cast<std::size_t>(std::bit_width(others.count)), 8) - 1;
-            if (bit(models_.isExpected[kind][alive][many], truth == expected)) {
+            if (codedBit(coder_, models_.isExpected[kind][alive][many], truth == expected)) {
                 own[t] = expected;
                 return;
             }
         }
-        if (bit(models_.isLower[kind][alive][known], truth == lower))
+        if (codedBit(coder_, models_.isLower[kind][alive][known], truth == lower))
             return;
         std::uint16_t from = expected;
         std::size_t source = 0;
@@ -301,11 +300,8 @@ private:
                 from = own[parent];
             }
         }
-        const auto difference = static_cast<std::int16_t>(static_cast<std::uint16_t>(truth - from));
-        std::uint64_t coded = difference >= 0 ? 2 * std::uint64_t(difference) : std::uint64_t(-2 * difference - 1);
-        coded = models_.numbers[kind][alive][source].code(coder_, coded);
-        const auto back = static_cast<std::uint16_t>(coded % 2 == 0 ? coded / 2 : 0 - (coded + 1) / 2);
-        own[t] = static_cast<std::uint16_t>(from + back);
+        const std::uint64_t coded = models_.numbers[kind][alive][source].code(coder_, zigzag(truth, from, 16));
+        own[t] = static_cast<std::uint16_t>(unzigzag(coded, from, 16));
     }
 
     const HistoryFacts& facts_;
@@ -328,7 +324,8 @@ std::vector<std::byte> encodeOwnBounds(const SiteFacts& facts, HistoryArrays& hi
 bool decodeOwnBounds(const SiteFacts& facts, std::span<const std::byte> bytes, HistoryArrays& history)
 {
     RangeDecoder coder(bytes);
-    return BoundCoder<RangeDecoder>(facts, history, coder, nullptr).run() && !coder.overrun();
+    BoundCoder<RangeDecoder>(facts, history, coder, nullptr).run();
+    return !coder.overrun();
 }
 
 } // namespace tetra

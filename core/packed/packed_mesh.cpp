@@ -6,6 +6,7 @@
 #include "core/base/guarded.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
+#include "core/packed/number_order.h"
 #include "core/packed/range_coder.h"
 
 #include <algorithm>
@@ -41,41 +42,28 @@ static_assert(sizeof(PackedMeshHeader) == 48 && std::endian::native == std::endi
 constexpr std::uint64_t mostTetrahedraInByte = std::uint64_t(8) << 10;
 constexpr std::uint32_t mostFactBytes = 1 << 20;
 
-/// Floats as integers of the same order, all bits of each.
-std::uint32_t orderOf(float number) noexcept
+float floatOfOrder(std::uint32_t order) noexcept
 {
-    const auto bits = std::bit_cast<std::uint32_t>(number);
-    return bits >> 31 ? ~bits : bits | 0x80000000u;
+    return numberOfOrder<float>(order);
 }
-float numberOfOrder(std::uint32_t order) noexcept
+std::uint32_t orderOfFloat(float number) noexcept
 {
-    return std::bit_cast<float>(order >> 31 ? order & 0x7fffffffu : ~order);
+    return static_cast<std::uint32_t>(orderOf(number));
 }
 
 /// The float nearest to a double that other floats gave; the same on every machine.
 std::uint32_t predictedOrder(double number) noexcept
 {
     constexpr double largest = 3.4e38;
-    return orderOf(number == number ? static_cast<float>(std::clamp(number, -largest, largest)) : 0.0f);
-}
-
-bool decide(RangeEncoder& coder, BitModel& model, bool one)
-{
-    coder.bit(model, one);
-    return one;
-}
-bool decide(RangeDecoder& coder, BitModel& model, bool)
-{
-    return coder.bit(model);
+    return orderOfFloat(number == number ? static_cast<float>(std::clamp(number, -largest, largest)) : 0.0f);
 }
 
 /// What an encoder is given and a decoder finds: a difference of two integers of 32 bits.
 template <class Coder> std::int64_t codeDifference(Coder& coder, NumberModel& model, std::int64_t difference)
 {
-    const auto zigzag = static_cast<std::uint64_t>(difference) << 1 ^ static_cast<std::uint64_t>(difference >> 63);
     constexpr std::uint64_t largest = std::uint64_t(1) << 40; // what damaged bytes may give must not overflow
-    const std::uint64_t coded = std::min(model.code(coder, zigzag), largest);
-    return static_cast<std::int64_t>(coded >> 1) ^ -static_cast<std::int64_t>(coded & 1);
+    const std::uint64_t code = model.code(coder, zigzag(static_cast<std::uint64_t>(difference), 0, 64));
+    return static_cast<std::int64_t>(unzigzag(std::min(code, largest), 0, 64));
 }
 
 /// One number of each vertex or tetrahedron, as a code: its place in a table of all that occur, where they are few (the
@@ -89,7 +77,7 @@ public:
         given_.resize(count);
         FlatIndex<std::uint32_t> distinct;
         for (std::size_t i = 0; i < count; ++i) {
-            given_[i] = orderOf(at(i));
+            given_[i] = orderOfFloat(at(i));
             if (distinct.size() <= mostInTable)
                 distinct.numberOf(given_[i]);
         }
@@ -116,7 +104,7 @@ public:
         for (std::size_t i = 0; i < size; ++i) {
             std::int64_t expected = i == 0 ? 0 : table_[i - 1];
             if (i > 1)
-                expected = predictedOrder(2 * double(numberOfOrder(table_[i - 1])) - numberOfOrder(table_[i - 2]));
+                expected = predictedOrder(2 * double(floatOfOrder(table_[i - 1])) - floatOfOrder(table_[i - 2]));
             const std::int64_t entry = expected + codeDifference(coder, model, table_[i] - expected);
             if (entry < 0 || entry > 0xffffffff || (i > 0 && entry <= table_[i - 1]))
                 return false;
@@ -141,7 +129,7 @@ public:
                 largest = std::max(largest, code);
                 sum += code;
                 if (table_.empty())
-                    mean += numberOfOrder(code);
+                    mean += floatOfOrder(code);
             }
             expected = table_.empty() ? predictedOrder(mean / double(near.size()))
                                       : static_cast<std::int64_t>((sum + near.size() / 2) / near.size());
@@ -158,7 +146,7 @@ public:
     std::size_t size() const noexcept { return codes_.size(); }
     float operator[](std::size_t element) const
     {
-        return numberOfOrder(table_.empty() ? codes_[element] : table_[codes_[element]]);
+        return floatOfOrder(table_.empty() ? codes_[element] : table_[codes_[element]]);
     }
 
 private:
@@ -424,7 +412,7 @@ private:
         }
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t number = encodes ? sent_->numbers[sentCorners[i]] : 0;
-            if (positions_.empty() || decide(coder_, seedIsNew_, number == noVertex)) {
+            if (positions_.empty() || codedBit(coder_, seedIsNew_, number == noVertex)) {
                 if (!addVertex(sentCorners[i], lastVertex()))
                     return false;
                 corners[i] = static_cast<std::uint32_t>(positions_.size() - 1);
@@ -507,7 +495,7 @@ private:
         findNear(gate);
         const std::size_t flags = std::size_t(atBorder_[a]) + atBorder_[b] + atBorder_[c];
         const std::size_t step = near_.empty() ? heights : near_[0].ahead ? stepOf(near_[0].height) : heights - 1;
-        if (decide(coder_, isBorder_[flags][step], there.vertex == noVertex)) {
+        if (codedBit(coder_, isBorder_[flags][step], there.vertex == noVertex)) {
             atBorder_[a] = atBorder_[b] = atBorder_[c] = true;
             return true;
         }
@@ -520,13 +508,13 @@ private:
             BitModel& model =
                 isNear_[std::min(rank, ranks - 1)][static_cast<std::size_t>(std::min(candidate.edges, 3)) - 1]
                        [candidate.ahead ? stepOf(candidate.height) : heights - 1][flags == 3];
-            if (!decide(coder_, model, candidate.vertex == number))
+            if (!codedBit(coder_, model, candidate.vertex == number))
                 return false;
             vertex = candidate.vertex;
             return true;
         };
         if (near_.empty() || !isNear(0)) {
-            if (decide(coder_, isNew_[flags][step], number == noVertex)) {
+            if (codedBit(coder_, isNew_[flags][step], number == noVertex)) {
                 if (!addVertex(there.vertex, gate.corners))
                     return false;
                 vertex = static_cast<std::uint32_t>(positions_.size() - 1);

@@ -17,6 +17,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace tetra {
@@ -58,8 +59,6 @@ struct PartFacts {
 
 /// Plain numbers and bytes of sections, by either coder.
 template <class Coder> class PlainCoder {
-    static constexpr bool encodes = std::is_same_v<Coder, RangeEncoder>;
-
 public:
     explicit PlainCoder(Coder& coder) : coder_(coder) {}
 
@@ -83,27 +82,18 @@ public:
                 BitModel* const tree = models.data() + (lane * 2 + (quiet ? 1 : 0)) * 256;
                 unsigned node = 1;
                 for (unsigned bit = 8; bit-- > 0;)
-                    node = node << 1 | (decide(tree[node], (truth >> bit & 1) != 0) ? 1u : 0u);
+                    node = node << 1 | (codedBit(coder_, tree[node], (truth >> bit & 1) != 0) ? 1u : 0u);
                 quiet = (node & 255) == 0;
                 bytes[at] = std::byte((node + before) & 255);
             }
     }
 
 private:
-    bool decide(BitModel& model, bool truth)
-    {
-        if constexpr (encodes) {
-            coder_.bit(model, truth);
-            return truth;
-        } else {
-            return coder_.bit(model);
-        }
-    }
-
     Coder& coder_;
     NumberModel numbers_;
 };
 
+/// What is read is checked by whoever asks for it; it is no longer than the bytes that tell it.
 template <class Coder> void codeFacts(Coder& coder, PartFacts& facts, std::uint64_t mostFaults)
 {
     PlainCoder<Coder> plain(coder);
@@ -112,9 +102,14 @@ template <class Coder> void codeFacts(Coder& coder, PartFacts& facts, std::uint6
     for (std::uint32_t& cells : facts.blockCells)
         cells = plain.number(cells);
     const std::uint64_t count = std::min(plain.template number<std::uint64_t>(facts.faultsOfCells.size()), mostFaults);
-    facts.faultsOfCells.resize(count);
     std::uint64_t before = 0;
-    for (Fault& fault : facts.faultsOfCells) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if constexpr (std::is_same_v<Coder, RangeDecoder>) {
+            if (coder.overrun())
+                return;
+            facts.faultsOfCells.emplace_back();
+        }
+        Fault& fault = facts.faultsOfCells[i];
         fault.kind = plain.number(fault.kind);
         // The second kind begins anew.
         const std::uint64_t coded = plain.template number<std::uint64_t>(fault.number - before);
@@ -943,6 +938,44 @@ Result<PackReport> packParts(const Model& model, PackedFileWriter& file, const P
     return PartsPacker(model, file, progress).run();
 }
 
+namespace {
+
+/// The samples that the whole file has, if it has any.
+Result<KeptSamples> readKeptSamples(PlainCoder<RangeDecoder>& plain, const PartsReader& reader,
+                                    const ModelDescription& about)
+{
+    KeptSamples kept;
+    const auto sampled = plain.number<std::uint32_t>(0);
+    if (sampled == 0)
+        return kept;
+    if (sampled > 2 || !isOnLattice(about.domain) || (sampled == 2) != (about.domain == DomainClass::Curvilinear))
+        return reader.damaged().error();
+    const HistoryArrays& arrays = reader.model(kept).arrays;
+    const OtherSamples others(about.lattice.pointCount(), arrays.points);
+    const auto fill = [&](std::vector<std::byte>& samples, std::span<const std::byte> ofSites, std::size_t size) {
+        std::vector<std::byte> bytes(others.count() * size);
+        plain.elements(bytes, size);
+        samples = others.put(bytes, arrays.points, ofSites, size);
+    };
+    fill(kept.values, arrays.values, sampleSize(about.sampleType));
+    if (sampled == 2)
+        fill(kept.positions, arrays.positions, arrays.positions.size() / arrays.points.size());
+    return kept;
+}
+
+/// Gives a file the name of another one, which it replaces.
+Status moveFile(const std::filesystem::path& from, const std::filesystem::path& to, const std::filesystem::path& shown)
+{
+    std::error_code failure;
+    std::filesystem::rename(from, to, failure);
+    if (!failure)
+        return {};
+    return Error{ErrorKind::CannotWrite,
+                 Message::say("'%1' cannot be written: %2.", shown.string(), systemErrorText(failure.value()))};
+}
+
+} // namespace
+
 Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::path& output, const Progress& progress)
 {
     PartsReader reader(file, file.chunks().size, progress);
@@ -952,25 +985,12 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
         return read.error();
     RangeDecoder coder(reader.record());
     PlainCoder<RangeDecoder> plain(coder);
-    const ModelDescription& about = file.description();
-    KeptSamples kept;
-    if (const auto sampled = plain.number<std::uint32_t>(0); sampled > 0) {
-        const HistoryArrays& arrays = reader.model(kept).arrays;
-        if (sampled > 2 || !isOnLattice(about.domain) || (sampled == 2) != (about.domain == DomainClass::Curvilinear))
-            return reader.damaged().error();
-        const OtherSamples others(about.lattice.pointCount(), arrays.points);
-        const auto fill = [&](std::vector<std::byte>& samples, std::span<const std::byte> ofSites, std::size_t size) {
-            std::vector<std::byte> bytes(others.count() * size);
-            plain.elements(bytes, size);
-            samples = others.put(bytes, arrays.points, ofSites, size);
-        };
-        fill(kept.values, arrays.values, sampleSize(about.sampleType));
-        if (sampled == 2)
-            fill(kept.positions, arrays.positions, arrays.positions.size() / arrays.points.size());
-    }
+    const Result<KeptSamples> kept = readKeptSamples(plain, reader, file.description());
+    if (!kept)
+        return kept.error();
     std::optional<Differing> differing;
     codeRest(plain, differing, static_cast<std::uint32_t>(file.sums().size()));
-    WrittenModel model = reader.model(kept);
+    WrittenModel model = reader.model(*kept);
     model.finalKey = file.header().finalKey;
     if (coder.overrun())
         return reader.damaged().error();
@@ -984,7 +1004,8 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
         const std::filesystem::path put = folder->path() / "differing.tan";
         if (const Status written = DifferingWriter(file, *differing, made, put).run(plain); !written)
             return written.error();
-        std::filesystem::rename(put, made);
+        if (const Status moved = moveFile(put, made, output); !moved)
+            return moved.error();
     }
     Result<UnpackReport> compared = compareSections(file, made);
     if (!compared)
@@ -1000,11 +1021,8 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
         if (!compared)
             return compared.error();
     }
-    std::error_code failure;
-    std::filesystem::rename(made, behindLinks(output), failure);
-    if (failure)
-        return Error{ErrorKind::CannotWrite,
-                     Message::say("'%1' cannot be written: %2.", output.string(), systemErrorText(failure.value()))};
+    if (const Status moved = moveFile(made, behindLinks(output), output); !moved)
+        return moved.error();
     progress.report(1, unpackingParts);
     return compared;
 }

@@ -4,6 +4,7 @@
 #include "core/base/flat_index.h"
 #include "core/base/rounding.h"
 #include "core/mesh/topology.h"
+#include "core/packed/number_order.h"
 #include "core/packed/range_coder.h"
 
 #include <algorithm>
@@ -58,31 +59,6 @@ Triangle faceOf(const Tetrahedron& sites, std::size_t face)
     return {sites[a], sites[b], sites[c]};
 }
 
-/// A sample as an integer that rises with it: so are close ones, and no bit is lost.
-template <class T> std::uint64_t orderedBits(T sample)
-{
-    if constexpr (std::is_integral_v<T>) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(sample) -
-                                          static_cast<std::int64_t>(std::numeric_limits<T>::min()));
-    } else {
-        using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-        const Bits bits = std::bit_cast<Bits>(sample), sign = Bits(1) << (8 * sizeof(T) - 1);
-        return (bits & sign) != 0 ? static_cast<Bits>(~bits) : static_cast<Bits>(bits | sign);
-    }
-}
-
-template <class T> T fromOrderedBits(std::uint64_t ordered)
-{
-    if constexpr (std::is_integral_v<T>) {
-        return static_cast<T>(static_cast<std::int64_t>(ordered) +
-                              static_cast<std::int64_t>(std::numeric_limits<T>::min()));
-    } else {
-        using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-        const Bits bits = static_cast<Bits>(ordered), sign = Bits(1) << (8 * sizeof(T) - 1);
-        return std::bit_cast<T>((bits & sign) != 0 ? static_cast<Bits>(bits ^ sign) : static_cast<Bits>(~bits));
-    }
-}
-
 /// The sample next to a number.
 template <class T> T nearestSample(double number)
 {
@@ -97,21 +73,6 @@ template <class T> T nearestSample(double number)
     } else {
         return std::isnan(number) ? 0 : number; // one of many NaNs, which machines choose differently
     }
-}
-
-/// The difference of two numbers of `bits` bits, small ones of either sign as small numbers.
-std::uint64_t zigzag(std::uint64_t number, std::uint64_t from, unsigned bits)
-{
-    const unsigned above = 64 - bits;
-    const auto difference = static_cast<std::int64_t>((number - from) << above) >> above;
-    return static_cast<std::uint64_t>(difference) << 1 ^ static_cast<std::uint64_t>(difference >> 63);
-}
-
-std::uint64_t unzigzag(std::uint64_t code, std::uint64_t from, unsigned bits)
-{
-    const std::uint64_t difference = code >> 1 ^ (~(code & 1) + 1);
-    const std::uint64_t sum = from + difference;
-    return bits == 64 ? sum : sum & ((std::uint64_t(1) << bits) - 1);
 }
 
 double powerOfTen(unsigned exponent)
@@ -139,7 +100,7 @@ template <class T> unsigned decimalsIn(T number)
     for (unsigned digits = 0; digits <= mostDecimals; ++digits) {
         const double unit = powerOfTen(digits);
         const auto units = wholeUnits(static_cast<double>(number), unit);
-        if (units && orderedBits(number) == orderedBits(nearestSample<T>(static_cast<double>(*units) / unit)))
+        if (units && orderOf(number) == orderOf(nearestSample<T>(static_cast<double>(*units) / unit)))
             return digits;
     }
     return mostDecimals + 1;
@@ -427,21 +388,21 @@ public:
     bool run(std::uint32_t end)
     {
         while (state_.siteCount() < end)
-            if (!group(end))
+            if (!group(end) || isOverrun())
                 return false;
         return true;
     }
 
 private:
-    bool bit(BitModel& model, bool truth)
+    /// Whether the decoder has come to the end of its bytes too early, beyond which anything may be read for ever.
+    bool isOverrun() const
     {
-        if constexpr (encodes) {
-            coder_.bit(model, truth);
-            return truth;
-        } else {
-            return coder_.bit(model);
-        }
+        if constexpr (encodes)
+            return false;
+        else
+            return coder_.overrun();
     }
+    bool bit(BitModel& model, bool truth) { return codedBit(coder_, model, truth); }
     std::uint64_t number(NumberModel& model, std::uint64_t truth) { return model.code(coder_, truth); }
     /// Below 2^64, small ones shorter.
     std::uint64_t wideNumber(NumberModel& model, std::uint64_t truth)
@@ -1448,7 +1409,7 @@ template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, 
         };
         for (std::size_t axis = 0; axis < 3; ++axis) {
             constexpr unsigned bits = 8 * sizeof(T);
-            const std::uint64_t from = orderedBits(nearestSample<T>(predicted[axis]));
+            const std::uint64_t from = orderOf(nearestSample<T>(predicted[axis]));
             T exact{};
             if constexpr (encodes) {
                 if constexpr (sizeof(T) == 4)
@@ -1470,8 +1431,8 @@ template <class Coder> void GroupCoder<Coder>::codePosition(std::uint32_t site, 
                     continue;
                 }
             }
-            const std::uint64_t coded = wideNumber(models_.coordinate[axis], zigzag(orderedBits(exact), from, bits));
-            keep(axis, fromOrderedBits<T>(unzigzag(coded, from, bits)));
+            const std::uint64_t coded = wideNumber(models_.coordinate[axis], zigzag(orderOf(exact), from, bits));
+            keep(axis, numberOfOrder<T>(unzigzag(coded, from, bits)));
         }
         if (!onLattice())
             state_.places.push_back(place);
@@ -1588,8 +1549,8 @@ template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
         if constexpr (encodes)
             std::memcpy(&truth, truth_.model->values().data() + site * sizeof(T), sizeof(T));
         const auto key = static_cast<double>(key_);
-        const auto from = [&](double expected) { return orderedBits(nearestSample<T>(expected)); };
-        const auto distance = [&](double expected) { return zigzag(orderedBits(truth), from(expected), bits); };
+        const auto from = [&](double expected) { return orderOf(nearestSample<T>(expected)); };
+        const auto distance = [&](double expected) { return zigzag(orderOf(truth), from(expected), bits); };
         bool byKey = false, above = false;
         if (interpolated && key > 0 && std::isfinite(key)) {
             if constexpr (encodes) {
@@ -1602,7 +1563,7 @@ template <class Coder> void GroupCoder<Coder>::codeValue(std::uint32_t local)
         }
         const double expected = !byKey ? predicted : above ? predicted + key : predicted - key;
         const std::uint64_t coded = wideNumber(models_.value[byKey ? 1 : 0], distance(expected));
-        const T value = fromOrderedBits<T>(unzigzag(coded, from(expected), bits));
+        const T value = numberOfOrder<T>(unzigzag(coded, from(expected), bits));
         const auto* bytes = reinterpret_cast<const std::byte*>(&value);
         arrays_.values.insert(arrays_.values.end(), bytes, bytes + sizeof value);
     });
@@ -1747,7 +1708,7 @@ bool HistoryDecoder::decode(std::span<const std::byte> bytes, std::uint32_t end)
     RangeDecoder coder(bytes);
     HistoryCost unused;
     const HistoryTruth none;
-    return GroupCoder<RangeDecoder>(*state_, coder, none, unused).run(end) && !coder.overrun();
+    return GroupCoder<RangeDecoder>(*state_, coder, none, unused).run(end);
 }
 
 } // namespace tetra

@@ -173,6 +173,17 @@ private:
     std::uint32_t range_ = 0xffffffff;
 };
 
+/// A decision by either coder: with the encoder the one that it is told, with the decoder the one that comes.
+inline bool codedBit(RangeEncoder& coder, BitModel& model, bool one)
+{
+    coder.bit(model, one);
+    return one;
+}
+inline bool codedBit(RangeDecoder& coder, BitModel& model, bool)
+{
+    return coder.bit(model);
+}
+
 /// Numbers below 2^64 whose size is learnt: how many bits they have, by a tree of decisions; then the bits below the
 /// highest one, of which the first few have models, too.
 class NumberModel {
@@ -188,7 +199,7 @@ public:
         for (unsigned depth = 0; depth < modelled && left > 0; ++depth) {
             --left;
             BitModel& model = mantissas_[std::min<unsigned>(length, lengths - 1)][known & (shapes - 1)];
-            const bool one = decide(coder, model, (bits >> left & 1) != 0);
+            const bool one = codedBit(coder, model, (bits >> left & 1) != 0);
             known = known << 1 | (one ? 1 : 0);
         }
         return (known << left | rawBits(coder, bits, left)) - 1;
@@ -197,12 +208,6 @@ public:
 private:
     static constexpr unsigned lengths = 64, modelled = 3, shapes = 8;
 
-    static bool decide(RangeEncoder& coder, BitModel& model, bool one)
-    {
-        coder.bit(model, one);
-        return one;
-    }
-    static bool decide(RangeDecoder& coder, BitModel& model, bool) { return coder.bit(model); }
     static std::uint64_t rawBits(RangeEncoder& coder, std::uint64_t bits, unsigned count)
     {
         const std::uint64_t low = count == 0 ? 0 : bits & (~std::uint64_t(0) >> (64 - count));
@@ -216,7 +221,7 @@ private:
     {
         unsigned node = 1;
         for (unsigned bit = 6; bit-- > 0;)
-            node = node << 1 | (decide(coder, lengths_[node], (length >> bit & 1) != 0) ? 1u : 0u);
+            node = node << 1 | (codedBit(coder, lengths_[node], (length >> bit & 1) != 0) ? 1u : 0u);
         return node & 63;
     }
 

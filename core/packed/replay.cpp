@@ -5,6 +5,7 @@
 #include "core/build/model_build.h"
 #include "core/history/model_writer.h"
 #include "core/packed/free_points.h"
+#include "core/packed/number_order.h"
 #include "core/packed/replay_coders.h"
 #include "core/packed/replay_mesh.h"
 #include "core/packed/replay_places.h"
@@ -20,6 +21,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace tetra {
@@ -46,33 +48,35 @@ struct PositionModels {
     GapCoder gaps;
 };
 
+/// The sample closest to what a mesh says.
+template <class T> T roundedSample(double expected)
+{
+    if constexpr (std::is_integral_v<T>)
+        return static_cast<T>(std::clamp(std::floor(expected + 0.5), static_cast<double>(std::numeric_limits<T>::min()),
+                                         static_cast<double>(std::numeric_limits<T>::max())));
+    else
+        return static_cast<T>(expected);
+}
+
 /// Sets the samples of `points` to what the mesh says of them, rounded.
 void takeExpected(SampleType type, std::byte* samples, std::span<const std::uint32_t> points,
                   std::span<const double> expected)
 {
     visitSampleType(type, [&]<class T>() {
         T* const of = reinterpret_cast<T*>(samples);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if constexpr (std::is_integral_v<T>)
-                of[points[i]] = static_cast<T>(std::clamp(std::floor(expected[i] + 0.5),
-                                                          static_cast<double>(std::numeric_limits<T>::min()),
-                                                          static_cast<double>(std::numeric_limits<T>::max())));
-            else
-                of[points[i]] = static_cast<T>(expected[i]);
-        }
+        for (std::size_t i = 0; i < points.size(); ++i)
+            of[points[i]] = roundedSample<T>(expected[i]);
     });
 }
 
-/// Whether that is what they are.
+/// Whether that is what they are, bit by bit: 0 is not -0.
 bool agreesWith(ReplayMesh& mesh, std::span<const std::uint32_t> points, std::span<const double> expected)
 {
     return visitSampleType(mesh.type(), [&]<class T>() {
         const std::span<const T> samples = mesh.samplesAs<T>();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const T told = static_cast<T>(std::is_integral_v<T> ? std::floor(expected[i] + 0.5) : expected[i]);
-            if (std::memcmp(&told, &samples[points[i]], sizeof told) != 0)
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (orderOf(roundedSample<T>(expected[i])) != orderOf(samples[points[i]]))
                 return false;
-        }
         return true;
     });
 }
@@ -521,7 +525,6 @@ Result<std::vector<PackedRegion>> packRegions(const ReplayedLattice& lattice, co
 Result<PackReport> writeRegions(std::span<const PackedRegion> regions, PackedFileWriter& file)
 {
     std::vector<std::size_t> next(regions.size(), 0);
-    std::uint64_t chunkBytes = 0;
     const auto write = [&](ReplayChunk kind, std::uint32_t level) -> Status {
         for (std::size_t region = 0; region < regions.size(); ++region)
             for (const auto& chunks = regions[region].chunks; next[region] < chunks.size(); ++next[region]) {
@@ -530,7 +533,6 @@ Result<PackReport> writeRegions(std::span<const PackedRegion> regions, PackedFil
                     break;
                 if (const Status added = file.addChunk(static_cast<std::uint32_t>(kind), chunk.bytes); !added)
                     return added;
-                chunkBytes += chunk.bytes.size();
             }
         return {};
     };

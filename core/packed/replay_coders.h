@@ -3,6 +3,7 @@
 
 #include "core/base/simd.h"
 #include "core/packed/free_points.h"
+#include "core/packed/number_order.h"
 #include "core/packed/range_coder.h"
 
 #include <tan/data.h>
@@ -56,16 +57,6 @@ TETRA_SIMD_INLINE bool takePoints(RangeDecoder& coder, GapCoder& gaps, std::uint
     return true;
 }
 
-inline bool codedBit(RangeEncoder& coder, BitModel& model, bool one)
-{
-    coder.bit(model, one);
-    return one;
-}
-inline bool codedBit(RangeDecoder& coder, BitModel& model, bool)
-{
-    return coder.bit(model);
-}
-
 /// The value of a sample of which something is expected. Lossless for every value and whatever is expected.
 template <class T> class ValueCoder {
 public:
@@ -113,28 +104,15 @@ private:
             size < leaningSizes ? std::min<std::size_t>(static_cast<std::size_t>(std::abs(off) * 16), 7) : 0;
         Context& context = contexts_[size < leaningSizes ? size * 8 + leaning : leaningSizes * 7 + size];
         const std::int64_t away = static_cast<std::int64_t>(value) - nearestInteger;
+        // Damaged bytes may give any number, the one without an absolute value, too.
         const std::int64_t steps = codeSteps(coder, context, leansDown ? -away : away);
-        const std::int64_t size16 = std::min<std::int64_t>(std::abs(steps), std::int64_t(1) << 33);
-        spread_ += (size16 * 256 - spread_) / 16;
-        return static_cast<T>(static_cast<std::uint64_t>(nearestInteger) +
-                              static_cast<std::uint64_t>(leansDown ? 0 - steps : steps));
+        const auto upwards = static_cast<std::uint64_t>(steps);
+        const std::uint64_t distance = std::min(steps < 0 ? 0 - upwards : upwards, std::uint64_t(1) << 33);
+        spread_ += (static_cast<std::int64_t>(distance) * 256 - spread_) / 16;
+        return static_cast<T>(static_cast<std::uint64_t>(nearestInteger) + (leansDown ? 0 - upwards : upwards));
     }
 
-    using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
-
-    /// In the order of the numbers that the bits stand for.
-    static Bits ordered(T value)
-    {
-        constexpr Bits sign = Bits(1) << (8 * sizeof(T) - 1);
-        const auto bits = std::bit_cast<Bits>(value);
-        return (bits & sign) != 0 ? ~bits : bits | sign;
-    }
-    static T fromOrdered(Bits bits)
-    {
-        constexpr Bits sign = Bits(1) << (8 * sizeof(T) - 1);
-        return std::bit_cast<T>((bits & sign) != 0 ? bits & ~sign : static_cast<Bits>(~bits));
-    }
-    /// Of a double as its bits have it.
+    /// A double's exponent as its bits have it.
     static int exponentOf(double value) { return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff); }
 
     template <class Coder> T codeFloat(Coder& coder, double expected, T value)
@@ -142,10 +120,10 @@ private:
         const T rounded = static_cast<T>(expected);
         const int digits = (expectedExponent_ >> 4) - exponentOf(static_cast<double>(rounded));
         Context& context = contexts_[static_cast<std::size_t>(std::clamp(digits + 32, 0, 47))];
-        using Signed = std::make_signed_t<Bits>;
-        const auto away = static_cast<Signed>(static_cast<Bits>(ordered(value) - ordered(rounded)));
+        using Steps = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+        const auto away = static_cast<Steps>(orderOf(value) - orderOf(rounded));
         const std::int64_t steps = codeSteps(coder, context, away);
-        const T result = fromOrdered(static_cast<Bits>(ordered(rounded) + static_cast<Bits>(steps)));
+        const T result = numberOfOrder<T>(orderOf(rounded) + static_cast<std::uint64_t>(steps));
         if (steps != 0) {
             const int exponent = exponentOf(static_cast<double>(result) - static_cast<double>(rounded));
             expectedExponent_ += (exponent * 16 - expectedExponent_) / 8;

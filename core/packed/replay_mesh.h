@@ -56,9 +56,11 @@ template <class T, class SampleAt> double interpolatedAt(const SampleAt& sampleA
             if (!begun)
                 first = value;
             begun = true;
-            sum += static_cast<double>(weight / divisor) * (value - first);
+            const std::int64_t part = weight / divisor;
+            sum += static_cast<double>(part) * (value - first);
         }
-        const double result = first + sum / static_cast<double>(whole / divisor);
+        const std::int64_t parts = whole / divisor;
+        const double result = first + sum / static_cast<double>(parts);
         return std::isfinite(result) ? result : first;
     }
 }

@@ -5,6 +5,7 @@
 #include "core/history/batch_builder.h"
 #include "core/mesh/topology.h"
 #include "core/packed/free_points.h"
+#include "core/packed/number_order.h"
 #include "core/packed/range_coder.h"
 #include "core/packed/replay_coders.h"
 #include "core/packed/replay_mesh.h"
@@ -24,7 +25,6 @@ namespace tetra {
 
 namespace {
 
-/// Whether the mesh of all points can be kept: in address space, and in the numbers of its tetrahedra.
 /// Of the lattice in whose space the points of a lattice or grid are meshed.
 Eigen::Vector3d spacingOfMesh(const HistoryFacts& facts)
 {
@@ -201,39 +201,6 @@ void boundByKeys(const HistoryFacts& facts, float endKey, HistoryArrays& history
 
 // The sites.
 
-namespace {
-
-/// A coordinate as a number that rises with it.
-template <class T> auto coordinateOrder(T number)
-{
-    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    const Bits bits = std::bit_cast<Bits>(number), sign = Bits(1) << (8 * sizeof(T) - 1);
-    return (bits & sign) != 0 ? static_cast<Bits>(~bits) : static_cast<Bits>(bits | sign);
-}
-
-template <class T, class Bits> T coordinateOfOrder(Bits order)
-{
-    const Bits sign = Bits(1) << (8 * sizeof(T) - 1);
-    return std::bit_cast<T>((order & sign) != 0 ? static_cast<Bits>(order ^ sign) : static_cast<Bits>(~order));
-}
-
-/// A difference, small ones of either sign as small numbers; below 2^63.
-template <class Bits> std::uint64_t folded(Bits number, Bits from)
-{
-    using Signed = std::make_signed_t<Bits>;
-    const auto difference = static_cast<Signed>(static_cast<Bits>(number - from));
-    return static_cast<Bits>(static_cast<Bits>(difference) << 1) ^
-           static_cast<Bits>(difference >> (8 * sizeof(Bits) - 1));
-}
-
-template <class Bits> Bits unfolded(std::uint64_t code, Bits from)
-{
-    const auto bits = static_cast<Bits>(code);
-    return static_cast<Bits>(from + static_cast<Bits>(bits >> 1 ^ static_cast<Bits>(0 - (bits & 1))));
-}
-
-} // namespace
-
 /// The coordinates of a grid's points: what is expected comes from the mesh, or from known points on one of the grid's
 /// lines through the point, whichever was closest lately.
 class GridPositionCoder {
@@ -249,22 +216,23 @@ public:
         for (std::size_t i = 1; i < guesses; ++i)
             if (!std::isnan(guess[i]) && (std::isnan(guess[best]) || cost[i] < cost[best]))
                 best = i;
-        const auto orderOfGuess = [&guess](std::size_t i) { return coordinateOrder(closest<T>(guess[i])); };
+        constexpr unsigned bits = 8 * sizeof(T);
+        const auto orderOfGuess = [&guess](std::size_t i) { return orderOf(closest<T>(guess[i])); };
         const auto context = static_cast<std::size_t>(std::clamp(cost[best] / 2, 0.0, double(contexts - 1)));
-        const auto from = orderOfGuess(best);
-        // One more than 2^64 - 2 there is not: of doubles the last bit is coded apart.
-        std::uint64_t coded = folded(coordinateOrder(exact), from);
+        const std::uint64_t from = orderOfGuess(best);
+        std::uint64_t coded = zigzag(orderOf(exact), from, bits);
+        // A number model has no 2^64 - 1, so of doubles the last bit is coded apart.
         if constexpr (sizeof(T) == 8) {
             const std::uint64_t upper = models_[axis][context].code(coder, coded >> 1);
             coded = upper << 1 | (codedBit(coder, lowest_[axis], (coded & 1) != 0) ? 1u : 0u);
         } else {
             coded = models_[axis][context].code(coder, coded);
         }
-        const T number = coordinateOfOrder<T>(unfolded(coded, from));
+        const T number = numberOfOrder<T>(unzigzag(coded, from, bits));
         for (std::size_t i = 0; i < guesses; ++i)
             if (!std::isnan(guess[i])) {
-                const auto bits = std::bit_width(folded(coordinateOrder(number), orderOfGuess(i)));
-                cost[i] += (static_cast<double>(bits) - cost[i]) / 8;
+                const auto taken = std::bit_width(zigzag(orderOf(number), orderOfGuess(i), bits));
+                cost[i] += (static_cast<double>(taken) - cost[i]) / 8;
             }
         return number;
     }

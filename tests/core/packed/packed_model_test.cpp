@@ -375,6 +375,23 @@ private slots:
             });
     }
 
+    /// The one number of steps that has no absolute value comes of damage alone (proved with the sanitizers).
+    void everyNumberOfStepsIsTaken()
+    {
+        constexpr std::uint64_t farthest = std::uint64_t(1) << 63;
+        RangeEncoder encoder;
+        BitModel isOther, isDownwards;
+        NumberModel distances;
+        encoder.bit(isOther, true);
+        encoder.bit(isDownwards, true);
+        distances.code(encoder, farthest - 1);
+        const std::vector<std::byte> bytes = encoder.finish();
+        for (const double expected : {0.0, -0.25}) {
+            RangeDecoder decoder(bytes);
+            QCOMPARE(ValueCoder<std::int32_t>().code(decoder, expected, 0), 0);
+        }
+    }
+
 private:
     void provePrefixes(const PackedModel& packed, const Dataset& dataset)
     {

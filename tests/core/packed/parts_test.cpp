@@ -4,6 +4,7 @@
 #include "core/packed/packed_file.h"
 #include "core/packed/parts.h"
 #include "core/packed/parts_history.h"
+#include "core/packed/range_coder.h"
 #include "core/packed/site_replay.h"
 #include "tests/core/history/irregular/irregular_models.h"
 #include "tests/core/history/model_fixture.h"
@@ -16,7 +17,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <functional>
 #include <random>
 
@@ -376,6 +380,47 @@ private slots:
                 (void)decodeOwnBounds(facts, noise, *history);
             }
         }
+    }
+
+    /// Bytes that end early are not read on for as many sites as the header promises.
+    void bytesThatEndEarlyAreSoonRefused() // C16
+    {
+        HistoryFacts facts;
+        facts.lattice.size = {256, 256, 256};
+        facts.siteCount = 1 << 24;
+        facts.tetrahedronCount = std::uint64_t(1) << 26;
+        facts.extent = facts.diagonal = 1;
+        HistoryDecoder decoder(facts);
+        QVERIFY(!decoder.decode(std::vector<std::byte>(16), facts.siteCount));
+        QVERIFY(decoder.arrays().points.size() < 100'000);
+    }
+
+    /// Nor is memory taken for as many faults of cells.
+    void faultsThatDoNotComeTakeNoMemory() // C16
+    {
+        QVERIFY(buildModel(bentBumps(SampleType::UInt8, {5, 5, 5}), path("model"), Refinement{.block = 0}).ok());
+        const auto model = Model::open(path("model"));
+        RangeEncoder coder;
+        NumberModel numbers;
+        for (const std::uint64_t number : {std::uint64_t(4), std::uint64_t(0), std::uint64_t(0), std::uint64_t(0),
+                                           std::uint64_t(0), std::uint64_t(1) << 33})
+            numbers.code(coder, number);
+        constexpr std::uint32_t factsOfParts = 2;
+        const auto file = PackedFileWriter::create(path("packed"), **model, PackMethod::StoredByParts);
+        QVERIFY(file.ok());
+        QVERIFY((*file)->addChunk(factsOfParts, coder.finish()).ok());
+        (*file)->endLevel(0, 0, (*model)->siteCount());
+        QVERIFY((*file)->finish().ok());
+        std::vector<std::byte> bytes = readBytes(path("packed"));
+        constexpr std::array<std::uint32_t, 3> huge{2048, 2048, 1024};
+        std::memcpy(bytes.data() + offsetof(format::Header, latticeSize), huge.data(), sizeof huge);
+        repairPackedChecksums(bytes);
+        writeBytes(path("damaged"), bytes);
+        const auto opened = PackedModel::open(path("damaged"));
+        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().text().c_str());
+        const auto unpacked = unpackModel(**opened, path("back"));
+        QVERIFY(!unpacked.ok());
+        QCOMPARE(unpacked.error().kind, ErrorKind::BadInput);
     }
 
     /// A chunk that is not what was written is refused before anything is made of it.
