@@ -297,30 +297,39 @@ Status CacheFolder::makeRoom(std::uint64_t bytes) const
         std::vector<Entry> entries = entriesOf(path_);
         std::uint64_t taken = bytesOf(entries);
         const auto fits = [&] { return bytes <= limit_ && taken <= limit_ - bytes; };
-        const auto fitsDisk = [&] {
+        // Where the system does not tell how much the disk has, writing will.
+        const auto fitsDisk = [&](std::uint64_t removed) {
             std::error_code problem;
             const auto space = std::filesystem::space(path_, problem);
-            return problem || space.available >= bytes; // where the system does not tell, writing will
+            return problem || space.available >= bytes || bytes - space.available <= removed;
         };
-        if (fits() && fitsDisk())
+        const auto noRoom = [&] {
+            return Error{ErrorKind::CannotWrite,
+                         Message::say("The cache folder '%1' has no room for %2 more: its limit is %3, and what is in "
+                                      "use stays. Set TAN_CACHE_MB to more megabytes.",
+                                      path_.string(), neededBytesText(bytes), neededBytesText(limit_))};
+        };
+        if (fits() && fitsDisk(0))
             return {};
+        // For what would not fit into an empty folder nothing is removed.
+        if (bytes > limit_)
+            return noRoom();
+        if (!fitsDisk(taken))
+            return cannotUse(path_, ENOSPC);
         removeUnfinished(entries);
         entries = entriesOf(path_);
         taken = bytesOf(entries);
         std::ranges::sort(entries, {},
                           [](const Entry& entry) { return std::pair(entry.used.tv_sec, entry.used.tv_nsec); });
         for (const Entry& entry : entries) {
-            if (fits() && fitsDisk())
+            if (fits() && fitsDisk(0))
                 return {};
             if (entry.isFile && removeUnused(entry.path))
                 taken -= entry.bytes;
         }
         if (!fits())
-            return Error{ErrorKind::CannotWrite,
-                         Message::say("The cache folder '%1' has no room for %2 more: its limit is %3, and what is in "
-                                      "use stays. Set TAN_CACHE_MB to more megabytes.",
-                                      path_.string(), neededBytesText(bytes), neededBytesText(limit_))};
-        return fitsDisk() ? Status() : cannotUse(path_, ENOSPC);
+            return noRoom();
+        return fitsDisk(0) ? Status() : cannotUse(path_, ENOSPC);
     };
     return guarded(Message::marked("Not enough memory to look into the cache folder '%1'. Close other programs."), work,
                    path_.native());

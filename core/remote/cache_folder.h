@@ -63,7 +63,7 @@ public:
     std::optional<CachedFile> find(std::string_view key) const;
 
     /// Removes what was unused for longest, until `bytes` more fit under the limit and on the disk. An error if they do
-    /// not. O(files of the folder).
+    /// not; for what would not fit into an empty folder nothing is removed. O(files of the folder).
     Status makeRoom(std::uint64_t bytes) const;
     /// Removes all that is not in use.
     void clear() const;

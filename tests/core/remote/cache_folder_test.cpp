@@ -142,6 +142,21 @@ private slots:
         QVERIFY(folder.bytes() <= folder.limit());
     }
 
+    /// Whoever asks for more than the folder may ever have does not empty it.
+    void whatNeverFitsRemovesNothing()
+    {
+        const QTemporaryDir home;
+        const CacheFolder folder = folderIn(home, 100 * kibibyte);
+        QVERIFY(folder.take("kept", 64 * kibibyte, writing(64 * kibibyte)).ok());
+        QCOMPARE(folder.take("huge", 101 * kibibyte, neverCalled).error().kind, ErrorKind::CannotWrite);
+        QCOMPARE(folder.take("endless", ~std::uint64_t(0), neverCalled).error().kind, ErrorKind::CannotWrite);
+        QVERIFY(folder.find("kept"));
+        // Nor whoever asks for more than the disk can hold.
+        const CacheFolder unlimited = folderIn(home, ~std::uint64_t(0));
+        QCOMPARE(unlimited.take("endless", ~std::uint64_t(0) >> 2, neverCalled).error().kind, ErrorKind::CannotWrite);
+        QVERIFY(unlimited.find("kept"));
+    }
+
     /// Others leave room for what is still to come.
     void whatIsBeingMadeCounts()
     {
