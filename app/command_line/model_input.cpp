@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -25,9 +28,46 @@ std::optional<Accuracy> finestAsked(const MeshQuery& query, const Arguments& arg
     // A mesh that points are inserted into needs all samples.
     if (query.method == VariableMethod::Insertion)
         return std::nullopt;
-    if (arguments.has("budget") && !arguments.has("error"))
+    if (query.budget && !arguments.has("error"))
         return std::nullopt;
     return Accuracy{query.error.bounds().minimum, query.warping.bounds().minimum};
+}
+
+/// Whether nothing but a budget says how fine the mesh is.
+bool isBudgetAlone(const MeshQuery& query, const Arguments& arguments)
+{
+    constexpr std::array<std::string_view, 6> others = {"error", "warping", "field", "focus", "lens", "method"};
+    return query.budget && std::ranges::none_of(others, [&](std::string_view option) { return arguments.has(option); });
+}
+
+/// As much of a packed model, or one on a server, as has a mesh beyond the budget, so that the one before it is there.
+Result<FoundModel> openForBudget(const std::string& place, std::uint64_t budget, OpenOptions options,
+                                 const Progress& progress)
+{
+    constexpr double frontEnd = 0.02;
+    constexpr double usually = 5, tooFew = 1.05; // tetrahedra a site; how much beyond what was found to be too few
+    const auto facts = modelFacts(place, progress.part(0, frontEnd));
+    if (!facts)
+        return facts.error();
+    const auto asked = static_cast<double>(budget);
+    double sites = asked / usually, done = frontEnd;
+    for (const LevelInFile& level : std::span(facts->levels).first(facts->levels.size() - 1)) {
+        if (level.bytes > options.mostBytes)
+            break;
+        if (level.sites <= sites)
+            continue;
+        options.accuracy = Accuracy{level.error, level.warping};
+        const double end = (done + 1) / 2;
+        auto found = openModel(place, options, progress.part(std::exchange(done, end), end));
+        if (!found)
+            return found;
+        const MeshSize finest = meshSizeAt(*found->model, {.error = 0, .warping = 0});
+        if (finest.tetrahedra > budget)
+            return found;
+        sites = tooFew * finest.sites * asked / static_cast<double>(std::max<std::uint64_t>(finest.tetrahedra, 1));
+    }
+    options.accuracy.reset();
+    return openModel(place, options, progress.part(done, 1));
 }
 
 bool saysHowAccurate(const Arguments& arguments)
@@ -63,6 +103,8 @@ Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem
     options.token = *std::move(token);
     if (isAddress(place.string()) && !saysHowAccurate(invocation.arguments))
         options.mostBytes = aMoment;
+    if (isBudgetAlone(query, invocation.arguments) && !isAtServer && !isAtHand(place))
+        return openForBudget(place.string(), *query.budget, std::move(options), progress);
     return openModel(isAtServer ? placeOf(place.string(), true) : place.string(), options, progress);
 }
 
@@ -114,7 +156,7 @@ void tellPart(const FoundModel& found, Outcome& outcome)
                                                {"of_bytes", static_cast<qint64>(found.fileBytes)}};
     outcome.text += "read of the model: " + std::to_string(sites) + " of " + std::to_string(found.sitesOfWhole) +
                     " sites, " + byteText(found.readBytes) + " of " + byteText(found.fileBytes) +
-                    ", as '--error' asks\n";
+                    ", as much as the mesh needs\n";
 }
 
 } // namespace tetra

@@ -186,8 +186,12 @@ private:
     Result<UnpackReport> makeNow(std::size_t level, const std::filesystem::path& output,
                                  const Progress& progress) const override
     {
+        const auto sayThatItIsAll = [&](double fraction, const Message& activity) {
+            progress.report(fraction,
+                            activity.empty() ? activity : Message::say("Unpacking the whole model: %1", activity));
+        };
         if (level + 1 == packed_->levels().size())
-            return unpackModel(*packed_, output, progress);
+            return unpackModel(*packed_, output, progress.withCallback(sayThatItIsAll));
         const Status unpacked = unpackPrefix(*packed_, level, output, progress);
         return unpacked ? Result<UnpackReport>(UnpackReport()) : unpacked.error();
     }

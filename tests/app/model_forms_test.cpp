@@ -5,6 +5,8 @@
 #include "tests/app/sample_files.h"
 #include "tests/core/remote/http_server.h"
 
+#include <tan/open.h>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QElapsedTimer>
@@ -12,6 +14,8 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <atomic>
 
 namespace tetra {
 
@@ -116,6 +120,43 @@ private slots:
         const QStringList cached = QDir(path("cache/tan")).entryList(QDir::Files);
         make({"verify", "packed.tan", "--against", data, "--lod", "5"});
         QCOMPARE(QDir(path("cache/tan")).entryList(QDir::Files), cached); // found there again
+        QVERIFY(QDir(path("cache")).removeRecursively());
+    }
+
+    /// R16, R25: within a budget no more is unpacked than has it, and no accuracy need be given. Where the levels are
+    /// those of the model the picture is the same.
+    void packedWithinBudget_data() { cut_data(); }
+    void packedWithinBudget()
+    {
+        QFETCH(QString, model);
+        make({"pack", model, "-o", "packed.tan"});
+        const QStringList drawn = {"render", model,   "--mode", "volume",    "--budget", "2000",
+                                   "--size", "60x40", "-o",     "right.png", "--json"};
+        QStringList ofPacked = drawn;
+        ofPacked.replaceInStrings(model, "packed.tan");
+        ofPacked.replaceInStrings("right.png", "packed.png");
+        const Run right = make(drawn), packed = make(ofPacked);
+        const QJsonObject part = packed.json()["read_part"].toObject();
+        QVERIFY2(part["sites"].toInteger() * 2 < part["of_sites"].toInteger(), packed.output);
+        QVERIFY(packed.json()["tetrahedra"].toInteger() <= 2000);
+        if (model == "c60.tan") // packed in levels of its own
+            QVERIFY(packed.json()["tetrahedra"].toInteger() > 1000);
+        else
+            QVERIFY(readFile(path("packed.png")) == readFile(path("right.png")));
+        // All of it where the budget allows that, and then that is what is being done.
+        std::atomic<bool> heard = false;
+        const auto hear = [&](double, const Message& activity) {
+            if (activity.text().starts_with("Unpacking the whole model: "))
+                heard = true;
+        };
+        OpenOptions options;
+        options.cacheFolder = path("cache-of-all").toStdString();
+        QVERIFY(openModel(path("packed.tan").toStdString(), options, Progress({}, hear)).ok());
+        QVERIFY(heard);
+        const Run all = make({"extract", "packed.tan", "--budget", "10000000", "-o", "all.ply", "--json"});
+        QVERIFY(!all.json().contains("read_part"));
+        make({"extract", model, "--error", "0", "-o", "right.ply"});
+        QVERIFY(meshIn("all.ply") == meshIn("right.ply"));
         QVERIFY(QDir(path("cache")).removeRecursively());
     }
 
