@@ -25,7 +25,10 @@ Result<Outcome> copyInput(const Invocation& invocation, const std::optional<Accu
         return distinct.error();
     if (const Status safe = checkModelOutput(output); !safe)
         return safe.error();
-    const auto report = copyModel(input.string(), accuracy, output, invocation.progress);
+    const auto token = tokenOption(invocation.arguments, input);
+    if (!token)
+        return token.error();
+    const auto report = copyModel(input.string(), accuracy, output, invocation.progress, *token);
     if (!report)
         return report.error();
     Outcome outcome;
@@ -61,7 +64,10 @@ Result<std::optional<Accuracy>> limitsOf(const Arguments& arguments, const std::
         return accuracy.error();
     if (!arguments.has("warping"))
         return std::optional(*accuracy);
-    const auto facts = modelFacts(input, progress);
+    const auto token = tokenOption(arguments, input);
+    if (!token)
+        return token.error();
+    const auto facts = modelFacts(input, progress, *token);
     if (!facts)
         return facts.error();
     if (const Status warps = checkWarpingOption(arguments, facts->description, input); !warps)
@@ -88,7 +94,7 @@ Syntax cutSyntax(PluginHost&)
             "against the same data.",
         .positionals = {{"MODEL", modelExplanation()}},
         .options = {limitOption(errorOption(), true), limitOption(warpingOption(), false),
-                    outputOption("FILE", "The model to write, conventionally *.tan.")},
+                    outputOption("FILE", "The model to write, conventionally *.tan."), tokenFileOption()},
         .examples = {{"tan cut engine.tan --error 1 -o engine-1.tan", "All meshes down to an error of 1 %."},
                      {"tan cut https://example.org/engine.tan --error 4 -o engine-4.tan",
                       "Of a model on a server; only that much is fetched."}}};
@@ -109,7 +115,7 @@ Syntax unpackSyntax(PluginHost&)
                            "unpacked, in a fraction of the time.",
             .positionals = {{"PACKED", "The packed model: a file, or its address on a server (http:// or https://)."}},
             .options = {limitOption(errorOption(), false), limitOption(warpingOption(), false),
-                        outputOption("FILE", "The model to write, conventionally *.tan.")},
+                        outputOption("FILE", "The model to write, conventionally *.tan."), tokenFileOption()},
             .examples = {{"tan unpack engine.packed.tan -o engine.tan", "All of it."},
                          {"tan unpack engine.packed.tan --error 2 -o engine-2.tan", "Down to an error of 2 %."}}};
 }
@@ -117,7 +123,10 @@ Syntax unpackSyntax(PluginHost&)
 Result<Outcome> runUnpack(const Invocation& invocation)
 {
     const std::string& input = invocation.arguments.positionals[0];
-    const auto facts = modelFacts(input, invocation.progress.part(0, 0));
+    const auto token = tokenOption(invocation.arguments, input);
+    if (!token)
+        return token.error();
+    const auto facts = modelFacts(input, invocation.progress.part(0, 0), *token);
     if (!facts)
         return facts.error();
     if (facts->form != ModelForm::Packed)

@@ -150,7 +150,7 @@ Result<Outcome> extractAtServer(const Invocation& invocation, const MeshQuery& q
     if (arguments.has("against"))
         return Error{ErrorKind::WrongUsage,
                      "'--against' needs the model at hand, so '--at-server' does not go with it."};
-    const auto token = tokenOption(arguments, true);
+    const auto token = tokenOption(arguments, arguments.positionals[0]);
     if (!token)
         return token.error();
     const auto mesh = meshAtServer(meshAddress(arguments.positionals[0], arguments), *token,

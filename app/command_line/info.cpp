@@ -149,7 +149,7 @@ Status addMeasured(const Invocation& invocation, const Model& model, const std::
 Result<Outcome> describeModel(const Invocation& invocation, const std::string& path,
                               const std::vector<Accuracy>& levels, const std::optional<std::string>& output)
 {
-    const auto opened = openWholeInput(path, invocation.progress);
+    const auto opened = openWholeInput(invocation, path, invocation.progress);
     if (!opened)
         return opened.error();
     const Model& model = *opened->model;
@@ -193,7 +193,10 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
 /// Of a model that is packed or on a server, as far as the front of its file tells: nothing is unpacked or fetched.
 Result<Outcome> describeFront(const Invocation& invocation, const std::string& path, const std::vector<Accuracy>& asked)
 {
-    const auto facts = modelFacts(path, invocation.progress);
+    const auto token = tokenOption(invocation.arguments, path);
+    if (!token)
+        return token.error();
+    const auto facts = modelFacts(path, invocation.progress, *token);
     if (!facts)
         return facts.error();
     const ModelDescription& description = facts->description;
@@ -323,7 +326,8 @@ Syntax infoSyntax(PluginHost& host)
                      .explanation = "Of a model: the dataset that it was built from. Also says how large error and "
                                     "warping are on the whole at each level, and the error in space; takes as long as "
                                     "'tan verify'."},
-                    outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false)},
+                    outputOption("FILE.csv|.json", "Of a model: also write the levels to this file.", false),
+                    tokenFileOption()},
         .examples = {{"tan info engine.tan --lod 1,.5,.1", "The meshes at three accuracies."},
                      {"tan info engine.tan -o levels.csv", "The meshes at the usual accuracies, for a spreadsheet."},
                      {"tan info engine.tan --lod 1 --against engine.nrrd", "And how far a mesh is off on the whole."},
@@ -340,6 +344,8 @@ Result<Outcome> runInfo(const Invocation& invocation)
         return levels.error();
     const auto output = invocation.arguments.value("output");
     if (!isAddress(path) && !isModelFile(path)) {
+        if (const auto token = tokenOption(invocation.arguments, path); !token)
+            return token.error();
         if (output)
             return Error{ErrorKind::WrongUsage, "'--output' writes the levels of a model, and '" + path +
                                                     "' is none. Build a model of it first."};

@@ -96,7 +96,7 @@ Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem
         return Error{ErrorKind::WrongUsage, "'--at-server' needs the address of a model that 'tan serve' offers, "
                                             "http://HOST:PORT/NAME.tan, and '" +
                                                 place.string() + "' is none."};
-    auto token = tokenOption(invocation.arguments, isAtServer);
+    auto token = tokenOption(invocation.arguments, place);
     if (!token)
         return token.error();
     OpenOptions options{.accuracy = finestAsked(query, invocation.arguments)};
@@ -114,25 +114,31 @@ std::vector<Option> serverOptions()
              .placeholder = "",
              .explanation = "MODEL is http://HOST:PORT/NAME.tan, and 'tan serve' there finds the mesh: only that is "
                             "sent."},
-            {.name = "token-file",
-             .placeholder = "FILE",
-             .explanation = "With --at-server, a file whose first line is the token that it wants."}};
+            tokenFileOption()};
 }
 
-Result<std::string> tokenOption(const Arguments& arguments, bool isAtServer)
+Option tokenFileOption()
+{
+    return {.name = "token-file",
+            .placeholder = "FILE",
+            .explanation = "Of a model on a server: a file whose first line is the token that the server wants."};
+}
+
+Result<std::string> tokenOption(const Arguments& arguments, const std::filesystem::path& place)
 {
     const auto file = arguments.value("token-file");
     if (!file)
         return std::string();
-    if (!isAtServer)
-        return Error{ErrorKind::WrongUsage, "'--token-file' is for '--at-server'."};
+    if (!isAddress(place.string()))
+        return Error{ErrorKind::WrongUsage,
+                     "'--token-file' is for models on a server, and '" + place.string() + "' is a file. Leave it out."};
     return tokenIn(*file);
 }
 
 Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
                                     const Progress& progress)
 {
-    auto token = tokenOption(invocation.arguments, isLeftAtServer(place.string()));
+    auto token = tokenOption(invocation.arguments, place);
     if (!token)
         return token.error();
     OpenOptions options;
@@ -140,9 +146,15 @@ Result<FoundModel> openSessionInput(const Invocation& invocation, const std::fil
     return openModel(place.string(), options, progress);
 }
 
-Result<FoundModel> openWholeInput(const std::filesystem::path& place, const Progress& progress)
+Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
+                                  const Progress& progress)
 {
-    return openModel(placeOf(place.string(), false), {}, progress);
+    auto token = tokenOption(invocation.arguments, place);
+    if (!token)
+        return token.error();
+    OpenOptions options;
+    options.token = *std::move(token);
+    return openModel(placeOf(place.string(), false), options, progress);
 }
 
 void tellPart(const FoundModel& found, Outcome& outcome)

@@ -26,14 +26,17 @@ Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem
                              const Progress& progress);
 /// The options that leave a model at its server, for commands that make a mesh of it: --at-server and --token-file.
 std::vector<Option> serverOptions();
-/// The token that --token-file gives; none without it. Errors: WrongUsage, also for one that goes with no server.
-Result<std::string> tokenOption(const Arguments& arguments, bool isAtServer);
+/// --token-file, for all commands that read a model.
+Option tokenFileOption();
+/// The token that --token-file gives; none without it. Errors: WrongUsage, also where `place` is on no server.
+Result<std::string> tokenOption(const Arguments& arguments, const std::filesystem::path& place);
 
 /// The model of a session, which may have been left at its server.
 Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
                                     const Progress& progress);
 /// The model at a path or an address, whole.
-Result<FoundModel> openWholeInput(const std::filesystem::path& place, const Progress& progress);
+Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
+                                  const Progress& progress);
 
 /// Adds "read_part" and a line of the text if only a part of the model was read.
 void tellPart(const FoundModel& found, Outcome& outcome);

@@ -25,7 +25,7 @@ void addPacking(const PackReport& report, std::uint64_t unpackedBytes, Outcome& 
         {"own_errors", static_cast<qint64>(report.ownErrors)},  {"other", static_cast<qint64>(report.other)}};
     const double times =
         static_cast<double>(unpackedBytes) / static_cast<double>(std::max<std::uint64_t>(report.fileBytes, 1));
-    outcome.text += "packed in " + byteText(report.fileBytes) + " instead of " + byteText(unpackedBytes) + ", " +
+    outcome.text += "packed from " + byteText(unpackedBytes) + " to " + byteText(report.fileBytes) + ", " +
                     rounded(times, 3) + " times smaller, " +
                     (replayed ? "as the samples that the history is made from\n"
                               : "part by part, without what follows from the rest\n");
@@ -38,8 +38,9 @@ Syntax packSyntax(PluginHost&)
                 "A packed model is a small part of the size, and gives the model back byte for byte. Every command, "
                 "and the window, takes it in place of the model: they unpack it into a cache folder, and of what "
                 "needs no fine mesh only the beginning.",
-            .positionals = {{"MODEL", "The model."}},
-            .options = {outputOption("PACKED", "The packed model to write, conventionally *.packed.tan.")},
+            .positionals = {{"MODEL", modelExplanation()}},
+            .options = {outputOption("PACKED", "The packed model to write, conventionally *.packed.tan."),
+                        tokenFileOption()},
             .examples = {{"tan pack engine.tan -o engine.packed.tan", "Then engine.tan can go."}}};
 }
 
@@ -51,7 +52,7 @@ Result<Outcome> runPack(const Invocation& invocation)
         return distinct.error();
     if (const Status safe = checkModelOutput(output); !safe)
         return safe.error();
-    const auto found = openWholeInput(input, invocation.progress.part(0, 0.05));
+    const auto found = openWholeInput(invocation, input, invocation.progress.part(0, 0.05));
     if (!found)
         return found.error();
     const auto report = packModel(*found->model, output, invocation.progress.part(0.05, 1));

@@ -123,14 +123,20 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
         rows.push_back(levelRow(level, warps, twoSided));
         measured.push_back({rounded(level.asked.error) + " %", level.measured});
     }
+    // Of another dataset's model there is nothing to show.
+    const bool isUnchecked = !verdict.failures.empty() && std::ranges::all_of(verdict.levels, [](const auto& level) {
+        return level.tetrahedra == 0;
+    });
     outcome.isYes = verdict.ok();
     outcome.figures = {{"ok", verdict.ok()},
                        {"failures", toJson(verdict.failures)},
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
                        {"levels", levels}};
-    outcome.text = path + (verdict.ok() ? ": proved\n\n" : ": NOT what it claims to be\n\n") + table(rows) + "\n" +
-                   statisticsText(measured, description.domain) + guaranteeText(description) + remarkOn(verdict) +
-                   failureText(verdict, warps);
+    outcome.text = path + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
+    if (!isUnchecked)
+        outcome.text += "\n" + table(rows) + "\n" + statisticsText(measured, description.domain) +
+                        guaranteeText(description) + remarkOn(verdict);
+    outcome.text += failureText(verdict, warps);
     return outcome;
 }
 
@@ -197,7 +203,8 @@ Syntax verifySyntax(PluginHost& host)
                      .placeholder = "IN",
                      .explanation = "The dataset that the model was built from.",
                      .required = true},
-                    levels},
+                    levels,
+                    tokenFileOption()},
         .examples = {{"tan verify engine.tan --against engine.nrrd", "All usual levels."},
                      {"tan verify engine.tan --against engine.nrrd --lod 1 --json", "One level, for a program."},
                      {"tan verify engine.tan --against engine.nrrd --focus sphere:120,100,60,30 --focus-error 0.5",
@@ -221,7 +228,7 @@ Result<Outcome> runVerify(const Invocation& invocation)
     if (!levels)
         return levels.error();
     const double opened = isAtHand(path) ? 0 : 0.3;
-    const auto found = openWholeInput(path, invocation.progress.part(0, opened));
+    const auto found = openWholeInput(invocation, path, invocation.progress.part(0, opened));
     if (!found)
         return found.error();
     const std::shared_ptr<const Model>& model = found->model;

@@ -6,6 +6,7 @@
 #include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
 #include "core/base/checksum.h"
+#include "core/base/text.h"
 #include "core/history/format.h"
 #include "core/history/query_words.h"
 #include "core/opening/served_model.h"
@@ -46,12 +47,13 @@ bool isEqualInSecret(std::string_view one, std::string_view other)
     return difference == 0;
 }
 
-/// "localhost:8080" and the like.
+/// "localhost:8080" and the like; names of hosts have no capitals that count.
 bool isThisMachine(std::string_view host)
 {
     if (const std::size_t colon = host.rfind(':'); colon != std::string_view::npos && !host.ends_with(']'))
         host = host.substr(0, colon);
-    return isLoopback(host.starts_with('[') && host.ends_with(']') ? host.substr(1, host.size() - 2) : host);
+    return isLoopback(
+        smallLetters(host.starts_with('[') && host.ends_with(']') ? host.substr(1, host.size() - 2) : host));
 }
 
 bool hasTag(std::string_view list, std::string_view tag)

@@ -37,6 +37,12 @@ Error saidInstead(const std::string& address, const FetchedAnswer& answer)
             Message::say("'%1' sends no mesh (status %2). Only 'tan serve' finds meshes; a model on any other server "
                          "is read without '--at-server'.",
                          shownAddress(address), answer.status)};
+    constexpr int unauthorized = 401;
+    if (answer.status == unauthorized)
+        return {ErrorKind::WrongUsage,
+                Message::say("The server of '%1' answers only those who have its token. Give the one that whoever runs "
+                             "it has set; on the command line by '--token-file'.",
+                             shownAddress(address))};
     return {kind, Message::say("The server of '%1' says: %2", shownAddress(address), said)};
 }
 

@@ -462,10 +462,10 @@ Status cutOnDisk(const std::string& place, const Accuracy& accuracy, const std::
 
 Result<UnpackReport> copyFrom(const std::string& place, const std::optional<Accuracy>& accuracy,
                               const std::filesystem::path& output, std::uint32_t& sitesOfWhole,
-                              const Progress& progress)
+                              const Progress& progress, const std::string& token)
 {
     constexpr double frontEnd = 0.02;
-    const auto source = sourceAt(place, {}, progress.part(0, frontEnd));
+    const auto source = sourceAt(place, {.token = token}, progress.part(0, frontEnd));
     if (!source)
         return source.error();
     const ModelFacts facts = (*source)->facts();
@@ -496,10 +496,10 @@ std::string placeOf(std::string_view place, bool leftAtServer)
            std::string(isAddress(place) ? placeAtServer(place) : place);
 }
 
-Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress)
+Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress, const std::string& token)
 {
     const auto read = [&]() -> Result<ModelFacts> {
-        const auto source = sourceAt(place, {}, progress);
+        const auto source = sourceAt(place, {.token = token}, progress);
         return source ? Result<ModelFacts>((*source)->facts()) : source.error();
     };
     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), read, place);
@@ -522,12 +522,12 @@ Result<FoundModel> openModel(const std::string& place, const OpenOptions& option
 }
 
 Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,
-                             const std::filesystem::path& output, const Progress& progress)
+                             const std::filesystem::path& output, const Progress& progress, const std::string& token)
 {
     CopyReport report;
     const auto copied = guarded(
         Message::marked("Not enough memory to read '%1'. Close other programs."),
-        [&] { return copyFrom(place, accuracy, output, report.sitesOfWhole, progress); }, place);
+        [&] { return copyFrom(place, accuracy, output, report.sitesOfWhole, progress, token); }, place);
     if (!copied)
         return copied.error();
     const auto model = Model::open(output);

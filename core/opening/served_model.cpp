@@ -22,7 +22,8 @@ namespace {
 Message tokenWanted(const std::string& shownAddress)
 {
     return Message::say(
-        "The server of '%1' answers only those who have its token. Give the one that whoever runs it has set.",
+        "The server of '%1' answers only those who have its token. Give the one that whoever runs it has set; on the "
+        "command line by '--token-file'.",
         shownAddress);
 }
 

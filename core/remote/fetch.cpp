@@ -96,6 +96,16 @@ Result<FetchedAnswer> fetched(CURL* curl, const std::string& shown, const std::s
                                                             neededBytesText(mostBytes))};
     if (code == CURLE_ABORTED_BY_CALLBACK)
         return cancelledError("Asking the server");
+    if (code == CURLE_COULDNT_CONNECT)
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' gives no answer: there is nothing at that host and port. Check the address, and "
+                         "whether the server runs.",
+                         shown)};
+    if (code == CURLE_COULDNT_RESOLVE_HOST)
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' gives no answer: its host is not found. Check the address and the network.", shown)};
     if (code != CURLE_OK || fetching.head.status == 0)
         return Error{ErrorKind::BadInput,
                      Message::say("'%1' gives no answer (%2). Check the address, and whether the server runs.", shown,

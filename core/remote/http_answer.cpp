@@ -119,6 +119,8 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
         answer.contentType = smallLetters(trimmed(keptText(value.substr(0, value.find(';')))));
     } else if (name == "content-encoding") {
         answer.contentEncoding = smallLetters(keptText(value));
+    } else if (name == "www-authenticate") {
+        answer.wantsBearer = smallLetters(value.substr(0, value.find(' '))) == "bearer";
     }
 }
 

@@ -34,6 +34,7 @@ struct HttpAnswer {
     std::string lastModified; ///< as it stands there
     std::string contentType;  ///< small letters, without parameters
     std::string contentEncoding;
+    bool wantsBearer = false; ///< WWW-Authenticate asks for a token, and not for a name and a password
 
     /// What If-Range takes: a strong tag or else the date; empty if there is neither.
     std::string_view validator() const;

@@ -102,9 +102,9 @@ Refusal noLength()
 
 Refusal webPage()
 {
-    return final(
-        Message::say("the server gives a web page in place of data, perhaps one to log in at. Open the address "
-                     "in a browser and look for the address of the file itself."));
+    return final(Message::say(
+        "the server gives a web page or a list in place of data. Open the address in a browser: you may have to "
+        "log in, or to choose a file there and give its address."));
 }
 
 Refusal noRanges()
@@ -130,23 +130,35 @@ Refusal brokenOff()
                               "later, or download the file and open the copy."));
 }
 
-/// What a status means that brings no data.
-Refusal refusedStatus(int status)
+constexpr int unauthorized = 401;
+
+Message passwordWanted()
+{
+    return Message::say("the server wants a name and a password. Give them in the address, "
+                        "https://NAME:PASSWORD@..., or download the file.");
+}
+
+Message tokenWanted()
+{
+    return Message::say("the server answers only those who have its token. Give the one that whoever runs it has set; "
+                        "on the command line by '--token-file'.");
+}
+
+/// What a status means that brings no data. `wantsBearer`: HttpAnswer's.
+Refusal refusedStatus(int status, bool wantsBearer)
 {
     const auto mayHaveMoved = [](Refusal refusal) {
         refusal.moved = true;
         return refusal;
     };
     switch (status) {
-    case 401:
-        return mayHaveMoved(final(Message::say("the server wants a name and a password. Give them in the address, "
-                                               "https://NAME:PASSWORD@..., or download the file.")));
+    case unauthorized: return mayHaveMoved(final(wantsBearer ? tokenWanted() : passwordWanted()));
     case 407:
         return final(Message::say("the proxy wants a name and a password. Set https_proxy to an address with "
                                   "both."));
     case 403:
         return mayHaveMoved(final(Message::say("the server does not allow it (403). Ask whoever runs it, or check "
-                                               "whether the address has had its time.")));
+                                               "whether the address has expired.")));
     case 404:
     case 410:
         return mayHaveMoved(
@@ -169,7 +181,8 @@ Refusal refusedTransfer(CURLcode code, const char* detail, const HttpAnswer& ans
     };
     switch (code) {
     case CURLE_URL_MALFORMAT: {
-        Refusal refusal = final(Message::say("it is no address of a file. Write it as https://HOST/PATH."));
+        Refusal refusal = final(
+            Message::say("it is no address of a file. Write it as https://HOST/PATH, and blanks in it as %1.", "%20"));
         refusal.kind = ErrorKind::WrongUsage;
         return refusal;
     }
@@ -272,7 +285,7 @@ std::optional<Refusal> checkAnswer(Request& request, std::span<const std::byte> 
     case AnswerUse::NoLength: return noLength();
     case AnswerUse::CutShort: return brokenOff();
     case AnswerUse::NoAnswer: return noHttp();
-    case AnswerUse::OtherStatus: return refusedStatus(answer.status);
+    case AnswerUse::OtherStatus: return refusedStatus(answer.status, answer.wantsBearer);
     }
     request.answerEnd = *answer.contentRange->last + 1;
     if (request.first == nullptr) {
@@ -735,9 +748,9 @@ std::string shownAddress(std::string_view address)
 
 bool isUnauthorized(const Error& error)
 {
-    constexpr int unauthorized = 401;
     const std::vector<Message>& said = error.message.arguments();
-    return !said.empty() && said.back().sentence() == refusedStatus(unauthorized).reason.sentence();
+    return !said.empty() && (said.back().sentence() == passwordWanted().sentence() ||
+                             said.back().sentence() == tokenWanted().sentence());
 }
 
 std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t bytesOfPiece,

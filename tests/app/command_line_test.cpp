@@ -331,6 +331,10 @@ private slots:
         const Run text = tan({"verify", "c60.tan", "--against", "noise.nrrd"});
         QCOMPARE(text.exitCode, 1);
         QVERIFY2(text.output.contains("NOT what it claims"), text.output);
+        QVERIFY(tan({"sample", "noise", "--size", "13", "-o", "other.nrrd"}).exitCode == 0);
+        const Run other = tan({"verify", "c60.tan", "--against", "other.nrrd"});
+        QCOMPARE(other.exitCode, 1);
+        QVERIFY2(other.output.contains("another dataset") && !other.output.contains("conforming"), other.output);
     }
 
     void verifyFindsOneChangedByte()

@@ -547,6 +547,7 @@ private slots:
             runTan({"isosurface", address, "--at-server", "--value", "120", "-o", "no.ply"}, place_.path());
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.messages.contains("only those who have its token"), refused.messages);
+        QVERIFY2(refused.messages.contains("--token-file"), refused.messages);
         for (const QStringList& wrong : {QStringList{"models/lattice.tan", "--at-server"},
                                          QStringList{"models/lattice.tan", "--token-file", "token"}})
             QCOMPARE(
@@ -554,6 +555,42 @@ private slots:
                     .exitCode,
                 2);
         QVERIFY(!QFile::exists(place_.filePath("no.ply")));
+    }
+
+    /// R28: every command that reads a model takes the token of its server.
+    void eachCommandTakesAToken()
+    {
+        const QByteArray token = "0123456789abcdef-token";
+        QVERIFY(writeFile(place_.filePath("token"), token + "\n"));
+        const LocalServer server(folder_, token.toStdString());
+        const QString address = QString::fromStdString(server.address("within/packed.tan"));
+        const QList<QStringList> commands{{"info", address},
+                                          {"info", address, "-o", "levels.csv"},
+                                          {"cut", address, "--error", "5", "-o", "cut.tan"},
+                                          {"unpack", address, "-o", "unpacked.tan"},
+                                          {"pack", address, "-o", "again.tan"},
+                                          {"extract", address, "--error", "5", "-o", "mesh.vtu"},
+                                          {"extract", address, "--error", "5", "-o", "mesh.vtu", "--at-server"},
+                                          {"render", address, "--error", "5", "--size", "40x30", "-o", "token.png"}};
+        for (const QStringList& command : commands) {
+            const Run without = runTan(command, place_.path());
+            QVERIFY2(without.exitCode != 0 && without.messages.contains("only those who have its token") &&
+                         without.messages.contains("--token-file"),
+                     without.messages);
+            const Run with = runTan(command + QStringList{"--token-file", "token"}, place_.path());
+            QVERIFY2(with.exitCode == 0, with.messages);
+        }
+        const Run idle = runTan({"info", "models/lattice.tan", "--token-file", "token"}, place_.path());
+        QVERIFY2(idle.exitCode == 2 && idle.messages.contains("models on a server"), idle.messages);
+    }
+
+    /// Names of hosts have no capitals that count.
+    void thisMachineMayBeWrittenInCapitals()
+    {
+        const LocalServer server(folder_);
+        const Client client(server.port);
+        client.send("GET /lattice.tan HTTP/1.1\r\nHost: LocalHost:8080\r\nConnection: close\r\n\r\n");
+        QCOMPARE(answerIn(client.rest()).status, 200);
     }
 
     void badQueriesAreRefused()

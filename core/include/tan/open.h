@@ -69,8 +69,9 @@ struct ModelFacts {
 };
 
 /// Reads as little as it takes: of a server one or two requests. `place`: a path or an address. Errors: no file, no
-/// model, damaged, made by a later version; the server's; cancelled.
-TAN_API Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress = {});
+/// model, damaged, made by a later version; the server's; cancelled. `token`: as OpenOptions has it.
+TAN_API Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress = {},
+                                      const std::string& token = {});
 
 /// A model that was found, or its beginning.
 struct FoundModel {
@@ -117,8 +118,9 @@ struct CopyReport {
 
 /// Writes a model that lies anywhere, in either form, as an explicit file of this disk: all of it, or its beginning
 /// that keeps an accuracy. `output` appears whole or not at all, and replaces what was there. Errors: as openModel();
-/// the output cannot be written.
+/// the output cannot be written. `token`: as OpenOptions has it.
 TAN_API Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,
-                                     const std::filesystem::path& output, const Progress& progress = {});
+                                     const std::filesystem::path& output, const Progress& progress = {},
+                                     const std::string& token = {});
 
 } // namespace tetra

@@ -261,18 +261,18 @@ const std::vector<Fault>& allFaults()
          [](const Request&, std::size_t, Random&, Reply& reply) {
              reply.become(200, page, "text/html; charset=utf-8");
          },
-         {"a web page in place of data"}},
+         {"a web page or a list in place of data"}},
         {"a page to log in at, in parts and under a wrong name",
          [](const Request&, std::size_t, Random&, Reply& reply) {
              reply.body.replace(0, std::string(page).size(), page);
          },
-         {"a web page in place of data"}},
+         {"a web page or a list in place of data"}},
         {"logged out",
          [](const Request&, std::size_t number, Random&, Reply& reply) {
              if (number > 0)
                  reply.become(200, page, "text/html");
          },
-         {"a web page in place of data"}},
+         {"a web page or a list in place of data"}},
         {"a proxy that packs",
          [](const Request&, std::size_t, Random&, Reply& reply) { reply.set("Content-Encoding", "gzip"); },
          {"packs what it sends (gzip)"}},
@@ -508,6 +508,24 @@ private slots:
         QVERIFY2(text.contains(sentence) && text.contains("/a.tan'") && !text.contains("secret"), qPrintable(text));
         const bool isTriedAgain = status == 429 || status >= 500;
         QCOMPARE(server.requests().size(), std::size_t(isTriedAgain ? 3 : 1));
+        QCOMPARE(isUnauthorized(file.error()), status == 401);
+    }
+
+    /// Who wants a token has no use for a name and a password.
+    void aTokenIsNoPassword()
+    {
+        for (const char* scheme : {"Bearer", "bearer realm=\"x\"", "Basic realm=\"bearer\"", "Bearers"}) {
+            const QTemporaryDir home;
+            const FaultyHttpServer server(content(), [&](const Request&, std::size_t, Reply& reply) {
+                reply.become(401, "{}", "application/json");
+                reply.set("WWW-Authenticate", scheme);
+            });
+            const auto file = RemoteFile::open(server.address("/a.tan"), cacheIn(home), hasty());
+            QVERIFY(!file.ok() && isUnauthorized(file.error()));
+            const bool wantsToken = QByteArray(scheme).toLower().startsWith("bearer") && scheme[6] != 's';
+            QCOMPARE(file.error().text().find("have its token") != std::string::npos, wantsToken);
+            QCOMPARE(file.error().text().find("a name and a password") == std::string::npos, wantsToken);
+        }
     }
 
     void aServerThatFailsOnce()
