@@ -4,6 +4,8 @@
 #include "core/base/system_error.h"
 #include "core/build/model_build.h"
 
+#include <tan/open.h>
+
 #include <cerrno>
 #include <fstream>
 #include <span>
@@ -15,6 +17,10 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     const auto bad = [](Message what) { return Error{ErrorKind::BadInput, std::move(what)}; };
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
+    if (!std::filesystem::exists(status) && isAddress(path.string()))
+        return bad(Message::say("'%1' is an address, and datasets are read from this computer only. Download it and "
+                                "give the file.",
+                                path.string()));
     if (!std::filesystem::exists(status))
         return bad(
             Message::say("'%1' does not exist, or its folder may not be entered. Check the name.", path.string()));

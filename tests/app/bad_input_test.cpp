@@ -69,6 +69,7 @@ private slots:
         QTest::addColumn<QString>("part"); // of the message
         const auto build = [](const char* input) { return QStringList{"build", input, "-o", "out.tan"}; };
         QTest::newRow("missing") << build("nothing.nrrd") << 3 << "does not exist";
+        QTest::newRow("on a server") << build("http://127.0.0.1:9/a.nrrd") << 3 << "read from this computer only";
         QTest::newRow("empty") << build("empty.nrrd") << 3 << "empty";
         QTest::newRow("truncated") << build("truncated.nrrd") << 3 << "100";
         QTest::newRow("cut in the header") << build("cut_in_header.nrrd") << 3 << "cut_in_header.nrrd";

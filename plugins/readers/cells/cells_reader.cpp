@@ -96,7 +96,8 @@ std::vector<Parameter> CellsReader::parameters() const
     Parameter component;
     component.id = "component";
     component.label = Message::marked("Component");
-    component.explanation = Message::marked("Of arrays with several components: magnitude, or a number from 0.");
+    component.explanation =
+        Message::marked("Of arrays with several components: the number of one, from 0, or 'magnitude'.");
     component.defaultValue = std::string("magnitude");
     return {array, component};
 }
