@@ -11,6 +11,7 @@
 #include "core/history/query_words.h"
 #include "core/opening/served_model.h"
 #include "core/packed/packed_mesh.h"
+#include "core/remote/percent_encoding.h"
 
 #include <tan/open.h>
 #include <tan/query.h>
@@ -481,7 +482,7 @@ ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedF
     const std::string tag =
         "\"mesh-" + std::to_string(checksum(std::as_bytes(std::span(question.data(), question.size())))) + "\"";
     ServedAnswer answer;
-    answer.type = "application/vnd.tan.mesh";
+    answer.type = packedMeshType;
     answer.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};
     if (const auto known = request.header("If-None-Match"); known && hasTag(*known, tag)) {
         answer.status = 304;

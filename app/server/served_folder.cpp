@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <system_error>
 
 #include <fcntl.h>
@@ -178,40 +179,6 @@ Result<std::vector<std::string>> ServedFolder::names(std::size_t most) const
     }
     std::ranges::sort(found);
     return found;
-}
-
-std::optional<std::string> percentDecoded(std::string_view text)
-{
-    std::string decoded;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '%') {
-            decoded += text[i];
-            continue;
-        }
-        unsigned code = 0;
-        const std::string_view digits = text.substr(i + 1, 2);
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
-        if (digits.size() != 2 || end != digits.data() + 2 || error != std::errc() || code == 0)
-            return {};
-        decoded += static_cast<char>(code);
-        i += 2;
-    }
-    return decoded;
-}
-
-std::string percentEncoded(std::string_view text)
-{
-    constexpr std::string_view digits = "0123456789ABCDEF", plain = "-._~/,:;()";
-    std::string encoded;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-            plain.find(c) != std::string_view::npos)
-            encoded += c;
-        else
-            encoded += {'%', digits[code >> 4], digits[code & 15]};
-    }
-    return encoded;
 }
 
 } // namespace tetra

@@ -46,10 +46,4 @@ private:
     std::shared_ptr<const int> descriptor_;
 };
 
-/// "%20" and the like, once. Nothing if a '%' is not followed by two digits, or if it gives a zero byte.
-std::optional<std::string> percentDecoded(std::string_view text);
-
-/// All but letters, digits and -._~/,:;() as "%20" and the like, for the path of a URL or a value in its query.
-std::string percentEncoded(std::string_view text);
-
 } // namespace tetra

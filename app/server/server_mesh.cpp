@@ -2,8 +2,8 @@
 #include "app/server/server_mesh.h"
 
 #include "app/command_line/query_options.h"
-#include "app/server/served_folder.h"
 #include "core/remote/fetch.h"
+#include "core/remote/percent_encoding.h"
 #include "core/remote/remote_file.h"
 
 #include <QJsonArray>
@@ -72,7 +72,7 @@ Result<ServerMesh> meshAtServer(const std::string& address, const std::string& t
     const auto answer = fetchOnce(address, token, mostMeshBytes, progress.part(0, fetchedAt));
     if (!answer)
         return answer.error();
-    if (answer->status != 200 || answer->contentType != "application/vnd.tan.mesh")
+    if (answer->status != 200 || answer->contentType != packedMeshType)
         return saidInstead(address, *answer);
     auto unpacked = unpackMesh(answer->content, std::uint64_t(1) << 30, progress.part(fetchedAt, 1));
     if (!unpacked)

@@ -179,7 +179,8 @@ public:
         // As the whole has, site by site.
         const PackedLevel& last = packed_->levels().back();
         const double share = static_cast<double>(packed_->levels()[level].sites) / last.sites;
-        return static_cast<std::uint64_t>(share * static_cast<double>(packed_->unpackedBytes()));
+        constexpr double most = 0x1p62; // of what a damaged file says
+        return static_cast<std::uint64_t>(std::min(share * static_cast<double>(packed_->unpackedBytes()), most));
     }
 
 private:

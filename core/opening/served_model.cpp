@@ -5,6 +5,7 @@
 #include "core/history/query_words.h"
 #include "core/packed/packed_mesh.h"
 #include "core/remote/fetch.h"
+#include "core/remote/percent_encoding.h"
 #include "core/remote/remote_file.h"
 
 #include <algorithm>
@@ -38,20 +39,12 @@ class Question {
 public:
     void add(std::string_view name, std::string_view value)
     {
-        constexpr std::string_view kept = "-._~/,:;()"; // as they may stand in a query
-        constexpr std::string_view digits = "0123456789ABCDEF";
+        std::string withoutBlanks(value); // between words they say nothing
+        std::erase(withoutBlanks, ' ');
         text_ += text_.empty() ? "" : "&";
         text_ += name;
         text_ += '=';
-        for (const char c : value) {
-            const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-            if (c == ' ')
-                continue; // between words
-            if (isPlain || kept.find(c) != std::string_view::npos)
-                text_ += c;
-            else
-                text_ += {'%', digits[static_cast<unsigned char>(c) / 16], digits[static_cast<unsigned char>(c) % 16]};
-        }
+        text_ += percentEncoded(withoutBlanks);
     }
     void add(std::string_view name, std::initializer_list<double> numbers)
     {
@@ -348,7 +341,7 @@ Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuer
         connection_->fetch(address_ + "?empty=yes&" + *question, token_, mostFoundBytes, progress.part(0, fetchedAt));
     if (!answer)
         return answer.error();
-    if (answer->status != 200 || answer->contentType != "application/vnd.tan.mesh")
+    if (answer->status != 200 || answer->contentType != packedMeshType)
         return saidOtherwise(address_, *answer);
     auto unpacked = unpackMesh(answer->content, mostFoundTetrahedra, progress.part(fetchedAt, 1));
     if (!unpacked)

@@ -294,6 +294,8 @@ struct SentMesh {
 /// beyond it. Encoder and decoder go the same way, as all that decides on it is known to both.
 template <class Coder> class MeshWalk {
     static constexpr bool encodes = std::is_same_v<Coder, RangeEncoder>;
+    static constexpr MarkedText activity =
+        encodes ? Message::marked("Packing the mesh") : Message::marked("Unpacking the mesh");
 
 public:
     MeshWalk(Coder& coder, std::uint64_t vertices, std::uint64_t tetrahedra, bool lives, SentMesh* sent)
@@ -352,9 +354,9 @@ private:
         if (overrun())
             return damaged();
         if (progress.cancelled())
-            return cancelledError(encodes ? "Packing the mesh" : "Unpacking the mesh");
+            return cancelledError(activity);
         progress.report(double(tetrahedra_.size() + positions_.size()) / double(tetrahedronCount_ + vertexCount_),
-                        encodes ? "Packing the mesh" : "Unpacking the mesh");
+                        activity);
         return {};
     }
 

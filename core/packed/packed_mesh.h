@@ -13,6 +13,9 @@
 
 namespace tetra {
 
+/// The media type of a packed mesh.
+inline constexpr std::string_view packedMeshType = "application/vnd.tan.mesh";
+
 /// What a packed mesh holds.
 struct UnpackedMesh {
     TetrahedralMesh mesh;

@@ -61,7 +61,7 @@ try {
 int tellFetching(void* user, curl_off_t expected, curl_off_t now, curl_off_t, curl_off_t)
 {
     const Fetching& fetching = *static_cast<Fetching*>(user);
-    constexpr std::string_view waiting = "Waiting for the server", receiving = "Receiving";
+    constexpr MarkedText waiting = Message::marked("Waiting for the server"), receiving = Message::marked("Receiving");
     fetching.progress.report(expected > 0 ? double(now) / double(expected) : 0, now > 0 ? receiving : waiting);
     return fetching.progress.cancelled() ? 1 : 0;
 }
@@ -95,7 +95,7 @@ Result<FetchedAnswer> fetched(CURL* curl, const std::string& shown, const std::s
         return Error{ErrorKind::OutOfResource, Message::say("'%1' sends more than %2, the most that is taken.", shown,
                                                             neededBytesText(mostBytes))};
     if (code == CURLE_ABORTED_BY_CALLBACK)
-        return cancelledError("Asking the server");
+        return cancelledError(Message::marked("Asking the server"));
     if (code == CURLE_COULDNT_CONNECT)
         return Error{
             ErrorKind::BadInput,
