@@ -42,6 +42,7 @@ private slots:
     void anAddressIsAskedForAndDropped();
     void aSessionKeepsTheAddress();
     void theCacheHasSettings();
+    void aLongNameKeepsItsEnd();
 
 private:
     QString addressOf(const FaultyHttpServer& server) const
@@ -285,6 +286,19 @@ void ModelAddressTest::theCacheHasSettings()
     QTRY_VERIFY(model() && !opening().reading().running());
     QVERIFY(!std::filesystem::is_empty(other.path().toStdString()));
     window_.reset();
+}
+
+void ModelAddressTest::aLongNameKeepsItsEnd()
+{
+    auto& label = window_->find<QLabel>("status.file");
+    label.setFixedWidth(100);
+    const auto shown = [&](const QString& name) {
+        label.setText(name);
+        return label.grab().toImage();
+    };
+    const QString name = "a-long-name-that-does-not-fit-its-place.packed";
+    QVERIFY(shown(name + ".tan") != shown(name + ".vtu"));
+    QCOMPARE(shown(name + ".tan"), shown(name + ".tan"));
 }
 
 QTEST_MAIN(ModelAddressTest)

@@ -7,8 +7,10 @@
 
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QProgressBar>
 #include <QStatusBar>
+#include <QStyle>
 
 #include <chrono>
 
@@ -19,9 +21,22 @@ namespace {
 constexpr auto busyAfter = std::chrono::milliseconds(250);
 constexpr auto memoryInterval = std::chrono::seconds(2);
 
+/// A name that is too long for its place loses its middle, not its end.
+class NameLabel : public QLabel {
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        const QRect place = contentsRect().adjusted(margin(), 0, -margin(), 0);
+        const auto alignment = QStyle::visualAlignment(layoutDirection(), Qt::AlignLeft | Qt::AlignVCenter);
+        style()->drawItemText(&painter, place, static_cast<int>(alignment), palette(), isEnabled(),
+                              fontMetrics().elidedText(text(), Qt::ElideMiddle, place.width()), foregroundRole());
+    }
+};
+
 } // namespace
 
-StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new QLabel), busy_(new QProgressBar)
+StatusLine::StatusLine(QStatusBar* bar) : QObject(bar), bar_(bar), file_(new NameLabel), busy_(new QProgressBar)
 {
     file_->setObjectName("status.file");
     file_->setMargin(4);
