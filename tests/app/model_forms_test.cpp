@@ -130,8 +130,9 @@ private slots:
     {
         QFETCH(QString, model);
         make({"pack", model, "-o", "packed.tan"});
-        const QStringList drawn = {"render", model,   "--mode", "volume",    "--budget", "2000",
-                                   "--size", "60x40", "-o",     "right.png", "--json"};
+        const QStringList drawn = {"render",   model,       "--isovalue", model == "grid.tan" ? "0.5" : "100",
+                                   "--budget", "2000",      "--size",     "60x40",
+                                   "-o",       "right.png", "--json"};
         QStringList ofPacked = drawn;
         ofPacked.replaceInStrings(model, "packed.tan");
         ofPacked.replaceInStrings("right.png", "packed.png");
