@@ -271,8 +271,11 @@ WholeSizes sizesOfWhole(const Model& model)
     const auto percent = [](double key, double whole) { return whole > 0 ? 100 * key / whole : 0; };
     const double largest = std::max(extent, weighted);
     add(meshSizeAt(model, {anyError, anyWarping}));
-    for (double key = largest; key > leastPart * largest; key *= step)
+    double key = largest;
+    while (key > leastPart * largest) {
         add(meshSizeAt(model, {percent(key, extent), weighted > 0 ? percent(key, weighted) : anyWarping}));
+        key *= step;
+    }
     add(meshSizeAt(model, {0, weighted > 0 ? 0 : anyWarping}));
     return sizes;
 }
