@@ -79,7 +79,7 @@ private slots:
         row("decimated lattice", "marschner-lobb", 48, "lattice.nrrd", decimate);
         row("decimated grid", "blunt-body", 32, "grid.xyz", decimate);
         row("decimated points", "scattered", 26, "points.csv", decimate);
-        row("decimated mesh", "part", 160, "mesh.vtu", decimate);
+        row("decimated mesh", "part", 100, "mesh.vtu", decimate);
         row("refined points", "scattered", 34, "points.csv", refine);
         row("refined rectilinear grid", "stretched", 30, "box.xyz", refine);
         row("refined lattice", "marschner-lobb", 72, "lattice.nrrd", refine + QStringList{"--block", "none"});
