@@ -1354,6 +1354,10 @@ beliebige Verwerfung</translation>
         <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
         <translation>Es kommt auf diesen Rechner, soweit es gebraucht wird, und ist von da an schnell.</translation>
     </message>
+    <message>
+        <source>An address begins with http:// or https://.</source>
+        <translation>Eine Adresse beginnt mit http:// oder https://.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::AnimationPanel</name>
@@ -5617,10 +5621,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Komponente</translation>
     </message>
     <message>
-        <source>Of arrays with several components: magnitude, or a number from 0.</source>
-        <translation>Bei Feldern mit mehreren Komponenten: magnitude für den Betrag, oder eine Nummer ab 0.</translation>
-    </message>
-    <message>
         <source>the first line is not five numbers: of points, cells, values a point, a cell and the model</source>
         <translation>die erste Zeile besteht nicht aus fünf Zahlen: die der Punkte, der Zellen, der Werte je Punkt, je Zelle und des Modells</translation>
     </message>
@@ -8261,10 +8261,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Server sagt nicht, wie lang die Datei ist. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
     </message>
     <message>
-        <source>the server gives a web page in place of data, perhaps one to log in at. Open the address in a browser and look for the address of the file itself.</source>
-        <translation>Der Server liefert eine Webseite statt Daten, vielleicht eine zum Anmelden. Öffnen Sie die Adresse in einem Browser und suchen Sie die Adresse der Datei selbst.</translation>
-    </message>
-    <message>
         <source>its server gives files as a whole only, not in parts (range requests). Download the file and open the copy, or put it on a server that knows ranges.</source>
         <translation>Ihr Server liefert Dateien nur als Ganzes, nicht in Teilen (Bereichsanfragen). Laden Sie die Datei herunter und öffnen Sie die Kopie, oder legen Sie sie auf einen Server, der Bereiche kennt.</translation>
     </message>
@@ -8289,10 +8285,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Proxy verlangt Namen und Passwort. Setzen Sie https_proxy auf eine Adresse mit beiden.</translation>
     </message>
     <message>
-        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has had its time.</source>
-        <translation>Der Server erlaubt es nicht (403). Fragen Sie seinen Betreiber, oder prüfen Sie, ob die Adresse abgelaufen ist.</translation>
-    </message>
-    <message>
         <source>there is no such file on the server (%1). Check the address.</source>
         <translation>Diese Datei gibt es auf dem Server nicht (%1). Prüfen Sie die Adresse.</translation>
     </message>
@@ -8307,10 +8299,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>the server answers with status %1 in place of data. Check the address.</source>
         <translation>Der Server antwortet mit Status %1 statt mit Daten. Prüfen Sie die Adresse.</translation>
-    </message>
-    <message>
-        <source>it is no address of a file. Write it as https://HOST/PATH.</source>
-        <translation>Das ist keine Adresse einer Datei. Schreiben Sie sie als https://RECHNER/PFAD.</translation>
     </message>
     <message>
         <source>its host is not found. Check the address and the network.</source>
@@ -8409,10 +8397,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Datei von „%1“ ist von einer Version von TAn, die nicht schrieb, wo ihre groben Netze enden; sie kann also nicht auf dem Server bleiben. Bauen Sie sie neu, oder schreiben Sie sie dort mit „tan pack“ und „tan unpack“ neu.</translation>
     </message>
     <message>
-        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set.</source>
-        <translation>Der Server von „%1“ antwortet nur dem, der sein Token hat. Geben Sie das an, das sein Betreiber festgelegt hat.</translation>
-    </message>
-    <message>
         <source>A server cannot be asked for a range of accuracies whose two ends have warpings of their own. Give both the same.</source>
         <translation>Einen Server kann man nicht nach einem Bereich von Genauigkeiten fragen, dessen Enden eigene Verwerfungen haben. Geben Sie beiden dieselbe.</translation>
     </message>
@@ -8443,6 +8427,62 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
         <translation>&apos;%1&apos; hat Positionen oder Werte, die nicht endlich sind.</translation>
+    </message>
+    <message>
+        <source>Unpacking the mesh</source>
+        <translation>Das Netz wird entpackt</translation>
+    </message>
+    <message>
+        <source>Unpacking the whole model: %1</source>
+        <translation>Das ganze Modell wird entpackt: %1</translation>
+    </message>
+    <message>
+        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <translation>Der Server von „%1“ antwortet nur dem, der sein Token hat. Geben Sie das an, das sein Betreiber festgelegt hat; auf der Befehlszeile mit „--token-file“.</translation>
+    </message>
+    <message>
+        <source>Packing the mesh</source>
+        <translation>Das Netz wird gepackt</translation>
+    </message>
+    <message>
+        <source>Waiting for the server</source>
+        <translation>Warten auf den Server</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Empfangen</translation>
+    </message>
+    <message>
+        <source>Asking the server</source>
+        <translation>Anfrage an den Server</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer: there is nothing at that host and port. Check the address, and whether the server runs.</source>
+        <translation>„%1“ antwortet nicht: Unter diesem Rechner und Port ist nichts. Prüfen Sie die Adresse und ob der Server läuft.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer: its host is not found. Check the address and the network.</source>
+        <translation>„%1“ antwortet nicht: Der Rechner wurde nicht gefunden. Prüfen Sie die Adresse und das Netz.</translation>
+    </message>
+    <message>
+        <source>the server gives a web page or a list in place of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
+        <translation>Der Server liefert eine Webseite oder eine Liste statt Daten. Öffnen Sie die Adresse in einem Browser: Vielleicht müssen Sie sich anmelden, oder dort eine Datei wählen und deren Adresse angeben.</translation>
+    </message>
+    <message>
+        <source>the server answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <translation>Der Server antwortet nur dem, der sein Token hat. Geben Sie das an, das sein Betreiber festgelegt hat; auf der Befehlszeile mit „--token-file“.</translation>
+    </message>
+    <message>
+        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has expired.</source>
+        <translation>Der Server erlaubt es nicht (403). Fragen Sie seinen Betreiber, oder prüfen Sie, ob die Adresse abgelaufen ist.</translation>
+    </message>
+    <message>
+        <source>it is no address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
+        <translation>Das ist keine Adresse einer Datei. Schreiben Sie sie als https://RECHNER/PFAD, und Leerzeichen darin als %1.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is an address, and datasets are read from this computer only. Download it and give the file.</source>
+        <translation>„%1“ ist eine Adresse, und Datensätze werden nur von diesem Rechner gelesen. Laden Sie die Datei herunter und geben Sie diese an.</translation>
     </message>
 </context>
 <context>

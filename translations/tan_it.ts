@@ -1354,6 +1354,10 @@ deformazione qualsiasi</translation>
         <source>It comes to this computer as far as it is needed, and is quick from then on.</source>
         <translation>Arriva su questo computer per quanto serve, e da lì in poi è veloce.</translation>
     </message>
+    <message>
+        <source>An address begins with http:// or https://.</source>
+        <translation>Un indirizzo comincia con http:// o https://.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::AnimationPanel</name>
@@ -5617,10 +5621,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Componente</translation>
     </message>
     <message>
-        <source>Of arrays with several components: magnitude, or a number from 0.</source>
-        <translation>Di vettori con più componenti: il modulo, o un numero da 0.</translation>
-    </message>
-    <message>
         <source>the first line is not five numbers: of points, cells, values a point, a cell and the model</source>
         <translation>la prima riga non è di cinque numeri: punti, celle, valori per punto, per cella e del modello</translation>
     </message>
@@ -8261,10 +8261,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il server non dice quanto è lungo il file. Scaricare il file e aprire la copia.</translation>
     </message>
     <message>
-        <source>the server gives a web page in place of data, perhaps one to log in at. Open the address in a browser and look for the address of the file itself.</source>
-        <translation>il server dà una pagina web al posto dei dati, forse una pagina di accesso. Aprire l&apos;indirizzo in un browser e cercare l&apos;indirizzo del file stesso.</translation>
-    </message>
-    <message>
         <source>its server gives files as a whole only, not in parts (range requests). Download the file and open the copy, or put it on a server that knows ranges.</source>
         <translation>il suo server dà i file solo interi, non in parti (range request). Scaricare il file e aprire la copia, oppure metterlo su un server che conosca i range.</translation>
     </message>
@@ -8289,10 +8285,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il proxy chiede un nome e una password. Impostare https_proxy su un indirizzo che li contenga.</translation>
     </message>
     <message>
-        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has had its time.</source>
-        <translation>il server non lo permette (403). Chiedere a chi lo gestisce, o controllare se l&apos;indirizzo è scaduto.</translation>
-    </message>
-    <message>
         <source>there is no such file on the server (%1). Check the address.</source>
         <translation>sul server non c&apos;è questo file (%1). Controllare l&apos;indirizzo.</translation>
     </message>
@@ -8307,10 +8299,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>the server answers with status %1 in place of data. Check the address.</source>
         <translation>il server risponde con lo stato %1 invece che con i dati. Controllare l&apos;indirizzo.</translation>
-    </message>
-    <message>
-        <source>it is no address of a file. Write it as https://HOST/PATH.</source>
-        <translation>non è l&apos;indirizzo di un file. Scriverlo come https://HOST/PERCORSO.</translation>
     </message>
     <message>
         <source>its host is not found. Check the address and the network.</source>
@@ -8409,10 +8397,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il file di «%1» è di una versione di TAn che non scriveva dove finiscono le sue mesh rade, quindi non può restare sul server. Costruirlo di nuovo, o riscriverlo lì con «tan pack» e «tan unpack».</translation>
     </message>
     <message>
-        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set.</source>
-        <translation>Il server di «%1» risponde solo a chi ha il suo token. Indicare quello stabilito da chi lo gestisce.</translation>
-    </message>
-    <message>
         <source>A server cannot be asked for a range of accuracies whose two ends have warpings of their own. Give both the same.</source>
         <translation>A un server non si può chiedere un intervallo di accuratezze i cui estremi hanno deformazioni proprie. Dare a entrambi la stessa.</translation>
     </message>
@@ -8443,6 +8427,62 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>&apos;%1&apos; has positions or values that are not finite.</source>
         <translation>&apos;%1&apos; contiene posizioni o valori non finiti.</translation>
+    </message>
+    <message>
+        <source>Unpacking the mesh</source>
+        <translation>Decompressione della mesh</translation>
+    </message>
+    <message>
+        <source>Unpacking the whole model: %1</source>
+        <translation>Decompressione dell&apos;intero modello: %1</translation>
+    </message>
+    <message>
+        <source>The server of &apos;%1&apos; answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <translation>Il server di «%1» risponde solo a chi ha il suo token. Indicare quello stabilito da chi lo gestisce; sulla riga di comando con «--token-file».</translation>
+    </message>
+    <message>
+        <source>Packing the mesh</source>
+        <translation>Compressione della mesh</translation>
+    </message>
+    <message>
+        <source>Waiting for the server</source>
+        <translation>Attesa del server</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Ricezione</translation>
+    </message>
+    <message>
+        <source>Asking the server</source>
+        <translation>Richiesta al server</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer: there is nothing at that host and port. Check the address, and whether the server runs.</source>
+        <translation>«%1» non risponde: a quell&apos;host e quella porta non c&apos;è nulla. Controllare l&apos;indirizzo e che il server sia attivo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer: its host is not found. Check the address and the network.</source>
+        <translation>«%1» non risponde: l&apos;host non è stato trovato. Controllare l&apos;indirizzo e la rete.</translation>
+    </message>
+    <message>
+        <source>the server gives a web page or a list in place of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
+        <translation>il server dà una pagina web o un elenco al posto dei dati. Aprire l&apos;indirizzo in un browser: forse occorre accedere, oppure scegliere lì un file e indicarne l&apos;indirizzo.</translation>
+    </message>
+    <message>
+        <source>the server answers only those who have its token. Give the one that whoever runs it has set; on the command line by &apos;--token-file&apos;.</source>
+        <translation>il server risponde solo a chi ha il suo token. Indicare quello stabilito da chi lo gestisce; sulla riga di comando con «--token-file».</translation>
+    </message>
+    <message>
+        <source>the server does not allow it (403). Ask whoever runs it, or check whether the address has expired.</source>
+        <translation>il server non lo permette (403). Chiedere a chi lo gestisce, o controllare se l&apos;indirizzo è scaduto.</translation>
+    </message>
+    <message>
+        <source>it is no address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
+        <translation>non è l&apos;indirizzo di un file. Scriverlo come https://HOST/PERCORSO, e gli spazi come %1.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is an address, and datasets are read from this computer only. Download it and give the file.</source>
+        <translation>«%1» è un indirizzo, e i dati si leggono solo da questo computer. Scaricare il file e indicare quello.</translation>
     </message>
 </context>
 <context>
