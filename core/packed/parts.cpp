@@ -746,7 +746,6 @@ public:
     {
         if (const Status facts = readFacts(); !facts)
             return facts;
-        const HistoryFacts facts = historyFacts();
         std::optional<PartKind> kind;
         std::unique_ptr<SiteDecoder> sitesAlone;
         std::uint32_t site = 0;
@@ -756,16 +755,9 @@ public:
                 return found.error();
             if (!*found || (kind ? **found != *kind : **found != PartKind::History && **found != PartKind::Sites))
                 return damaged();
-            if (!kind && **found == PartKind::Sites) {
-                if (!isOnLattice(file_.description().domain) || !file_.description().delaunay)
-                    return damaged();
-                auto made = SiteDecoder::make(siteFactsOf(facts, file_.description(), facts_), progress_);
-                if (!made)
-                    return made.error();
-                sitesAlone = *std::move(made);
-            } else if (!kind) {
-                decoder_.emplace(facts);
-            }
+            if (!kind)
+                if (const Status begun = beginDecoding(**found, sitesAlone); !begun)
+                    return begun;
             kind = **found;
             PieceHead head;
             const std::span<const std::byte> record = records_.record();
@@ -825,6 +817,23 @@ private:
                                ? facts_.coordinateBytes == 0
                                : facts_.coordinateBytes == 4 || facts_.coordinateBytes == 8;
         return right && !coder.overrun() ? Status() : damaged();
+    }
+
+    /// The decoder that records of this kind take.
+    Status beginDecoding(PartKind kind, std::unique_ptr<SiteDecoder>& sitesAlone)
+    {
+        const HistoryFacts facts = historyFacts();
+        if (kind != PartKind::Sites) {
+            decoder_.emplace(facts);
+            return {};
+        }
+        if (!isOnLattice(file_.description().domain) || !file_.description().delaunay)
+            return damaged();
+        auto made = SiteDecoder::make(siteFactsOf(facts, file_.description(), facts_), progress_);
+        if (!made)
+            return made.error();
+        sitesAlone = *std::move(made);
+        return {};
     }
 
     HistoryFacts historyFacts() const { return factsOf(file_.header(), file_.description(), facts_); }
