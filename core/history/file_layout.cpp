@@ -183,9 +183,8 @@ Status LayoutReader::checkLattice() const
     for (int axis = 0; axis < 3; ++axis)
         if (!(header.spacing[axis] > 0) || !std::isfinite(header.spacing[axis]) || !std::isfinite(header.origin[axis]))
             return damaged(Message::say("the spacing or the origin of its lattice makes no sense"));
-    const std::uint32_t fewest = onLattice ? 8 : 4;
-    if (header.siteCount < fewest || header.siteCount > points || header.siteCount == Model::never ||
-        header.tetrahedronCount == 0)
+    if (header.siteCount < fewestSites(DomainClass(header.domainClass)) || header.siteCount > points ||
+        header.siteCount == Model::never || header.tetrahedronCount == 0)
         return damaged(Message::say("%1 points cannot have %2 sites and %3 tetrahedra", points, header.siteCount,
                                     header.tetrahedronCount));
     return {};

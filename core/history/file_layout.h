@@ -43,6 +43,12 @@ Result<FileLayout> readPackedLayout(std::span<const std::byte> front, std::uint6
 /// Whether the table of a file that begins like this, as far as it is there, is that of a packed model.
 bool isFrontOfPacked(std::span<const std::byte> front) noexcept;
 
+/// The sites of the smallest mesh of such a domain: the corners of a lattice, or a tetrahedron.
+constexpr std::uint32_t fewestSites(DomainClass domain) noexcept
+{
+    return isOnLattice(domain) ? 8 : 4;
+}
+
 /// The checksum that Header::checksum should have. `table` is the section table as it stands in the file.
 std::uint64_t headerChecksum(const format::Header& header, std::span<const std::byte> table);
 

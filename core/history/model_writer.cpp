@@ -287,12 +287,6 @@ Error ModelFileWriter::notAsAnnounced() const
 
 namespace {
 
-/// A first mesh needs as many sites: the corners of a lattice, or those of one tetrahedron.
-std::uint32_t fewestSites(DomainClass domain)
-{
-    return isOnLattice(domain) ? 8 : 4;
-}
-
 class HistoryFileWriter final : public ModelWriter, private BatchSink {
 public:
     HistoryFileWriter(std::unique_ptr<ModelFileWriter> file, std::uint64_t pointCount,

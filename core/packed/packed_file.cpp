@@ -241,12 +241,14 @@ Status PackedFile::checkLevels() const
 {
     // A replayed model's levels have sites of their own.
     const bool own = facts_.method == std::uint32_t(PackMethod::Replayed);
+    const std::uint64_t fewest = fewestSites(description_.domain);
     const std::uint64_t most = own ? description_.lattice.pointCount() : header_.siteCount;
     const PackedLevelEntry* before = nullptr;
     for (const PackedLevelEntry& level : levels_) {
         const bool bounds = level.error >= 0 && std::isfinite(level.error) && level.warping >= 0 &&
-                            std::isfinite(level.warping) && level.sites <= most && level.chunkBytes <= chunks_.size &&
-                            level.chunkBytes > sizeof(PackedChunkHead) && level.replayLevel < format::mostPackedLevels;
+                            std::isfinite(level.warping) && level.sites >= fewest && level.sites <= most &&
+                            level.chunkBytes <= chunks_.size && level.chunkBytes > sizeof(PackedChunkHead) &&
+                            level.replayLevel < format::mostPackedLevels;
         const bool order =
             before == nullptr || (before->sites < level.sites && before->chunkBytes <= level.chunkBytes &&
                                   before->error >= level.error && (!own || before->replayLevel < level.replayLevel));

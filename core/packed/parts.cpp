@@ -779,13 +779,15 @@ public:
         }
         if (!(endKey_ >= 0) || !std::isfinite(endKey_))
             return damaged();
-        return sitesAlone ? makeHistory(*sitesAlone, sites) : Status();
+        if (sitesAlone)
+            if (const Status made = makeHistory(*sitesAlone, sites); !made)
+                return made;
+        return arrays().otherSites.empty() ? damaged() : Status();
     }
 
     WrittenModel model(const KeptSamples& kept) const
     {
-        return {
-            decoder_ ? decoder_->arrays() : told_, file_.description(), facts_, endKey_, kept.values, kept.positions};
+        return {arrays(), file_.description(), facts_, endKey_, kept.values, kept.positions};
     }
     /// Whether the history that was made of its sites is the one that was packed: another version of the builder may
     /// make another one.
@@ -806,6 +808,9 @@ public:
     Status damaged() const { return file_.damaged(Message::say("what it holds is no history")); }
 
 private:
+    /// Of the history that was read.
+    const HistoryArrays& arrays() const noexcept { return decoder_ ? decoder_->arrays() : told_; }
+
     Status readFacts()
     {
         if (const Status read = expect(PartKind::Facts); !read)

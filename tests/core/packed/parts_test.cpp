@@ -186,6 +186,21 @@ bool isPrefix(const Model& part, const Model& whole, bool bySites)
            begins(whole.doublePositions(), part.doublePositions());
 }
 
+/// Where the table of levels begins in a packed file.
+std::size_t levelsIn(std::span<const std::byte> file)
+{
+    format::Header header;
+    std::memcpy(static_cast<void*>(&header), file.data(), sizeof header);
+    format::Section section;
+    for (std::size_t number = 0; number < header.sectionCount; ++number) {
+        std::memcpy(static_cast<void*>(&section), file.data() + sizeof header + number * sizeof section,
+                    sizeof section);
+        if (section.id == static_cast<std::uint32_t>(format::SectionId::PackedLevels))
+            break;
+    }
+    return section.offset;
+}
+
 } // namespace
 
 class PackedPartsTest : public QObject {
@@ -393,6 +408,25 @@ private slots:
         HistoryDecoder decoder(facts);
         QVERIFY(!decoder.decode(std::vector<std::byte>(16), facts.siteCount));
         QVERIFY(decoder.arrays().points.size() < 100'000);
+    }
+
+    /// The table cannot promise a level of fewer sites than a tetrahedron has.
+    void levelsOfNoMeshAreRefused() // C16
+    {
+        QVERIFY(buildModel(bumps(SampleType::UInt8, {6, 6, 6}), path("model"), Decimation{}).ok());
+        QVERIFY(packModel(**Model::open(path("model")), path("packed")).ok());
+        const std::vector<std::byte> whole = readBytes(path("packed"));
+        QVERIFY((*PackedModel::open(path("packed")))->levels().size() > 1);
+        for (const std::uint32_t sites : {0u, 1u, 7u}) {
+            std::vector<std::byte> bytes = whole;
+            std::memcpy(bytes.data() + levelsIn(bytes) + offsetof(format::PackedLevelEntry, sites), &sites,
+                        sizeof sites);
+            repairPackedChecksums(bytes);
+            writeBytes(path("damaged"), bytes);
+            const auto opened = PackedModel::open(path("damaged"));
+            QVERIFY(!opened.ok());
+            QCOMPARE(opened.error().kind, ErrorKind::BadInput);
+        }
     }
 
     /// Nor is memory taken for as many faults of cells.
