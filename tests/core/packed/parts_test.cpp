@@ -413,7 +413,7 @@ private slots:
     /// The table cannot promise a level of fewer sites than a tetrahedron has.
     void levelsOfNoMeshAreRefused() // C16
     {
-        QVERIFY(buildModel(bumps(SampleType::UInt8, {6, 6, 6}), path("model"), Decimation{}).ok());
+        QVERIFY(buildModel(bumps(SampleType::Float32, {10, 10, 10}), path("model"), Decimation{}).ok());
         QVERIFY(packModel(**Model::open(path("model")), path("packed")).ok());
         const std::vector<std::byte> whole = readBytes(path("packed"));
         QVERIFY((*PackedModel::open(path("packed")))->levels().size() > 1);
