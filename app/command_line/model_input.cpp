@@ -46,7 +46,7 @@ Result<FoundModel> openForBudget(const std::string& place, std::uint64_t budget,
 {
     constexpr double frontEnd = 0.02;
     constexpr double usually = 5, tooFew = 1.05; // tetrahedra a site; how much beyond what was found to be too few
-    const auto facts = modelFacts(place, progress.part(0, frontEnd));
+    const auto facts = modelFacts(place, progress.part(0, frontEnd), options.token);
     if (!facts)
         return facts.error();
     const auto asked = static_cast<double>(budget);
@@ -76,6 +76,17 @@ bool saysHowAccurate(const Arguments& arguments)
     return std::ranges::any_of(options, [&](std::string_view option) { return arguments.has(option); });
 }
 
+/// What all that opens a model is told: the token of its server, if one was given.
+Result<OpenOptions> optionsWithToken(const Arguments& arguments, const std::filesystem::path& place)
+{
+    auto token = tokenOption(arguments, place);
+    if (!token)
+        return token.error();
+    OpenOptions options;
+    options.token = *std::move(token);
+    return options;
+}
+
 } // namespace
 
 std::string modelExplanation()
@@ -96,11 +107,11 @@ Result<FoundModel> openInput(const Invocation& invocation, const std::filesystem
         return Error{ErrorKind::WrongUsage, "'--at-server' needs the address of a model that 'tan serve' offers, "
                                             "http://HOST:PORT/NAME.tan, and '" +
                                                 place.string() + "' is none."};
-    auto token = tokenOption(invocation.arguments, place);
-    if (!token)
-        return token.error();
-    OpenOptions options{.accuracy = finestAsked(query, invocation.arguments)};
-    options.token = *std::move(token);
+    const auto withToken = optionsWithToken(invocation.arguments, place);
+    if (!withToken)
+        return withToken.error();
+    OpenOptions options = *withToken;
+    options.accuracy = finestAsked(query, invocation.arguments);
     if (isAddress(place.string()) && !saysHowAccurate(invocation.arguments))
         options.mostBytes = aMoment;
     if (isBudgetAlone(query, invocation.arguments) && !isAtServer && !isAtHand(place))
@@ -138,23 +149,19 @@ Result<std::string> tokenOption(const Arguments& arguments, const std::filesyste
 Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
                                     const Progress& progress)
 {
-    auto token = tokenOption(invocation.arguments, place);
-    if (!token)
-        return token.error();
-    OpenOptions options;
-    options.token = *std::move(token);
-    return openModel(place.string(), options, progress);
+    const auto options = optionsWithToken(invocation.arguments, place);
+    if (!options)
+        return options.error();
+    return openModel(place.string(), *options, progress);
 }
 
 Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
                                   const Progress& progress)
 {
-    auto token = tokenOption(invocation.arguments, place);
-    if (!token)
-        return token.error();
-    OpenOptions options;
-    options.token = *std::move(token);
-    return openModel(placeOf(place.string(), false), options, progress);
+    const auto options = optionsWithToken(invocation.arguments, place);
+    if (!options)
+        return options.error();
+    return openModel(placeOf(place.string(), false), *options, progress);
 }
 
 void tellPart(const FoundModel& found, Outcome& outcome)

@@ -570,6 +570,7 @@ private slots:
                                           {"unpack", address, "-o", "unpacked.tan"},
                                           {"pack", address, "-o", "again.tan"},
                                           {"extract", address, "--error", "5", "-o", "mesh.vtu"},
+                                          {"extract", address, "--budget", "500", "-o", "mesh.vtu"},
                                           {"extract", address, "--error", "5", "-o", "mesh.vtu", "--at-server"},
                                           {"render", address, "--error", "5", "--size", "40x30", "-o", "token.png"}};
         for (const QStringList& command : commands) {
