@@ -2,6 +2,7 @@
 /// `tan` as a program, from sample to picture: JSON keys, exit codes, what goes to which stream.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
+#include "tests/lacks.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
 #include <QDir>
@@ -383,7 +384,7 @@ private slots:
         QVERIFY2(run.exitCode == 0, run.messages);
         const VtkReader reader(path(qPrintable(name)));
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
         const QJsonObject figures = run.json();
         QCOMPARE(reader.told()["cells"].toInteger(), figures["triangles"].toInteger());
@@ -411,7 +412,7 @@ private slots:
             tan({"render", "c60.tan", "--error", "1", "--isovalue", "120:#ff0000", "--camera", "front", "--size",
                  "60x40", "--background", "#0000ff", "--backend", backend, "-o", "c60.png", "--json"});
         if (backend != "cpu" && run.exitCode == 4)
-            QSKIP("skipped: no OpenGL on this machine");
+            QSKIP_WITHOUT("OpenGL");
         QVERIFY2(run.exitCode == 0, run.messages);
         const QJsonObject figures = run.json();
         QCOMPARE(figures["width"].toInt(), 60);
@@ -499,7 +500,7 @@ private slots:
     {
         const QMap<QString, QString> german = {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}};
         if (!QFileInfo::exists(TAN_BINARY_DIR "/tests/locales/de_DE.UTF-8/LC_NUMERIC"))
-            QSKIP("skipped: no de_DE.UTF-8 locale on this machine");
+            QSKIP_WITHOUT("locale de_DE.UTF-8");
         const QStringList info = {"info", "c60.tan", "--lod", "2.5,.5"};
         QCOMPARE(tan(info, german).output, tan(info, {{"LC_ALL", "C.UTF-8"}}).output);
         QCOMPARE(tan({"info", "c60.tan", "--lod", "2.5", "--json"}, german)

@@ -3,6 +3,7 @@
 #include "core/decimate/decimation.h"
 
 #include "tests/core/decimate/decimation_check.h"
+#include "tests/lacks.h"
 
 #include <QFile>
 #include <QTest>
@@ -227,7 +228,7 @@ void DecimationTest::buckyballNeedsFewSites()
 {
     QFile file(TAN_SOURCE_DIR "/../shared/data/buckyball/bucky_32x32x32_uint8.raw");
     if (!file.open(QIODevice::ReadOnly))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     const QByteArray samples = file.readAll();
     TestMesh mesh = latticeMesh({32, 32, 32}, LatticeCut::Six, 0);
     QCOMPARE(static_cast<std::size_t>(samples.size()), mesh.positions.size());

@@ -3,6 +3,7 @@
 #include "core/mesh/boundary.h"
 #include "plugins/host/file_saving.h"
 #include "tests/core/base/small_disk.h"
+#include "tests/lacks.h"
 #include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/writers/random_surfaces.h"
 #include "tests/plugins/writers/vtk_reader.h"
@@ -110,7 +111,7 @@ private slots:
         QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(read.ok(), read.messages());
         compare(read, Expected(content), ending, valued);
     }
@@ -133,7 +134,7 @@ private slots:
             QVERIFY(writeSurface(path.toStdString(), content));
             const VtkReader read(path);
             if (read.isMissing())
-                QSKIP("skipped: no python3-vtk9");
+                QSKIP_WITHOUT("python3-vtk9");
             QCOMPARE(read.told()["cells"].toInt(-1), only ? 0 : 1);
         }
     }
@@ -232,7 +233,7 @@ private slots:
         } else {
             const VtkReader read(path);
             if (read.isMissing())
-                QSKIP("skipped: no python3-vtk9");
+                QSKIP_WITHOUT("python3-vtk9");
             QVERIFY2(read.ok(), read.messages());
             QCOMPARE(read.array<std::uint8_t>("point.colour"), expectedBytes(content));
             QCOMPARE(read.told()["active point"].toString(), QString("isovalue"));
@@ -334,6 +335,7 @@ private slots:
         if (!disk.ok())
             QSKIP("skipped: no right to mount a small disk");
         const RandomSurface small(4, 1, 1), large(5000, 20000, 2);
+        QVERIFY(!endings.empty());
         for (const QString& ending : endings) {
             const std::filesystem::path path = disk.folder() / ("surface." + ending.toStdString());
             QVERIFY(writeSurface(path, contentOf(small.part("a"), small.part("b"))));
@@ -351,6 +353,7 @@ private slots:
     {
         const RandomSurface one(50'000, 100'000, 1);
         const SurfaceContent content = contentOf(one.part("a"), one.part("b"));
+        QVERIFY(!endings.empty());
         for (const QString& ending : endings) {
             const QTemporaryDir folder;
             const std::filesystem::path path = folder.filePath("surface." + ending).toStdString();

@@ -4,6 +4,7 @@
 /// the models against the data as they came.
 #include "plugins/builders/refinement/refinement_builder.h"
 #include "plugins/readers/points/point_reader.h"
+#include "tests/lacks.h"
 #include "tests/verdict_text.h"
 
 #include <tan/build.h>
@@ -273,7 +274,7 @@ private slots:
         const bool isReal = file.endsWith(".csv");
         const QString table = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
         if (isReal && !QFile::exists(table))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         auto places = placesOf(file.isEmpty() ? Place(inBoxAtRandom) : Place(inBox));
         const auto values = fieldAt<double>(places);
         const auto dataset = isReal ? PointReader().read(table.toStdString(), {}, {})
