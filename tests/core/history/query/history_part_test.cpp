@@ -59,7 +59,11 @@ class HistoryPartTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { models_ = someModels(folder_.path().toStdString()); }
+    void initTestCase()
+    {
+        models_ = someModels(folder_.path().toStdString());
+        QVERIFY(!models_.empty());
+    }
 
     /// Against the meshes of all accuracies, extracted one by one.
     void everyLifeIsWholeAndNothingElseIsThere()
