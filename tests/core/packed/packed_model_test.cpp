@@ -172,7 +172,7 @@ private slots:
     }
 
     /// Nothing read is trusted: what is damaged gives an error with a sentence, or what it should; with right sums, as
-    /// somebody may make them, a sound model at most. `./dev torture --only packed` does more of this.
+    /// somebody may make them, a sound model at most. `./dev soak --only packed` does more of this.
     void damagedFilesAreRefused_data()
     {
         QTest::addColumn<bool>("replayed");
