@@ -29,6 +29,10 @@ set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libcurl4 (>= 7.87)")
 # Loaded at run time, so that no link says so; the library does without, but for pictures by OpenGL.
 set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "ca-certificates, libegl1, libgl1-mesa-dri, libopengl0")
+# libtan-core lies where the system looks: installing it tells the loader, and packages of programs that use it which one has it.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/shlibs "libtan-core ${TAN_SOVERSION} libtan-core${TAN_SOVERSION}\n")
+set(CPACK_DEBIAN_CORE_PACKAGE_PROVIDES "libtan-core${TAN_SOVERSION} (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_CORE_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
 set(CPACK_COMPONENT_CORE_DESCRIPTION "the library of TAn, without its programs
 Builds multiresolution models of volume data, takes meshes of a known error
 from them, and draws these. Needs no Qt.")

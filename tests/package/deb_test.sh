@@ -21,6 +21,10 @@ check 'programs are built with the library alone' "cd /work; cp -r /usr/share/do
 check 'the examples run' "cd /work; library/build/build_from_array wells.tan; library/build/query_at_accuracy wells.tan 1
     library/build/isosurface_to_file wells.tan 1 -0.5 wells.obj; library/build/picture_to_file wells.tan 1 wells.ppm"
 check 'all of the face works' 'cd /work; mkdir survey; outsider/build/survey survey'
+# As others install programs: these have no run path, so it is the system that knows the library.
+check 'installed programs find the library' "cd /work; for folder in library outsider; do cmake --install \$folder/build; done
+    readelf -d /usr/local/bin/survey >survey.dynamic; ! grep -E 'R(UN)?PATH' survey.dynamic
+    build_from_array installed.tan; mkdir installed; PATH=/usr/local/bin:\$PATH survey installed; rm /usr/local/bin/*"
 
 seconds install /packages/tan_*.deb
 echo "install time: tan_*.deb $seconds s, all that it needs included"
