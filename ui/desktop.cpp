@@ -85,7 +85,7 @@ int runDesktop(int argc, char** argv)
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("TAn");
     QCoreApplication::setApplicationVersion(TAN_VERSION);
-    QGuiApplication::setDesktopFileName("org.tan.TAn"); // how Wayland finds the icon
+    QGuiApplication::setDesktopFileName("org.tan.tan"); // how Wayland finds the icon
     QApplication::setWindowIcon(programIcon());
     useLegibleStyle();
     QTranslator ours;

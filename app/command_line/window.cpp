@@ -18,8 +18,8 @@ Error startWindow(char** argumentsOfProgram)
     execv(desktop.c_str(), argumentsOfProgram);
     return {ErrorKind::OutOfResource, "The window program '" + desktop.string() +
                                           "' cannot be started: " + systemErrorText(errno).text() +
-                                          ". Install it, or see 'tan --help' for what works "
-                                          "without it."};
+                                          ". Install it (package tan-desktop), or see 'tan --help' "
+                                          "for what works without it."};
 }
 
 } // namespace tetra

@@ -14,7 +14,7 @@ unset TAN_PLUGIN_PATH
 check() { "$@" || { echo "FAIL: $*"; exit 1; }; }
 installed() { check test -e "$place/$1"; }
 
-for component in core program development; do
+for component in core program window development; do
     cmake --install "$build" --prefix "$place" --component "$component" >"$scratch/files"
 done
 # Before 1.0 a library of another minor version is another library.
@@ -22,7 +22,7 @@ soname=so.$(cut -d. -f1,2 <<<"$version")
 for file in bin/tan bin/tan-desktop "$libraries/libtan-core.$soname" "$libraries"/tan/libtan-{ui,plugin-host,widgets}."$soname" \
     "$libraries/tan/plugins" include/tan/base.h \
     include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor}.h "$libraries/cmake/TAn/TAnConfig.cmake" share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
-    share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
+    share/applications/org.tan.tan.desktop share/mime/packages/org.tan.tan.xml share/icons/hicolor/scalable/apps/org.tan.tan.svg; do
     installed "$file"
 done
 if [ -e "$build/share/doc/tan/manual" ]; then
