@@ -180,13 +180,15 @@ private slots:
             const QJsonObject indices = accessor(primitive["indices"]);
             QCOMPARE(indices["count"].toInteger(), static_cast<qint64>(3 * surface.triangles.size()));
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                float least = surface.positions[0][long(axis)];
+                float least = surface.positions[0][long(axis)], most = least;
                 for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
                     const auto number = numberAt<float>(bytes, offset(positions) + qsizetype(12 * vertex + 4 * axis));
                     QCOMPARE(number, surface.positions[vertex][long(axis)]);
                     least = std::min(least, number);
+                    most = std::max(most, number);
                 }
                 QCOMPARE(static_cast<float>(positions["min"].toArray()[qsizetype(axis)].toDouble()), least);
+                QCOMPARE(static_cast<float>(positions["max"].toArray()[qsizetype(axis)].toDouble()), most);
             }
             QCOMPARE(numberAt<std::uint32_t>(bytes, offset(indices) + 8), surface.triangles[0][2]);
         }
@@ -272,6 +274,13 @@ private slots:
         const auto corner = [&](int i) { return one.positions[one.triangles[0][std::size_t(i)]]; };
         QVERIFY(std::abs(normal.norm() - 1) < 1e-6F);
         QVERIFY((corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(normal) > 0);
+        for (qsizetype triangle = 0; triangle < 4; ++triangle) { // both parts have the same two
+            const qsizetype at = 84 + 50 * triangle;
+            for (qsizetype i = 0; i < 9; ++i)
+                QCOMPARE(numberAt<float>(bytes, at + 12 + 4 * i),
+                         one.positions[one.triangles[std::size_t(triangle % 2)][std::size_t(i / 3)]][i % 3]);
+            QCOMPARE(numberAt<std::uint16_t>(bytes, at + 48), std::uint16_t(0)); // programs take others for colours
+        }
     }
 
     void wrongUseIsRefused()

@@ -179,6 +179,11 @@ private slots:
             const Eigen::Vector3d at = inBox(i, j, k);
             return i == 0 && j == 3 && k == 3 ? Eigen::Vector3d(at.x() + 1e-4, at.y(), at.z()) : at;
         });
+        // Each bend is small enough to be rounding.
+        QTest::newRow("a hollow of many small bends") << meshOf([](int i, int j, int k) -> Eigen::Vector3d {
+            const Eigen::Vector3d at = inBox(i, j, k);
+            return k == 5 ? Eigen::Vector3d(at.x(), at.y(), at.z() + 1e-5 * (at.x() - 1) * (at.x() - 1)) : at;
+        });
     }
     void whatIsNotConvexIsRefused()
     {
