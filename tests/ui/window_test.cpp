@@ -23,6 +23,7 @@
 #include <QSet>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QUrl>
 
 #include <algorithm>
 
@@ -48,6 +49,7 @@ private slots:
     void cleanup();
     void emptyInvites();
     void droppedFilesAreOpened();
+    void filesThatADesktopNamesAreOpened();
     void whatCannotBeOpenedIsToldAndStays_data();
     void whatCannotBeOpenedIsToldAndStays();
     void messagesAreNeverLost();
@@ -159,6 +161,16 @@ void WindowTest::emptyInvites()
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
     QVERIFY(!window_->find<QWidget>("messages").isVisible());
     QCOMPARE(window_->find<QLabel>("status.backend").text(), QString("CPU"));
+}
+
+void WindowTest::filesThatADesktopNamesAreOpened()
+{
+    const auto path = writeNrrd(sampleDataset(8), window_->folderPath());
+    const auto place = path.parent_path() / "100 % of Ü.nrrd";
+    std::filesystem::rename(path, place);
+    window_->window.open(QString::fromLatin1(QUrl::fromLocalFile(QString::fromStdString(place)).toEncoded()));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->workbench.opening().dataset()->source.path, place);
 }
 
 void WindowTest::droppedFilesAreOpened()

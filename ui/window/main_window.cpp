@@ -55,6 +55,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -193,7 +194,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::open(const QString& path)
 {
-    workbench_.opening().open(path);
+    const QUrl address(path); // desktops name a file that a user has chosen as file:///...
+    workbench_.opening().open(address.isLocalFile() ? address.toLocalFile() : path);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
