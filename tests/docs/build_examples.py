@@ -43,7 +43,7 @@ def of_reader(shown, name):
 def build_together(folders):
     """Each in the folder "build" within it, as it would be by itself; each finds TAn for itself, as what it finds is known to it alone."""
     project = ["cmake_minimum_required(VERSION 3.25)", "project(Examples LANGUAGES CXX)"]
-    project += ["add_subdirectory(%s %s/build)" % (folder, folder) for folder in folders]
+    project += ['add_subdirectory(%s "%s/build")' % (folder, FOLDER / folder) for folder in folders]
     (FOLDER / "CMakeLists.txt").write_text("\n".join(project) + "\n")
     run(['cmake -S . -B together -DCMAKE_PREFIX_PATH="$TAN_PREFIX" ' + QUICKLY, "cmake --build together"])
 
