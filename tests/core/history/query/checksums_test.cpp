@@ -198,7 +198,7 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
     }
     QVERIFY(answers.size() >= 12); // what is built by others allows no insertion
 
-    const int rounds = timesOf(3, 8);
+    const int rounds = timesOf(8, 24);
     std::mt19937 random(seedOf(static_cast<unsigned>(100 * number + guard + 1)));
     const std::size_t sections = FileParts(whole).sections().size();
     int right = 0;
