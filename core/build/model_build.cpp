@@ -56,7 +56,7 @@ Status checkModelOutput(const std::filesystem::path& output)
 {
     std::error_code problem;
     if (!std::filesystem::is_regular_file(output, problem) || std::filesystem::file_size(output, problem) == 0)
-        return {}; // nothing to lose: missing, empty, or no file at all, which writing tells
+        return checkTarget(output); // nothing to lose that is a file: missing or empty
     std::ifstream file(output, std::ios::binary);
     if (!file.is_open()) // what cannot be looked at may be anything
         return Error{isLackOfResources(errno) ? ErrorKind::OutOfResource : ErrorKind::BadInput,
@@ -64,7 +64,7 @@ Status checkModelOutput(const std::filesystem::path& output)
     std::array<char, format::magic.size()> begin{};
     file.read(begin.data(), begin.size());
     if (beginsLikeModel(std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(file.gcount()))))
-        return {};
+        return checkTarget(output);
     return Error{ErrorKind::WrongUsage, Message::say("'%1' exists and is no TAn model, so it is not overwritten. Give "
                                                      "the model another name, or remove that file first.",
                                                      output.string())};
