@@ -158,9 +158,10 @@ Result<FoundModel> openSessionInput(const Invocation& invocation, const std::fil
 Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
                                   const Progress& progress)
 {
-    const auto options = optionsWithToken(invocation.arguments, place);
+    auto options = optionsWithToken(invocation.arguments, place);
     if (!options)
         return options.error();
+    options->afresh = true;
     return openModel(placeOf(place.string(), false), *options, progress);
 }
 

@@ -34,7 +34,7 @@ Result<std::string> tokenOption(const Arguments& arguments, const std::filesyste
 /// The model of a session, which may have been left at its server.
 Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
                                     const Progress& progress);
-/// The model at a path or an address, whole.
+/// The model at a path or an address, whole; read from there, whatever the cache has of it.
 Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
                                   const Progress& progress);
 

@@ -394,12 +394,13 @@ public:
         state = first_->validator().empty() ? std::string()
                                             : withoutUser(address) + '\n' + first_->entityTag + '\n' +
                                                   first_->lastModified + '\n' + std::to_string(size);
+        const bool isTemporary = state.empty() || options.afresh;
         std::string key = state;
-        if (key.empty()) {
+        if (isTemporary) {
             std::random_device random;
             key = withoutUser(address) + '\n' + std::to_string(random()) + std::to_string(random());
         }
-        Result<std::shared_ptr<PieceStore>> opened = PieceStore::open(cache, key, size, state.empty(), progress);
+        Result<std::shared_ptr<PieceStore>> opened = PieceStore::open(cache, key, size, isTemporary, progress);
         if (!opened)
             return opened.error();
         store_ = std::move(*opened);

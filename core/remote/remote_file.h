@@ -28,6 +28,8 @@ struct RemoteOptions {
     std::uint64_t bytesPerSecond = 0;
     /// Goes along as "Authorization: Bearer"; then redirections are not followed.
     std::string token{};
+    /// Asks for all of it, and leaves nothing in the cache.
+    bool afresh = false;
 };
 
 /// What reading has cost since the file was opened.
