@@ -148,7 +148,9 @@ Result<UnpackReport> unpackModel(const PackedModel& packed, const std::filesyste
         return safe.error();
     return guarded(
         noMemoryToUnpack,
-        [&] {
+        [&]() -> Result<UnpackReport> {
+            if (const Status right = packed.file().checkChunks(progress); !right)
+                return right.error();
             return packed.method() == PackMethod::Replayed ? unpackReplayed(packed.file(), output, progress)
                                                            : unpackParts(packed.file(), output, progress);
         },
@@ -166,6 +168,8 @@ Status unpackPrefix(const PackedModel& packed, std::size_t level, const std::fil
     return guarded(
         noMemoryToUnpack,
         [&] {
+            if (const Status right = packed.file().checkChunks(progress); !right)
+                return right;
             return packed.method() == PackMethod::Replayed
                        ? unpackPrefixOfReplayed(packed.file(), level, output, progress)
                        : unpackPrefixOfParts(packed.file(), level, output, progress);
