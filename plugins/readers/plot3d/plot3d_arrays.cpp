@@ -198,7 +198,7 @@ Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid
         if (name != "automatic" && name != candidate)
             continue;
         const Result<bool> usable = varies(source, blanked, progress.withCallback([](double, const Message&) {}));
-        if (!usable)
+        if (!usable.ok())
             return usable.error();
         if (*usable)
             return arrayOf(source, progress);
