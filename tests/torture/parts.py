@@ -12,6 +12,7 @@ import zlib
 from dataclasses import dataclass
 from typing import Callable
 
+import mutants
 import repeated
 import serving
 from bench import BAD_INPUT, CANCELLED, DONE, FORMS, KINDS, OUT_OF_RESOURCE, QUERIES, USAGE, content
@@ -750,6 +751,10 @@ PARTS = (
     Part("changes", "a model is changed while it is in use", change_in_use, 500, 10),
     Part("packed", "packed models damaged in 50 ways: bits, ends, chunks exchanged, doubled or left out, also with right checksums",
          damaged_packed, 200, 1),
+    Part("mutants", "models of intent, with right checksums: numbers that cannot be, histories that go round, sections of others; "
+         "shown, extracted, proved, drawn, packed and unpacked", mutants.attempt_explicit, 3000, 2),
+    Part("packed-mutants", "the same of packed models: chunks flipped, doubled, exchanged, spliced; facts, levels, texts",
+         mutants.attempt_packed, 3000, 2),
     Part("cache", "queries through the cache of unpacked models and of files from servers: killed, interrupted, three at once, a damaged "
          "or full cache, a limit", cached, 840, 12),
     Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 4),
