@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_writer.h"
 
+#include "core/base/finished_file.h"
 #include "core/base/folder.h"
 #include "core/base/guarded.h"
 #include "core/base/positioned_io.h"

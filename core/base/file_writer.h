@@ -71,13 +71,6 @@ private:
 /// Writes a file that is in memory already.
 TAN_INTERNAL Status writeWholeFile(const std::filesystem::path& target, std::span<const std::byte> content);
 
-/// Whether FileWriter would replace what is there, or make it: see create(). Makes nothing.
-TAN_INTERNAL Status checkTarget(const std::filesystem::path& target);
-
-/// Gives a finished file on the same disk the name of `target`, as commit() does: synced, with the permissions of what
-/// was there, and never over what create() refuses. Errors: as FileWriter's; then `made` stays.
-TAN_INTERNAL Status replaceFile(const std::filesystem::path& made, const std::filesystem::path& target);
-
 /// The file that writing to `path` would make or replace: what its symbolic links lead to, whether that exists or not;
 /// `path` itself if it is no link, or if its links go round in a circle.
 TAN_INTERNAL std::filesystem::path behindLinks(const std::filesystem::path& path);

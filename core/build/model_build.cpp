@@ -2,6 +2,7 @@
 #include "core/build/model_build.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/finished_file.h"
 #include "core/base/guarded.h"
 #include "core/build/decimation_build.h"
 #include "core/history/format.h"

@@ -2,6 +2,7 @@
 #include "core/packed/parts.h"
 
 #include "core/base/checksum.h"
+#include "core/base/finished_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "core/history/derived_sections.h"

@@ -2,6 +2,7 @@
 #include "ui/workbench/film_file.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/finished_file.h"
 #include "core/base/folder.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"

@@ -2,6 +2,8 @@
 // A file appears whole or not at all, and every failure says what, why and what to do.
 #include "core/base/file_writer.h"
 
+#include "core/base/finished_file.h"
+
 #include "tests/core/base/small_disk.h"
 
 #include <QTemporaryDir>
