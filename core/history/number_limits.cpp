@@ -14,13 +14,13 @@ using format::Section;
 using format::SectionId;
 
 /// The numbers from `low` to `high`; NaN is never one of them.
-template <class T> struct Limits {
+template <class T> struct TypedLimits {
     T low{};
     T high{};
 };
 
 /// Those that a type has within limits of doubles; none if `low` is the larger one.
-template <class T> Limits<T> limitsOf(double low, double high)
+template <class T> TypedLimits<T> typedLimits(double low, double high)
 {
     constexpr T least = std::numeric_limits<T>::lowest(), most = std::numeric_limits<T>::max();
     if (!(low <= static_cast<double>(most)) || !(high >= static_cast<double>(least)))
@@ -29,7 +29,7 @@ template <class T> Limits<T> limitsOf(double low, double high)
             high < static_cast<double>(most) ? static_cast<T>(high) : most};
 }
 
-template <class T> bool isWithin(T number, const Limits<T>& limits)
+template <class T> bool liesWithin(T number, const TypedLimits<T>& limits)
 {
     return number >= limits.low && number <= limits.high;
 }
@@ -37,7 +37,7 @@ template <class T> bool isWithin(T number, const Limits<T>& limits)
 /// Whether all numbers are within limits that take turns, of which that of number `first` comes first. Many at a time:
 /// the compiler makes vectors of them.
 template <class T, std::size_t turns>
-bool areWithin(std::span<const T> numbers, const std::array<Limits<T>, turns>& limits, std::size_t first)
+bool areWithin(std::span<const T> numbers, const std::array<TypedLimits<T>, turns>& limits, std::size_t first)
 {
     constexpr std::size_t lanes = 16 * turns;
     std::array<T, lanes> low, high;
@@ -55,12 +55,12 @@ bool areWithin(std::span<const T> numbers, const std::array<Limits<T>, turns>& l
             return false;
     }
     for (; at < numbers.size(); ++at)
-        if (!isWithin(numbers[at], limits[(first + at) % turns]))
+        if (!liesWithin(numbers[at], limits[(first + at) % turns]))
             return false;
     return true;
 }
 
-template <class T> std::span<const T> numbersOf(std::span<const std::byte> bytes)
+template <class T> std::span<const T> numbersIn(std::span<const std::byte> bytes)
 {
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
@@ -68,10 +68,10 @@ template <class T> std::span<const T> numbersOf(std::span<const std::byte> bytes
 template <class T>
 bool arePlaces(std::uint64_t offset, std::span<const std::byte> part, const std::array<double, 6>& box)
 {
-    std::array<Limits<T>, 3> limits;
+    std::array<TypedLimits<T>, 3> limits;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        limits[axis] = limitsOf<T>(box[axis], box[axis + 3]);
-    return areWithin(numbersOf<T>(part), limits, static_cast<std::size_t>(offset / sizeof(T) % 3));
+        limits[axis] = typedLimits<T>(box[axis], box[axis + 3]);
+    return areWithin(numbersIn<T>(part), limits, static_cast<std::size_t>(offset / sizeof(T) % 3));
 }
 
 } // namespace
@@ -104,13 +104,13 @@ bool NumberLimits::hold(std::uint64_t offset, std::span<const std::byte> part) c
 {
     constexpr std::uint16_t infiniteHalf = 0x7c00; // negative ones and those that are not numbers lie above
     const auto lieBetween = [&]<class T>(T low, T high) {
-        return areWithin(numbersOf<T>(part), std::array{Limits<T>{low, high}}, 0);
+        return areWithin(numbersIn<T>(part), std::array{TypedLimits<T>{low, high}}, 0);
     };
     switch (kind_) {
     case Kind::Samples:
         return visitSampleType(type_, [&]<class T>() {
-            const Limits<T> limits = limitsOf<T>(range_[0], range_[1]);
-            return areWithin(numbersOf<T>(part), std::array{limits}, 0);
+            const TypedLimits<T> limits = typedLimits<T>(range_[0], range_[1]);
+            return areWithin(numbersIn<T>(part), std::array{limits}, 0);
         });
     case Kind::Positions:
         return numberBytes_ == sizeof(float) ? arePlaces<float>(offset, part, box_)

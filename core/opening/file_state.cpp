@@ -11,14 +11,14 @@ namespace tetra {
 
 namespace {
 
-constexpr std::int64_t second = 1'000'000'000;
+constexpr std::int64_t aSecond = 1'000'000'000;
 
 std::int64_t nanosecondsOf(const timespec& time)
 {
-    return std::int64_t(time.tv_sec) * second + time.tv_nsec;
+    return std::int64_t(time.tv_sec) * aSecond + time.tv_nsec;
 }
 
-std::int64_t now()
+std::int64_t timeNow()
 {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
         .count();
@@ -27,8 +27,8 @@ std::int64_t now()
 /// How long after its last change a file has to be left for the next one to have another time.
 std::int64_t stepOf(const FileState& state)
 {
-    constexpr std::int64_t fine = second / 50, coarse = 2 * second;
-    return state.changedAt % second == 0 ? coarse : fine;
+    constexpr std::int64_t fine = aSecond / 50, coarse = 2 * aSecond;
+    return state.changedAt % aSecond == 0 ? coarse : fine;
 }
 
 } // namespace
@@ -45,15 +45,15 @@ std::optional<FileState> stateOf(const std::filesystem::path& path)
         state.text += std::to_string(part) + ' ';
     // The time of modification can be set to any; the other one is the system's.
     state.changedAt = nanosecondsOf(status.st_ctim);
-    if (state.changedAt > now())
+    if (state.changedAt > timeNow())
         return {};
     return state;
 }
 
 Status waitUntilSettled(const FileState& state, const Progress& progress)
 {
-    constexpr std::int64_t atOnce = second / 20;
-    for (std::int64_t left = 0; (left = state.changedAt + stepOf(state) - now()) > 0;) {
+    constexpr std::int64_t atOnce = aSecond / 20;
+    for (std::int64_t left = 0; (left = state.changedAt + stepOf(state) - timeNow()) > 0;) {
         if (progress.cancelled())
             return cancelledError(Message::marked("Reading a packed model"));
         std::this_thread::sleep_for(std::chrono::nanoseconds(std::min(left, atOnce)));

@@ -217,7 +217,7 @@ std::vector<Entry> oldestFirst(const std::filesystem::path& folder)
     return entries;
 }
 
-constexpr MarkedText notEnoughMemory =
+constexpr MarkedText noMemoryToLook =
     Message::marked("Not enough memory to look into the cache folder '%1'. Close other programs.");
 constexpr auto beforeNextLook = std::chrono::milliseconds(20);
 
@@ -390,7 +390,7 @@ Status CacheFolder::checkRoom(std::uint64_t bytes) const
             used += entry.isFile && isInUse(entry.path) ? entry.bytes : 0;
         return used <= limit_ - bytes ? Status() : noRoom(bytes);
     };
-    return guarded(notEnoughMemory, work, path_.native());
+    return guarded(noMemoryToLook, work, path_.native());
 }
 
 /// As the file grows, others go for what it takes by then; on a disk that is full, for a bit more each time.
@@ -437,7 +437,7 @@ bool CacheFolder::removeSome(std::uint64_t bytes) const
                 removed += std::max<std::uint64_t>(entry.bytes, 1);
         return {};
     };
-    (void)guarded(notEnoughMemory, work, path_.native());
+    (void)guarded(noMemoryToLook, work, path_.native());
     return removed > 0;
 }
 
@@ -470,7 +470,7 @@ Status CacheFolder::makeRoom(std::uint64_t bytes) const
             return noRoom(std::max(bytes, taken - std::min(taken, limit_)));
         return fitsDisk(bytes, 0) ? Status() : cannotUse(path_, ENOSPC);
     };
-    return guarded(notEnoughMemory, work, path_.native());
+    return guarded(noMemoryToLook, work, path_.native());
 }
 
 void CacheFolder::clear() const
