@@ -19,7 +19,7 @@ using format::SectionId;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Case {
@@ -36,12 +36,12 @@ template <class T> std::function<void(FileParts&)> setLast(SectionId id, double 
 const std::vector<Case>& cases()
 {
     static const std::vector<Case> all = {
-        {"a value that is not a number", SectionId::SiteValues, setLast<float>(SectionId::SiteValues, nan)},
+        {"a value that is not a number", SectionId::SiteValues, setLast<float>(SectionId::SiteValues, notANumber)},
         {"an infinite value", SectionId::SiteValues, setLast<float>(SectionId::SiteValues, infinity)},
         {"a value out of the range", SectionId::SiteValues, setLast<float>(SectionId::SiteValues, 1e6)},
-        {"a place that is not a number", SectionId::SitePositions, setLast<float>(SectionId::SitePositions, nan)},
+        {"a place that is not a number", SectionId::SitePositions, setLast<float>(SectionId::SitePositions, notANumber)},
         {"a place out of the box", SectionId::SitePositions, setLast<float>(SectionId::SitePositions, -1e6)},
-        {"a key that is not a number", SectionId::SiteRunningKeys, setLast<float>(SectionId::SiteRunningKeys, nan)},
+        {"a key that is not a number", SectionId::SiteRunningKeys, setLast<float>(SectionId::SiteRunningKeys, notANumber)},
         {"a negative key", SectionId::SiteRunningKeys, setLast<float>(SectionId::SiteRunningKeys, -1)},
         {"a group of no kind", SectionId::SiteGroups, setLast<std::uint8_t>(SectionId::SiteGroups, 2)},
         {"an own error that is not a number", SectionId::OwnErrors,
@@ -112,7 +112,7 @@ private slots:
             QVERIFY(limits.hold(first * sizeof(float), bytes.subspan(first * sizeof(float))));
         QVERIFY(!limits.hold(sizeof(float), bytes));
         for (std::size_t at = 0; at < places.size(); ++at)
-            for (const float wrong : {1.5F, 9.5F, 10.5F, 11.5F, 20.5F, 22.F, float(nan)}) {
+            for (const float wrong : {1.5F, 9.5F, 10.5F, 11.5F, 20.5F, 22.F, float(notANumber)}) {
                 const float right = places[at];
                 places[at] = wrong;
                 QCOMPARE(limits.hold(0, bytes), wrong == right);
@@ -141,7 +141,7 @@ private slots:
             const auto holds = [&] { return limits.hold(0, std::as_bytes(std::span(values))); };
             QVERIFY(holds());
             for (const std::size_t at : {0u, 31u, 64u, 69u})
-                for (const double wrong : {2.0, 91.0, 127.0, -1.0, nan}) {
+                for (const double wrong : {2.0, 91.0, 127.0, -1.0, notANumber}) {
                     if (!std::is_floating_point_v<T> && (std::isnan(wrong) || (wrong < 0 && std::is_unsigned_v<T>)))
                         continue;
                     const T before = std::exchange(values[at], static_cast<T>(wrong));
