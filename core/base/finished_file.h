@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-// Files that are finished before they get their name: what another program made, or what has to be looked at first. They
-// take it as what a FileWriter writes does (file_writer.h).
+// Files that are finished before they get their name: what another program made, or what has to be looked at first.
+// They take it as what a FileWriter writes does (file_writer.h).
 
 namespace tetra {
 
