@@ -2,9 +2,11 @@
 #include "ui/desktop.h"
 
 #include "core/base/file_writer.h"
+#include "plugins/host/plugin_folders.h"
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/widgets/legible_style.h"
+#include "ui/widgets/plain_texts.h"
 #include "ui/window/main_window.h"
 #include "ui/work/steady_heap.h"
 #include "ui/workbench/plugin_choice.h"
@@ -12,6 +14,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLibraryInfo>
+#include <QProcess>
 #include <QTranslator>
 
 #include <algorithm>
@@ -74,6 +77,7 @@ int refuseWithoutDisplay()
 
 int runDesktop(int argc, char** argv)
 {
+    ignoreRelativeFolders();
     reportFailedWrites();
     keepHeapSteady();
     const bool isShown = hasDisplay({argv, static_cast<std::size_t>(argc)});
@@ -88,6 +92,7 @@ int runDesktop(int argc, char** argv)
     QGuiApplication::setDesktopFileName("org.tan.tan"); // how Wayland finds the icon
     QApplication::setWindowIcon(programIcon());
     useLegibleStyle();
+    showTextsPlainly(application);
     QTranslator ours;
     QTranslator ofQt;
     loadTranslations(application, ours, ofQt);
@@ -97,10 +102,11 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
-    parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open."), "[file]");
+    parser.addPositionalArgument(
+        "file", Desktop::tr("A dataset, a .tan model or a session to open; each in a window of its own."), "[file...]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
-    if (!backend || parser.positionalArguments().size() > 1) {
+    if (!backend) {
         fputs(qPrintable(parser.helpText()), stderr);
         return 2;
     }
@@ -112,8 +118,12 @@ int runDesktop(int argc, char** argv)
         return refuseWithoutDisplay();
     Workbench workbench(*host);
     MainWindow window(workbench, *backend);
-    for (const QString& file : parser.positionalArguments())
-        window.open(file); // before the start page is seen, whose pictures wait while a file is read
+    const QStringList files = parser.positionalArguments();
+    if (!files.isEmpty())
+        window.open(files[0]); // before the start page is seen, whose pictures wait while a file is read
+    for (const QString& file : files.mid(1))
+        QProcess::startDetached(QCoreApplication::applicationFilePath(),
+                                {"--backend", parser.value("backend"), "--", file});
     window.show();
     return QApplication::exec();
 }

@@ -10,6 +10,7 @@
 #include "app/reproduction/report_text.h"
 #include "app/reproduction/surface_comparison.h"
 #include "core/base/file_writer.h"
+#include "core/base/text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -172,7 +173,7 @@ Result<Outcome> runReproduce(const Invocation& invocation)
     QJsonArray names;
     for (const std::filesystem::path& file : *files) {
         names.append(QFile::decodeName(file.c_str()));
-        outcome.text += "  " + file.string() + "\n";
+        outcome.text += "  " + visibleText(file.string()) + "\n";
     }
     outcome.figures["files"] = names;
     return outcome;
