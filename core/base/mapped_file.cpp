@@ -2,6 +2,7 @@
 #include <tan/base.h>
 
 #include "core/base/memory.h"
+#include "core/base/regular_file.h"
 
 #include <atomic>
 #include <cerrno>
@@ -10,7 +11,6 @@
 #include <limits>
 #include <mutex>
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -128,52 +128,23 @@ bool isMappingDamaged(int index) noexcept
     return table[index].damaged.load(std::memory_order_acquire);
 }
 
-Error cannotRead(const std::filesystem::path& path, const Message& reason)
-{
-    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason)};
-}
-
-Error cannotRead(const std::filesystem::path& path, int systemError)
-{
-    const Message reason = systemErrorText(systemError);
-    if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource, cannotRead(path, Message::say("%1. %2", reason, resourceRemedy)).message};
-    switch (systemError) {
-    case ENOENT: return cannotRead(path, Message::say("%1. Check its name and folder.", reason));
-    case EACCES: return cannotRead(path, Message::say("%1. Ask its owner for the right to read it.", reason));
-    default: return cannotRead(path, reason);
-    }
-}
-
-std::int64_t nanoseconds(const timespec& time)
-{
-    return std::int64_t(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-}
-
 } // namespace
 
 Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem::path& path)
 {
     const std::shared_ptr<MappedFile> file(new MappedFile);
     file->path_ = path;
-    // Without O_NONBLOCK a pipe would make open() wait for a writer.
-    file->descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file->descriptor_ < 0)
-        return cannotRead(path, errno);
-    struct stat status {};
-    if (::fstat(file->descriptor_, &status) != 0)
-        return cannotRead(path, errno);
-    if (S_ISDIR(status.st_mode))
-        return cannotRead(path, Message::say("it is a folder. Name a file in it."));
-    if (!S_ISREG(status.st_mode))
-        return cannotRead(path, Message::say("it is not a regular file. Copy its content into one first."));
-    file->modified_ = nanoseconds(status.st_mtim);
-    const auto size = static_cast<std::size_t>(status.st_size);
+    auto regular = RegularFile::open(path);
+    if (!regular)
+        return regular.error();
+    file->modified_ = regular->modified();
+    const auto size = static_cast<std::size_t>(regular->size());
+    file->descriptor_ = regular->release();
     if (size == 0)
         return std::shared_ptr<const MappedFile>(file);
     void* const start = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file->descriptor_, 0);
     if (start == MAP_FAILED)
-        return cannotRead(path, errno);
+        return cannotReadFile(path, errno);
     file->bytes_ = {static_cast<const std::byte*>(start), size};
     file->guard_ = guardMapping(file->bytes_);
     if (file->guard_ < 0)
@@ -199,7 +170,7 @@ bool MappedFile::damaged() const noexcept
     // The last page of a file that was cut reads as zeros without any signal.
     struct stat status {};
     return ::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != bytes_.size() ||
-           nanoseconds(status.st_mtim) != modified_;
+           std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec != modified_;
 }
 
 } // namespace tetra
