@@ -314,6 +314,13 @@ private slots:
         QCOMPARE(shownAddress("https://me:secret@example.org/a@b.tan?key=secret#x"),
                  std::string("https://example.org/a@b.tan"));
         QCOMPARE(shownAddress("https://example.org/a.tan"), std::string("https://example.org/a.tan"));
+        QCOMPARE(shownAddress("http://user:se/cret@127.0.0.1:1/x.tan"), std::string("http://127.0.0.1:1/x.tan"));
+        QCOMPARE(shownAddress("http://user:s?cr#t@127.0.0.1:1/x.tan").find("t@"), std::string::npos);
+        QCOMPARE(shownAddress("http://user:s@cret@127.0.0.1:1/x.tan?k#f"), std::string("http://127.0.0.1:1/x.tan"));
+        QCOMPARE(shownAddress("http://user:se cret@127.0.0.1:1/x.tan").find("cret"), std::string::npos);
+        QCOMPARE(shownAddress("http://127.0.0.1:1/\x1b[31m.tan").find('\x1b'), std::string::npos);
+        QCOMPARE(addressWithoutUser("http://user:secret@host/x.tan?k"), std::string("http://host/x.tan?k"));
+        QCOMPARE(addressWithoutUser("http://user:se/cret@host/x.tan"), std::string());
     }
 
     void neighboursAreAskedForTogether()
@@ -495,7 +502,7 @@ private slots:
         QTest::newRow("418") << 418 << "answers with status 418";
         QTest::newRow("429") << 429 << "the server is busy (429)";
         QTest::newRow("500") << 500 << "the server fails (500)";
-        QTest::newRow("503") << 503 << "the server fails (503)";
+        QTest::newRow("503") << 503 << "the server is busy (503)";
     }
     void refusals()
     {
@@ -511,6 +518,41 @@ private slots:
         const bool isTriedAgain = status == 429 || status >= 500;
         QCOMPARE(server.requests().size(), std::size_t(isTriedAgain ? 3 : 1));
         QCOMPARE(isUnauthorized(file.error()), status == 401);
+        // A limit of the server's, and no fault of the file.
+        QCOMPARE(file.error().kind, status == 429 || status == 503 ? ErrorKind::OutOfResource : ErrorKind::BadInput);
+    }
+
+    /// A server says when to come again.
+    void retryAfterIsKept()
+    {
+        const QTemporaryDir home;
+        std::vector<Clock::time_point> times;
+        const FaultyHttpServer server(content(), [&](const Request&, std::size_t number, Reply& reply) {
+            if (number > 1)
+                return;
+            times.push_back(Clock::now());
+            if (number == 1)
+                return;
+            reply.become(503, page, "text/html");
+            reply.set("Retry-After", "1");
+        });
+        std::string problem;
+        const auto file = RemoteFile::open(server.address(), cacheIn(home), hasty());
+        QVERIFY(file);
+        QCOMPARE(times.size(), std::size_t(2));
+        QVERIFY(times[1] - times[0] >= std::chrono::seconds(1));
+    }
+
+    void aFileThatCannotBeSoLongIsRefused()
+    {
+        const QTemporaryDir home;
+        const FaultyHttpServer server(content(), [&](const Request&, std::size_t, Reply& reply) {
+            reply.set("Content-Range", "bytes 0-16383/1152921504606846975");
+        });
+        const auto file = RemoteFile::open(server.address(), cacheIn(home), hasty());
+        QVERIFY(!file);
+        QCOMPARE(file.error().kind, ErrorKind::BadInput);
+        QVERIFY2(file.error().text().find("more than any model has") != std::string::npos, file.error().text().c_str());
     }
 
     /// Who wants a token has no use for a name and a password.
