@@ -2,6 +2,7 @@
 // Annotations by values: round ticks, and places that never overlap or leave the picture.
 #include "ui/annotations/annotation_layout.h"
 #include "ui/annotations/annotation_painter.h"
+#include "ui/annotations/annotation_parts.h"
 #include "ui/annotations/axis_ticks.h"
 #include "ui/annotations/picture_projection.h"
 
@@ -84,6 +85,7 @@ private slots:
     void ticksAreRoundAndFew();
     void ticksOfBadRangesAreNone();
     void tickTextsTellTicksApart();
+    void longTextsAreCutAtOnce();
     void lengthsAreRound();
     void everythingFitsInALargePicture();
     void nothingOverlapsOrLeavesThePicture();
@@ -142,6 +144,25 @@ void AnnotationsTest::tickTextsTellTicksApart()
         texts.erase(std::ranges::unique(texts).begin(), texts.end());
         QCOMPARE(texts.size(), before);
     }
+}
+
+/// Each measure takes as long as the text: there are few, and the ends of the text stay.
+void AnnotationsTest::longTextsAreCutAtOnce()
+{
+    qsizetype measured = 0;
+    const TextMeasure counting{[&](const QString& text) {
+                                   measured += text.size();
+                                   return measure.width(text);
+                               },
+                               {},
+                               16};
+    const QString text = "begin" + QString(100'000, u'x') + "end";
+    const PlacedText fitted = fittedText(text, 210, counting);
+    QCOMPARE(fitted.text.size(), 30);
+    QVERIFY(fitted.text.startsWith("begin") && fitted.text.endsWith("end") && fitted.text.contains(u'…'));
+    QVERIFY2(measured < 200'000, qPrintable(QString::number(measured)));
+    QCOMPARE(fittedText("short", 210, counting).text, QString("short"));
+    QCOMPARE(fittedText("abcdef", 28, counting).text, QString("ab…f"));
 }
 
 void AnnotationsTest::lengthsAreRound()
