@@ -30,7 +30,8 @@ ProgressLine::ProgressLine(std::ostream& messages, bool isTerminal)
 
 Progress ProgressLine::progress(std::stop_token stop)
 {
-    return {std::move(stop), [this](double fraction, const Message& activity) { report(fraction, visibleText(activity)); }};
+    return {std::move(stop),
+            [this](double fraction, const Message& activity) { report(fraction, visibleText(activity)); }};
 }
 
 void ProgressLine::clear()

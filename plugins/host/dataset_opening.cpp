@@ -225,7 +225,8 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
         return part.error();
     auto dataset = withHoles(*part, progress.part(partEnd, 1));
     if (!dataset && dataset.error().kind != ErrorKind::Cancelled)
-        return Error{dataset.error().kind, Message::say("Cannot read '%1': %2", path.string(), dataset.error().message)};
+        return Error{dataset.error().kind,
+                     Message::say("Cannot read '%1': %2", path.string(), dataset.error().message)};
     if (dataset && dataset->domain == DomainClass::Curvilinear) // cells were looked at when they became a mesh
         dataset->convex = hasConvexDomain(*dataset);
     progress.report(1, Message::marked("Reading"));

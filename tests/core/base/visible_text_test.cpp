@@ -52,7 +52,8 @@ private slots:
         QCOMPARE(QByteArray::fromStdString(visibleLines(once)), shown);
         // Wherever it stands in a message.
         QCOMPARE(QByteArray::fromStdString(visibleText(Message(text.toStdString()))), shown);
-        QCOMPARE(QByteArray::fromStdString(visibleText(Message::say("In\n'%1'.", text.toStdString()))), "In\n'" + shown + "'.");
+        QCOMPARE(QByteArray::fromStdString(visibleText(Message::say("In\n'%1'.", text.toStdString()))),
+                 "In\n'" + shown + "'.");
     }
 
     void linesStayLines() { QCOMPARE(visibleLines("a\n\x1b[2Jb\r\n"), std::string("a\n\\x1b[2Jb\\r\n")); }
