@@ -178,7 +178,7 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
     outcome.figures["levels"] = found->list;
-    outcome.text = visibleText(path) + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
+    outcome.text = shownInput(path) + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
                    std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
                    " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
                    guaranteeText(description);
@@ -201,7 +201,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     if (!facts)
         return facts.error();
     const ModelDescription& description = facts->description;
-    if (const Status fits = checkWarpingOption(invocation.arguments, description, path); !fits)
+    if (const Status fits = checkWarpingOption(invocation.arguments, description, shownInput(path)); !fits)
         return fits.error();
     const bool warps = description.warpingWeight > 0;
     const bool isPacked = facts->form == ModelForm::Packed;
@@ -241,8 +241,8 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     outcome.figures["bytes"] = static_cast<qint64>(facts->fileBytes);
     outcome.figures["unpacked_bytes"] = static_cast<qint64>(facts->unpackedBytes);
     outcome.figures["levels"] = list;
-    outcome.text = visibleText(path) + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) +
-                   "\n" + provenanceText(description) + std::to_string(facts->sites) + " sites, " +
+    outcome.text = shownInput(path) + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n" +
+                   provenanceText(description) + std::to_string(facts->sites) + " sites, " +
                    std::to_string(facts->tetrahedra) + " tetrahedra in the history, " + byteText(facts->fileBytes) +
                    (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows);
     return outcome;

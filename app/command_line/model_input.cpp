@@ -3,6 +3,8 @@
 
 #include "app/command_line/table.h"
 #include "app/server/server_mesh.h"
+#include "core/base/text.h"
+#include "core/remote/address.h"
 
 #include <tan/packed.h>
 
@@ -92,6 +94,11 @@ Result<OpenOptions> optionsWithToken(const Arguments& arguments, const std::file
 std::string modelExplanation()
 {
     return "The model, packed or not: a file, or its address on a server (http:// or https://).";
+}
+
+std::string shownInput(const std::string& place)
+{
+    return isAddress(place) ? shownAddress(placeOf(place, false)) : visibleText(place);
 }
 
 bool isAtHand(const std::filesystem::path& place)

@@ -16,6 +16,9 @@ namespace tetra {
 /// What the help says of a model that is read.
 std::string modelExplanation();
 
+/// A file or an address as it is printed: without what a terminal would obey, and without a password.
+std::string shownInput(const std::string& place);
+
 /// Whether a model is simply mapped, with nothing to be fetched or unpacked first.
 bool isAtHand(const std::filesystem::path& place);
 

@@ -133,7 +133,7 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
                        {"failures", toJson(verdict.failures)},
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
                        {"levels", levels}};
-    outcome.text = visibleText(path) + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
+    outcome.text = shownInput(path) + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
     if (!isUnchecked)
         outcome.text += "\n" + table(rows) + "\n" + statisticsText(measured, description.domain) +
                         guaranteeText(description) + remarkOn(verdict);

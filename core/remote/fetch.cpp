@@ -94,7 +94,9 @@ int tellFetching(void* user, curl_off_t expected, curl_off_t now, curl_off_t, cu
         fetching.since = time;
         fetching.cameBefore = came;
     }
-    fetching.isSilent = time - fetching.since > (came > 0 ? fetching.limits.silence : fetching.limits.thinking);
+    const bool isComplete = came > 0 && came == fetching.head.contentLength;
+    fetching.isSilent =
+        !isComplete && time - fetching.since > (came > 0 ? fetching.limits.silence : fetching.limits.thinking);
     return fetching.isSilent || fetching.progress.cancelled() ? 1 : 0;
 }
 
