@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/camera_option.h"
 
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 
 #include <tan/render.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/plugin_options.h"
 
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/base/text.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/parameter_text.h"

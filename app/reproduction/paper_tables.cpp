@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/paper_tables.h"
 
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/base/text.h"
 
 #include <algorithm>

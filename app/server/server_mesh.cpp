@@ -2,7 +2,7 @@
 #include "app/server/server_mesh.h"
 
 #include "app/command_line/query_options.h"
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/remote/fetch.h"
 #include "core/remote/percent_encoding.h"
 #include "core/remote/remote_file.h"

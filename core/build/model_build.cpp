@@ -4,7 +4,7 @@
 #include "core/base/file_writer.h"
 #include "core/base/finished_file.h"
 #include "core/base/guarded.h"
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/build/decimation_build.h"
 #include "core/history/format.h"
 #include "core/history/model_writer.h"

@@ -2,7 +2,7 @@
 #include <tan/packed.h>
 
 #include "core/base/guarded.h"
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/build/model_build.h"
 #include "core/packed/packed_file.h"
 #include "core/packed/parts.h"

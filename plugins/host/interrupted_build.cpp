@@ -2,7 +2,7 @@
 #include "plugins/host/interrupted_build.h"
 
 #include "core/base/file_writer.h"
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "plugins/host/parameter_text.h"

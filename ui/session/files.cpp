@@ -2,7 +2,7 @@
 #include "ui/session/files.h"
 
 #include "core/base/file_writer.h"
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 #include "core/remote/remote_file.h"
 #include "ui/session/message_text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing that somebody names in place of a file makes the program wait.
-#include "core/base/regular_file.h"
+#include "core/base/mapped_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>
