@@ -11,7 +11,7 @@
 /// For kernels and what they call with vectors: it becomes part of what calls it, and so of its instruction set.
 #define TETRA_SIMD_INLINE [[gnu::always_inline]] inline
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(TETRA_ONE_INSTRUCTION_SET)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(TETRA_ONE_INSTRUCTION_SET)
 /// For functions that are written by hand for one instruction set; to be called at SimdLevel::Eight or
 /// SimdLevel::Sixteen only. To choose between vectors of 8 or 16 floats, and to compare them, is slow where compilers
 /// have to do it in pieces.
