@@ -11,6 +11,8 @@
 #include "ui/work/steady_heap.h"
 #include "ui/workbench/plugin_choice.h"
 
+#include <tan/version.h>
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLibraryInfo>
