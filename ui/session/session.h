@@ -103,14 +103,13 @@ public:
     /// Calls `call`, a function or a member of `receiver`, whenever one of these parts of the view has changed.
     template <class Receiver, class Call> void whenChanged(ViewParts parts, Receiver* receiver, Call call) const
     {
-        connect(this, &Session::viewChanged, receiver, [parts, receiver, call](ViewParts changed) {
-            if (!(changed & parts))
-                return;
-            if constexpr (std::is_member_function_pointer_v<Call>)
-                (receiver->*call)();
-            else
-                call();
-        });
+        if constexpr (std::is_member_function_pointer_v<Call>)
+            whenChanged(parts, receiver, [receiver, call] { (receiver->*call)(); });
+        else
+            connect(this, &Session::viewChanged, receiver, [parts, call](ViewParts changed) {
+                if (changed & parts)
+                    call();
+            });
     }
 
 signals:
