@@ -56,9 +56,9 @@ using Int16 = int __attribute__((vector_size(64)));
 using Float4 = float __attribute__((vector_size(16)));
 using Int8 = int __attribute__((vector_size(32)));
 using Double8 = double __attribute__((vector_size(64)));
-using Long8 = long __attribute__((vector_size(64)));
+using Long8 = std::int64_t __attribute__((vector_size(64)));
 using Double4 = double __attribute__((vector_size(32)));
-using Long4 = long __attribute__((vector_size(32)));
+using Long4 = std::int64_t __attribute__((vector_size(32)));
 using Int4 = int __attribute__((vector_size(16)));
 using UInt4 = unsigned __attribute__((vector_size(16)));
 
