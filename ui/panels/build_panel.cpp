@@ -138,8 +138,13 @@ QWidget* BuildPanel::makeBuildPage()
     build_ = new QPushButton;
     build_->setObjectName("build.start");
     build_->setIcon(glyphIcon(Glyph::Build));
-    build_->setAutoDefault(true); // Enter builds
-    setFocusProxy(build_);
+    openExisting_ = new QPushButton(tr("&Open the Existing Model"));
+    openExisting_->setObjectName("build.openExisting");
+    openExisting_->setIcon(glyphIcon(Glyph::Open));
+    openExisting_->setToolTip(tr("Open the model that is there already; nothing is built or replaced"));
+    connect(openExisting_, &QPushButton::clicked, this, [this] { emit openWanted(target_->text()); });
+    for (QPushButton* button : {openExisting_, build_})
+        button->setAutoDefault(true); // Enter presses the one with the focus
 
     inputs_ = new QWidget;
     auto* inputs = new QVBoxLayout(inputs_);
@@ -172,6 +177,7 @@ QWidget* BuildPanel::makeBuildPage()
     layout->addSpacing(8);
     layout->addWidget(inputs_);
     layout->addSpacing(6);
+    layout->addWidget(openExisting_);
     layout->addWidget(build_);
     layout->addWidget(makeProgress());
     layout->addStretch();
@@ -294,8 +300,10 @@ QWidget* BuildPanel::makeProgress()
     connect(pause_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Pause); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
-    keep_->setToolTip(tr("Stop the build and keep what is finished as the model, with the accuracy reached so far"));
-    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Keep); });
+    keep_->setToolTip(
+        tr("Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model "
+           "of the same name stays as it is."));
+    connect(keep_, &QPushButton::clicked, this, &BuildPanel::keepWanted);
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
     layout->setContentsMargins({});
@@ -425,8 +433,13 @@ void BuildPanel::showTarget()
 {
     const bool exists = QFileInfo::exists(target_->text());
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
-    targetHint_->setText(exists ? tr("This file exists; it is replaced when the build is done.") : QString());
+    targetHint_->setText(
+        exists ? tr("This file exists. You can open it; if you build, it is replaced when the build is done.")
+               : QString());
     targetHint_->setVisible(exists);
+    const bool offers = exists && !workbench_.building().running();
+    openExisting_->setVisible(offers);
+    setFocusProxy(offers ? openExisting_ : build_);
     showInterrupted();
 }
 

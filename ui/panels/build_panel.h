@@ -27,6 +27,12 @@ class BuildPanel : public QWidget {
 public:
     explicit BuildPanel(Workbench& workbench, QWidget* parent = nullptr);
 
+signals:
+    /// The build is to be stopped, and what is finished kept.
+    void keepWanted();
+    /// The model that is there already is to be opened.
+    void openWanted(const QString& path);
+
 private:
     QWidget* makeNothingPage();
     QWidget* makeBuildPage();
@@ -74,6 +80,7 @@ private:
     QWidget* interrupted_; ///< what is said of a build that was interrupted
     QLabel* interruptedText_;
     QPushButton* beginAnew_;
+    QPushButton* openExisting_ = nullptr; ///< comes before the one that would replace that model
     QPushButton* build_;
     QWidget* inputs_;
     QWidget* buildPage_;

@@ -101,13 +101,14 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
     Session& session = workbench.session();
     Docks docks;
     docks.animationPanel = new AnimationPanel(workbench, viewport);
+    docks.buildPanel = new BuildPanel(workbench);
     docks.focusPanel = new FocusPanel(session);
     docks.renderingPanel = new RenderingPanel(workbench, viewport);
     docks.build =
         add("build", DockTexts::tr("Build"),
             DockTexts::tr("Build a model from a dataset once; its mesh is then available at any accuracy. Choose a "
                           "builder and a file, and press Build."),
-            new BuildPanel(workbench));
+            docks.buildPanel);
     docks.accuracy =
         add("accuracy", DockTexts::tr("Accuracy"),
             DockTexts::tr("How far the mesh may deviate from the data, in percent of the range of values; or "

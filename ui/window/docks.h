@@ -12,6 +12,7 @@ class QMenu;
 namespace tetra {
 
 class AnimationPanel;
+class BuildPanel;
 class FocusPanel;
 class RenderingPanel;
 class StatisticsPanel;
@@ -33,6 +34,7 @@ struct Docks {
     QDockWidget* animation = nullptr;    ///< hidden at first
     std::vector<QDockWidget*> editors{}; ///< of the editor plugins
     AnimationPanel* animationPanel = nullptr;
+    BuildPanel* buildPanel = nullptr;
     FocusPanel* focusPanel = nullptr;
     RenderingPanel* renderingPanel = nullptr;
     StatisticsPanel* statisticsPanel = nullptr;

@@ -7,6 +7,7 @@
 #include "ui/workbench/workbench.h"
 
 #include <QMainWindow>
+#include <QTimer>
 
 class QStackedWidget;
 
@@ -37,8 +38,14 @@ public:
 
     Viewport& viewport() noexcept { return *viewport_; }
     void open(const QString& path);
+    /// The program is being ended by a signal or with the user's desktop session: keeps all that it can without asking
+    /// anybody.
+    void keepAll();
 
 protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void moveEvent(QMoveEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -47,6 +54,7 @@ protected:
 private:
     QWidget* makeCentre();
     void restoreLayout();
+    void keepLayout();
     void connectActions();
     void connectWorkbench();
     void connectMessages();
@@ -62,7 +70,7 @@ private:
     void saveStatistics();
     void fillRecent();
     void resetView();
-    void offerBuilt(const QString& path, bool isShown);
+    void offerBuilt(const QString& path, bool isShown, const QString& finished);
     void showFile();
     void showPart();
     void offerRest(const OpenedModel& part);
@@ -83,8 +91,9 @@ private:
     EmptyPage* empty_;
     Viewport* viewport_;
     PictureNotice* notice_ = nullptr;
-    bool isBesideDataset_ = false; ///< the model was open when the dataset was opened
-    bool isOutdated_ = false;      ///< the picture is that of earlier settings
+    bool isBesideDataset_ = false;            ///< the model was open when the dataset was opened
+    std::filesystem::path insteadOfBuilding_; ///< the model that is to be opened
+    bool isOutdated_ = false;                 ///< the picture is that of earlier settings
     ValuePick* pick_ = nullptr;
     QStackedWidget* pages_;
     ImportDialog* import_ = nullptr;   ///< once a file needed it
@@ -97,6 +106,7 @@ private:
     KeepSession* keptSession_ = nullptr;
     Leaving* leaving_ = nullptr;
     bool mayClose_ = false; ///< all questions are answered
+    QTimer keepingLayout_;  ///< from a change until it is kept
     Docks docks_;
 };
 

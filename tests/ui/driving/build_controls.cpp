@@ -208,6 +208,17 @@ Drivers buildControls()
             ofBuilding("driven.tan")),
         building("build.keep", &isBuilt, ofBuilding("driven.tan")),
         building(
+            "build.openExisting",
+            [](const DrivenWindow& window) {
+                return window.session().model() && window.session().model()->path().filename() == "existing.tan";
+            },
+            [](DrivenWindow& window) {
+                const auto existing = window.folderPath() + "/existing.tan";
+                std::filesystem::copy_file(window.session().model()->path(), existing);
+                chooseBuilder(window, "refinement");
+                window.find<QLineEdit>("build.target").setText(QString::fromStdString(existing));
+            }),
+        building(
             "build.pause",
             [](const DrivenWindow& window) {
                 return !window.workbench.building().running() && window.isOpen("build.interrupted");
