@@ -152,7 +152,8 @@ void HttpPlaces::beginWaiting(HttpPlace& place)
 bool HttpPlaces::hasBegunHead(const HttpPlace& place)
 {
     const std::lock_guard lock(mutex_);
-    return place.phase == PlacePhase::Waiting && bytesReceived(place.socket) > place.receivedBefore;
+    constexpr std::uint64_t itsEnd = 1; // that a client closes its side counts as a byte
+    return place.phase == PlacePhase::Waiting && bytesReceived(place.socket) > place.receivedBefore + itsEnd;
 }
 
 bool HttpPlaces::isEnded(const HttpPlace& place)

@@ -442,10 +442,11 @@ void HttpServer::Server::noteConnection(MHD_Connection* connection, void** conte
         return;
     }
     auto* const place = static_cast<HttpPlace*>(*context);
-    if (places_.hasBegunHead(*place)) { // what has no first line that could be read
+    if (places_.hasBegunHead(*place)) { // what has no first line that could be read, or not the whole of one
         HttpRecord record;
         record.peer = place->peer;
         record.status = 400;
+        record.note = "unfinished";
         log_(record);
     }
     places_.leave(place);
