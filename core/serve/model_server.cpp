@@ -326,7 +326,8 @@ try {
                             {"Access-Control-Max-Age", "600"},
                             {"Vary", "Origin"}};
         }
-        told.headers.emplace_back("Allow", "GET, HEAD");
+        if (!isKnown)
+            told.headers = {{"Allow", "GET, HEAD"}, {"Connection", "close"}};
         return told;
     }
     ServedAnswer answer = answerWhoMay(request);

@@ -184,7 +184,6 @@ Result<ServerMesh> meshOf(const LocalServer& server, const std::string& model, c
 /// Requests that are held until they are let go.
 class Gate {
 public:
-    ~Gate() { open(); }
     /// For LocalServer: each request waits.
     LocalServer::Before before()
     {
@@ -994,6 +993,7 @@ private slots:
     {
         Gate gate;
         const LocalServer server(folder_, {}, {.connections = 3, .connectionsOfAddress = 3}, {}, gate.before());
+        const auto atTheEnd = qScopeGuard([&gate] { gate.open(); }); // the server waits for its answers
         const Client one(server.port), two(server.port), three(server.port);
         for (const Client* client : {&one, &two, &three})
             client->send("GET /?x HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
@@ -1094,6 +1094,7 @@ private slots:
                                      if (request.target.find('?') != std::string::npos)
                                          wait(request);
                                  });
+        const auto atTheEnd = qScopeGuard([&gate] { gate.open(); });
         const Client one(server.port), two(server.port);
         for (const Client* client : {&one, &two})
             client->send("GET /?x HTTP/1.1\r\nHost: localhost\r\n\r\n");
