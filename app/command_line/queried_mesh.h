@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/command_line/subcommand.h"
 #include "core/serve/mesh_facts.h"
 
 #include <tan/query.h>
