@@ -34,7 +34,6 @@ constexpr FetchLimits limitsOfFacts{"application/json", 64 << 10};
 /// For its sizes a model is opened, and may have to be unpacked.
 constexpr FetchLimits limitsOfSizes{"application/json", 4 << 20, longestThinking};
 
-
 std::string_view textIn(const FetchedAnswer& answer)
 {
     return {reinterpret_cast<const char*>(answer.content.data()), answer.content.size()};
@@ -163,7 +162,8 @@ Result<UnpackedMesh> fetchMesh(const std::string& address, const std::string& qu
                                ServerConnection& connection, const Progress& progress)
 {
     constexpr double fetchedAt = 0.7;
-    const auto answer = connection.fetch(address + "?" + question, token, limitsOfMesh(packedMeshType), progress.part(0, fetchedAt));
+    const auto answer =
+        connection.fetch(address + "?" + question, token, limitsOfMesh(packedMeshType), progress.part(0, fetchedAt));
     if (!answer)
         return answer.error();
     if (answer->status != 200 || answer->contentType != packedMeshType)
