@@ -2,7 +2,6 @@
 #include "ui/desktop.h"
 
 #include "core/base/file_writer.h"
-#include "plugins/host/plugin_folders.h"
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/widgets/legible_style.h"
@@ -80,7 +79,6 @@ int refuseWithoutDisplay()
 
 int runDesktop(int argc, char** argv)
 {
-    ignoreRelativeFolders();
     reportFailedWrites();
     keepHeapSteady();
     const bool isShown = hasDisplay({argv, static_cast<std::size_t>(argc)});
