@@ -82,7 +82,7 @@ struct Watched {
     ByteSource source()
     {
         announced = {{0, 16384}};
-        return {bytes.size(),
+        return {bytes.size(), false,
                 [this](std::uint64_t offset, std::span<std::byte> to, const Progress&) -> Status {
                     strayed |= std::ranges::none_of(announced, [&](const ByteRange& range) {
                         return offset >= range.offset && offset + to.size() <= range.offset + range.size;
