@@ -133,6 +133,7 @@ void PanelsTest::theCurveIsChosenByMouseKeyAndWheel()
     QCOMPARE(session().view().query.error, 0.8);
     QTest::keyClick(&curve, Qt::Key_End);
     QCOMPARE(session().view().query.error, 0.0);
+    curve.setFocus();
     QWheelEvent down(at, curve.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&curve, &down);
     QCOMPARE(session().view().query.error, finestOnScale);

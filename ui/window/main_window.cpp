@@ -18,6 +18,7 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/widgets/wheel_guard.h"
 #include "ui/window/address_dialog.h"
 #include "ui/window/annotation_actions.h"
 #include "ui/window/cache_dialog.h"
@@ -118,6 +119,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
 {
     setObjectName("window");
     setAcceptDrops(true);
+    new WheelGuard(*viewport_, this);
     resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
     docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_);

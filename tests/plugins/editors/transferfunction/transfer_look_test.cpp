@@ -42,6 +42,7 @@ private:
     TransferPlot plot() const { return editor_->canvas().plot(); }
     void turnWheel(QPoint place, int notches, Qt::KeyboardModifiers modifiers = {}) const
     {
+        editor_->canvas().setFocus();
         QWheelEvent event(place, editor_->canvas().mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton,
                           modifiers, Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&editor_->canvas(), &event);
