@@ -129,7 +129,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     connectWorkbench();
     connectMessages();
     connectFollowing();
-    connectHelp(*this, actions_, workbench_.session(), *messages_);
+    connectHelp(*this, actions_, workbench_, *messages_);
     showBackend();
     showModel();
     restoreLayout();
