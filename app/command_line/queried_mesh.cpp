@@ -25,8 +25,7 @@ Status checkNotEmpty(const Arguments& arguments, const Model& model, const Tetra
                                                                                  : "is in that window";
     return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
                                             place(data.bounds.min()) + " and " + place(data.bounds.max()) +
-                                            ", with values from " + rounded(data.range.minimum, 6) + " to " +
-                                            rounded(data.range.maximum, 6) + "."};
+                                            ", with values from " + rangeText(data.range.minimum, data.range.maximum) + "."};
 }
 
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)

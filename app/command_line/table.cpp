@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace tetra {
 
@@ -28,6 +29,16 @@ std::string rounded(double number, int digits)
     char text[64];
     const auto [end, problem] = std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits);
     return problem == std::errc() ? std::string(text, end) : std::string();
+}
+
+std::string rangeText(double least, double largest)
+{
+    constexpr int fewest = 6, most = 17;
+    const double extent = largest - least;
+    const double size = std::max(std::abs(least), std::abs(largest));
+    const double wanted = extent > 0 ? 4 + std::ceil(std::log10(size / extent)) : fewest;
+    const int digits = std::isfinite(wanted) ? static_cast<int>(std::clamp<double>(wanted, fewest, most)) : fewest;
+    return rounded(least, digits) + " to " + rounded(largest, digits);
 }
 
 std::string byteText(std::uint64_t bytes)

@@ -89,10 +89,10 @@ QString shapeOf(const Dataset& dataset)
 QString factsOf(const Dataset& dataset)
 {
     const ValueRange range = dataset.values.range();
-    const QLocale locale;
     return BuildPanel::tr("%1, %2, values %3 to %4")
         .arg(shapeOf(dataset), QString::fromUtf8(sampleTypeName(dataset.values.type())),
-             locale.toString(range.minimum, 'g', 6), locale.toString(range.maximum, 'g', 6));
+             numberInRange(range.minimum, range.minimum, range.maximum),
+             numberInRange(range.maximum, range.minimum, range.maximum));
 }
 
 } // namespace
