@@ -336,8 +336,11 @@ Opening::ReadDataset Opening::readDataset(const std::filesystem::path& path, con
                                           const Progress& progress)
 {
     ReadDataset read{openDataset(host_, path, options, progress), {}, options};
-    if (read.dataset)
+    if (read.dataset) {
         read.size = buildSizeOf(*read.dataset, progress);
+        for (const Provided<Builder>& builder : host_.builders())
+            read.acceptances.push_back(builder.plugin->accepts(*read.dataset));
+    }
     return read;
 }
 
@@ -370,6 +373,7 @@ void Opening::takeDataset(const std::filesystem::path& path, const ReadDataset& 
     dataset_ = std::make_shared<const Dataset>(*read.dataset);
     buildSize_ = read.size;
     imported_ = read.options;
+    acceptances_ = read.acceptances;
     addRecentFile(pathText(path));
     emit datasetOpened();
 }
