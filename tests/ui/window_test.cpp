@@ -73,6 +73,7 @@ private slots:
     void closingTheModelLeavesTheInvitation();
     void closingLeadsToTheStartPage();
     void aDatasetBesideAModelStaysWhenThatIsClosed();
+    void aModelTakesThePlaceOfADataset();
     void thePictureGoesWithItsTitle();
     void aDatasetThatIsNotBuiltIsSaid();
     void aPictureOfAnotherStateIsMarked();
@@ -646,6 +647,16 @@ void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
     QVERIFY(window_->find<QWidget>("build.start").isVisible());
     window_->find<QAction>("action.close").trigger();
     QVERIFY(window_->find<QWidget>("empty.open").isVisible());
+    QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
+}
+
+/// The panel for builds is not left with data that the user has turned away from.
+void WindowTest::aModelTakesThePlaceOfADataset()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
+    openSample();
+    QVERIFY(!window_->workbench.opening().dataset());
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
 }
 

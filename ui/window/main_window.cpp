@@ -387,7 +387,8 @@ void MainWindow::connectWorkbench()
     });
     SceneBuilder& scenes = workbench_.scenes().sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
-    connect(&scenes, &SceneBuilder::failed, this, [this] {
+    connect(&scenes, &SceneBuilder::failed, this, [this](const Error& error) {
+        sceneFailures_.append(translatedMessage(error.message));
         isOutdated_ = viewport_->scene() != nullptr;
         showNotice();
     });
@@ -618,7 +619,18 @@ void MainWindow::showScene(const BuiltScene& scene)
     viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
     isOutdated_ = false;
+    forgetFailures();
     showNotice();
+}
+
+/// There is a picture again: a server that was lost answers, say. Damage of the model's file remains.
+void MainWindow::forgetFailures()
+{
+    const auto& model = workbench_.session().model();
+    if (model && model->foundDamage())
+        for (const QString& text : std::as_const(sceneFailures_))
+            messages_->remove(text);
+    sceneFailures_.clear();
 }
 
 /// Says what the picture is not.

@@ -70,6 +70,7 @@ private:
     void showWhatCanBePacked();
     void showModel();
     void showScene(const BuiltScene& scene);
+    void forgetFailures();
     void showNotice();
     void showDrafts(const std::vector<DraftScene>& drafts);
     void connectFollowing();
@@ -84,6 +85,7 @@ private:
     Viewport* viewport_;
     PictureNotice* notice_ = nullptr;
     bool isBesideDataset_ = false; ///< the model was open when the dataset was opened
+    QStringList sceneFailures_;    ///< that were told and are still so
     bool isOutdated_ = false;      ///< the picture is that of earlier settings
     ValuePick* pick_ = nullptr;
     QStackedWidget* pages_;

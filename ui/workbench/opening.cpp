@@ -246,6 +246,8 @@ void Opening::showNewest(Coming& coming)
     if (!coming.shown) {
         showModel(part);
         coming.shown = session_.model() == part.model ? part.model : nullptr;
+        if (coming.shown && dataset_ && !datasetInUse_) // the user has turned to something else
+            closeDataset();
     } else if (session_.model() != coming.shown) { // the user has turned to something else
         if (coming_.get() == &coming)
             reading_.cancel();
