@@ -2,6 +2,7 @@
 #include "plugins/host/model_building.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/panels/build_panel.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/workbench/recent_files.h"
 
@@ -20,11 +21,14 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSet>
 #include <QSignalSpy>
 #include <QToolButton>
 
 #include <algorithm>
+#include <atomic>
+#include <semaphore>
 
 using namespace tetra;
 
@@ -65,6 +69,7 @@ private slots:
     void aBuildIsPaused();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
+    void aFolderThatDoesNotAnswerStopsNobody();
     void theMouseMovesTheCamera();
     void theKeyboardMovesTheCamera();
     void namedViewsAndFit();
@@ -397,9 +402,9 @@ void WindowTest::anInterruptedBuildGoesOn()
     leaveBuild(builder, values, target);
 
     auto& start = window_->find<QPushButton>("build.start");
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QCOMPARE(window_->find<QComboBox>("build.builder").currentData().toString(), builder);
     QCOMPARE(window_->find<QDoubleSpinBox>(refines ? "build.option.error" : "build.option.finest").value(), 0.25);
-    QVERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(start.accessibleDescription().contains("goes on where it stopped"));
     QCOMPARE(start.text(), QString("Resume &Build"));
     const auto& resume = window_->find<QCheckBox>("build.resume");
@@ -411,7 +416,7 @@ void WindowTest::anInterruptedBuildGoesOn()
     QTRY_VERIFY(!window_->workbench.building().running());
     QVERIFY(contentOf(target) == contentOf(QString::fromStdString(reference)));
     QVERIFY(!QDir(target + ".work").exists());
-    QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
+    QTRY_VERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     QCOMPARE(window_->messages(), QStringList());
 }
 
@@ -420,6 +425,7 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
 {
     const QString target = openDataset(writeNrrd(sampleDataset(32), window_->folderPath()));
     leaveBuild("refinement", {}, target);
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     auto& start = window_->find<QPushButton>("build.start");
     auto& error = window_->find<QDoubleSpinBox>("build.option.error");
     error.setValue(5);
@@ -433,7 +439,8 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
     start.click();
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("is damaged"), qPrintable(window_->messages().first()));
-    QVERIFY(QFile::exists(state) && window_->find<QWidget>("build.interrupted").isVisible());
+    QVERIFY(QFile::exists(state));
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
 
     auto& anew = window_->find<QPushButton>("build.beginAnew");
     QVERIFY(!anew.accessibleDescription().isEmpty());
@@ -442,7 +449,7 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
     QTRY_VERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(!QDir(target + ".work").exists());
     QCOMPARE(start.text(), QString("&Build"));
-    QVERIFY(start.isEnabled() && start.hasFocus());
+    QTRY_VERIFY(start.isEnabled() && start.hasFocus());
     const auto& resume = window_->find<QCheckBox>("build.resume");
     QVERIFY(!resume.isChecked() && resume.isEnabled());
 }
@@ -457,10 +464,10 @@ void WindowTest::whatIsLeftOfOtherDataStays()
     openDataset(writeNrrd(sampleDataset(23), other));
     QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     window_->find<QLineEdit>("build.target").setText(target);
-    QVERIFY(window_->find<QWidget>("build.interrupted").isVisible());
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(!window_->find<QWidget>("build.start").isEnabled());
     openDataset(data);
-    QVERIFY(window_->find<QWidget>("build.start").isEnabled());
+    QTRY_VERIFY(window_->find<QWidget>("build.start").isEnabled());
     QCOMPARE(window_->find<QDoubleSpinBox>("build.option.error").value(), 0.25);
 }
 
@@ -489,8 +496,8 @@ void WindowTest::aBuildIsPaused()
     again.find<QPushButton>("build.cancel").click();
     QTRY_VERIFY_WITH_TIMEOUT(!again.workbench.building().running(), 30'000);
     QVERIFY(!QFile::exists(target) && !QDir(target + ".work").exists());
+    QTRY_VERIFY(!again.find<QWidget>("build.interrupted").isVisible());
     QVERIFY(again.find<QCheckBox>("build.resume").isChecked()); // as the user has left it
-    QVERIFY(!again.find<QWidget>("build.interrupted").isVisible());
 }
 
 void WindowTest::aBuildThatCannotWriteSaysSo()
@@ -509,10 +516,45 @@ void WindowTest::anExistingModelIsReplacedOnlyWithAWord()
     buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
-    QVERIFY(window_->find<QLabel>("build.targetHint").isVisible());
+    QTRY_VERIFY(window_->find<QLabel>("build.targetHint").isVisible());
     QCOMPARE(window_->find<QPushButton>("build.start").text(), QString("&Build and Replace"));
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("other.tan"));
-    QVERIFY(!window_->find<QLabel>("build.targetHint").isVisible());
+    QTRY_VERIFY(!window_->find<QLabel>("build.targetHint").isVisible());
+}
+
+/// At each letter of a file's name it is looked for, which may take as long as it likes. Nothing is built before it is
+/// known what would be replaced, and not if that is more than what was agreed to.
+void WindowTest::aFolderThatDoesNotAnswerStopsNobody()
+{
+    std::counting_semaphore<> answers(0);
+    std::atomic<int> looks = 0;
+    BuildPanel panel(window_->workbench, [&](const std::filesystem::path&) {
+        ++looks;
+        answers.acquire();
+        return TargetFacts{.exists = true};
+    });
+    const auto end = qScopeGuard([&] { answers.release(1000); });
+    panel.show();
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_COMPARE(looks.load(), 1);
+    auto& target = *panel.findChild<QLineEdit*>("build.target");
+    auto& start = *panel.findChild<QPushButton*>("build.start");
+    const auto& hint = *panel.findChild<QLabel*>("build.targetHint");
+    target.clear();
+    QTest::keyClicks(&target, window_->folder.filePath("model.tan"));
+    QCOMPARE(target.text(), window_->folder.filePath("model.tan"));
+    QCOMPARE(start.text(), QString("&Build"));
+    start.click();
+    QCoreApplication::processEvents();
+    QVERIFY(!window_->workbench.building().running());
+    QCOMPARE(looks.load(), 1);
+    answers.release(2); // the first look, and of those at each letter only the last one
+    QTRY_VERIFY(hint.isVisible());
+    QCOMPARE(looks.load(), 2);
+    QCOMPARE(start.text(), QString("&Build and Replace"));
+    QVERIFY(!window_->workbench.building().running());
+    start.click();
+    QTRY_VERIFY(QFile::exists(target.text()) && !window_->workbench.building().running());
 }
 
 void WindowTest::theMouseMovesTheCamera()

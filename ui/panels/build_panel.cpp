@@ -13,7 +13,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,6 +23,7 @@
 #include <QStackedWidget>
 
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -97,8 +97,8 @@ QString factsOf(const Dataset& dataset)
 
 } // namespace
 
-BuildPanel::BuildPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), pages_(new QStackedWidget)
+BuildPanel::BuildPanel(Workbench& workbench, TargetLook::Look look, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), look_(new TargetLook(std::move(look), this)), pages_(new QStackedWidget)
 {
     setObjectName("build");
     nothingPage_ = makeNothingPage();
@@ -109,7 +109,6 @@ BuildPanel::BuildPanel(Workbench& workbench, QWidget* parent)
         pages_->addWidget(page);
     connectWorkbench();
     showRunning(false);
-    showTarget();
 }
 
 QWidget* BuildPanel::makeNothingPage()
@@ -135,7 +134,7 @@ QWidget* BuildPanel::makeBuildPage()
     reason_ = wrappedLabel("build.reason");
     reason_->setForegroundRole(QPalette::PlaceholderText);
     options_ = new ParameterForm("build.option");
-    build_ = new QPushButton;
+    build_ = new QPushButton(tr("&Build"));
     build_->setObjectName("build.start");
     build_->setIcon(glyphIcon(Glyph::Build));
     build_->setAutoDefault(true); // Enter builds
@@ -231,6 +230,7 @@ QLayout* BuildPanel::makeTargetRow()
     browse_ = new QPushButton(tr("Browse…"));
     browse_->setObjectName("build.browse");
     targetHint_ = wrappedLabel("build.targetHint");
+    targetHint_->hide();
     auto* label = new QLabel(tr("&Model file"));
     label->setBuddy(target_);
     auto* row = new QHBoxLayout;
@@ -240,10 +240,7 @@ QLayout* BuildPanel::makeTargetRow()
     column->addWidget(label);
     column->addLayout(row);
     column->addWidget(targetHint_);
-    connect(target_, &QLineEdit::textChanged, this, [this] {
-        takeUpInterrupted();
-        showTarget();
-    });
+    connect(target_, &QLineEdit::textChanged, this, [this] { lookAtTarget(true); });
     connect(browse_, &QPushButton::clicked, this, &BuildPanel::browse);
     return column;
 }
@@ -314,16 +311,23 @@ void BuildPanel::connectWorkbench()
     connect(&workbench_.opening(), &Opening::datasetOpened, this, &BuildPanel::showDataset);
     connect(&workbench_.opening(), &Opening::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
     connect(&workbench_.building(), &Building::buildStopping, this, &BuildPanel::showStopping);
-    connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
+    connect(look_, &TargetLook::found, this, [this] {
+        if (std::exchange(takesUp_, false))
+            takeUpInterrupted();
         showTarget();
-        build_->setFocus(); // the button that had it is gone
+        if (const auto then = std::exchange(then_, {}))
+            then();
+    });
+    connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
+        lookAtTarget(false);
+        then_ = [this] { build_->setFocus(); }; // the button that had it is gone
     });
     LongTask& building = workbench_.building().task();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
     connect(&building, &LongTask::finished, this, [this] {
-        takeUpInterrupted(); // other data may have been opened meanwhile
         showRunning(false);
+        lookAtTarget(true); // other data may have been opened meanwhile
     });
 }
 
@@ -339,8 +343,10 @@ void BuildPanel::showDataset()
     const QSignalBlocker blocker(builder_);
     builder_->clear();
     double best = 0;
+    const std::vector<Acceptance>& acceptances = workbench_.opening().acceptances();
     for (const Provided<Builder>& provided : workbench_.host().builders()) {
-        const Acceptance acceptance = provided.plugin->accepts(dataset);
+        const auto number = static_cast<std::size_t>(builder_->count());
+        const Acceptance acceptance = number < acceptances.size() ? acceptances[number] : Acceptance();
         builder_->addItem(inUsersLanguage(provided.name, provided.names), QString::fromStdString(provided.id));
         const int index = builder_->count() - 1;
         builder_->setItemData(index, translatedMessage(acceptance.reason), Qt::ToolTipRole);
@@ -354,8 +360,7 @@ void BuildPanel::showDataset()
         target_->setText(proposedModelPath(dataset.source.path));
     }
     showBuilder(firstDetail(dataset));
-    takeUpInterrupted();
-    showTarget();
+    lookAtTarget(true);
     pages_->setCurrentWidget(buildPage_);
 }
 
@@ -418,9 +423,33 @@ void BuildPanel::showDetail()
     detail_->setExclusive(true);
 }
 
+/// While a build runs that is where it works, and what was known before remains.
+void BuildPanel::lookAtTarget(bool takesUp)
+{
+    if (workbench_.building().running())
+        return;
+    takesUp_ = takesUp_ || takesUp;
+    then_ = {}; // that was about another file
+    look_->begin(filePath(target_->text()));
+}
+
+/// At once, or when it is known what is there; but not if what the user reads is then not what they have agreed to.
+void BuildPanel::whenLooked(const std::function<void()>& then)
+{
+    if (!look_->running())
+        return then();
+    then_ = [this, then, agreed = build_->text()] {
+        if (build_->text() == agreed)
+            then();
+    };
+}
+
+/// As far as it is known.
 void BuildPanel::showTarget()
 {
-    const bool exists = QFileInfo::exists(target_->text());
+    if (!look_->facts())
+        return;
+    const bool exists = look_->facts()->exists;
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
     targetHint_->setText(exists ? tr("This file exists; it is replaced when the build is done.") : QString());
     targetHint_->setVisible(exists);
@@ -432,7 +461,7 @@ void BuildPanel::takeUpInterrupted()
     const auto& dataset = workbench_.opening().dataset();
     if (!dataset || workbench_.building().running())
         return;
-    const auto left = interruptedBuild(workbench_.host(), *dataset, filePath(target_->text()));
+    const auto left = interruptedBuild(workbench_.host(), *dataset, look_->facts()->note);
     if (!left)
         return;
     const QSignalBlocker blocker(builder_);
@@ -448,9 +477,9 @@ void BuildPanel::showInterrupted()
         return;
     const auto& dataset = workbench_.opening().dataset();
     const std::string builder = builder_->currentData().toString().toStdString();
-    const LeftBuild left = dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(),
-                                               filePath(target_->text()))
-                                   : LeftBuild::None;
+    const LeftBuild left =
+        dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(), look_->facts()->note)
+                : LeftBuild::None;
     if (left == LeftBuild::Same)
         build_->setText(tr("Resume &Build"));
     build_->setEnabled(left != LeftBuild::Other && workbench_.host().builder(builder));
@@ -470,9 +499,11 @@ void BuildPanel::showInterrupted()
 /// Until nothing is left there is nothing to do here.
 void BuildPanel::beginAnew()
 {
-    build_->setEnabled(false);
-    beginAnew_->setEnabled(false);
-    workbench_.building().discardInterrupted(filePath(target_->text()));
+    whenLooked([this] {
+        build_->setEnabled(false);
+        beginAnew_->setEnabled(false);
+        workbench_.building().discardInterrupted(filePath(target_->text()));
+    });
 }
 
 void BuildPanel::showRunning(bool running)
@@ -527,10 +558,12 @@ void BuildPanel::showStopping(BuildEnd end)
 
 void BuildPanel::build()
 {
-    workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
-                                 .values = options_->matteringValues(),
-                                 .target = filePath(target_->text()),
-                                 .resume = resume_->isChecked() && !resume_->isHidden()});
+    whenLooked([this] {
+        workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
+                                     .values = options_->matteringValues(),
+                                     .target = filePath(target_->text()),
+                                     .resume = resume_->isChecked() && !resume_->isHidden()});
+    });
 }
 
 } // namespace tetra
