@@ -97,10 +97,10 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
-    parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open."), "[file]");
+    parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open, or the address of a model."), "[file]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
-    if (!backend || parser.positionalArguments().size() > 1) {
+    if (!backend) {
         fputs(qPrintable(parser.helpText()), stderr);
         return 2;
     }
@@ -112,8 +112,7 @@ int runDesktop(int argc, char** argv)
         return refuseWithoutDisplay();
     Workbench workbench(*host);
     MainWindow window(workbench, *backend);
-    for (const QString& file : parser.positionalArguments())
-        window.open(file); // before the start page is seen, whose pictures wait while a file is read
+    window.openFirst(parser.positionalArguments()); // before the start page, whose pictures wait while a file is read
     window.show();
     return QApplication::exec();
 }

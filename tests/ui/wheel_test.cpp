@@ -80,7 +80,7 @@ bool hasKeys(const QWidget& widget)
 
 bool mayHaveWheel(const QWidget& widget)
 {
-    return !widget.focusPolicy().testFlag(Qt::ClickFocus) || widget.inherits("QAbstractScrollArea") || hasKeys(widget);
+    return (widget.focusPolicy() & Qt::ClickFocus) == 0 || widget.inherits("QAbstractScrollArea") || hasKeys(widget);
 }
 
 } // namespace

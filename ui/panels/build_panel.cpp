@@ -240,7 +240,7 @@ QLayout* BuildPanel::makeTargetRow()
     column->addWidget(label);
     column->addLayout(row);
     column->addWidget(targetHint_);
-    connect(target_, &QLineEdit::textChanged, this, [this] { lookAtTarget(true); });
+    connect(target_, &QLineEdit::textChanged, this, [this] { beginLook(true); });
     connect(browse_, &QPushButton::clicked, this, &BuildPanel::browse);
     return column;
 }
@@ -319,7 +319,7 @@ void BuildPanel::connectWorkbench()
             then();
     });
     connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
-        lookAtTarget(false);
+        beginLook(false);
         then_ = [this] { build_->setFocus(); }; // the button that had it is gone
     });
     LongTask& building = workbench_.building().task();
@@ -327,7 +327,7 @@ void BuildPanel::connectWorkbench()
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
     connect(&building, &LongTask::finished, this, [this] {
         showRunning(false);
-        lookAtTarget(true); // other data may have been opened meanwhile
+        beginLook(true); // other data may have been opened meanwhile
     });
 }
 
@@ -360,7 +360,7 @@ void BuildPanel::showDataset()
         target_->setText(proposedModelPath(dataset.source.path));
     }
     showBuilder(firstDetail(dataset));
-    lookAtTarget(true);
+    beginLook(true);
     pages_->setCurrentWidget(buildPage_);
 }
 
@@ -424,7 +424,7 @@ void BuildPanel::showDetail()
 }
 
 /// While a build runs that is where it works, and what was known before remains.
-void BuildPanel::lookAtTarget(bool takesUp)
+void BuildPanel::beginLook(bool takesUp)
 {
     if (workbench_.building().running())
         return;

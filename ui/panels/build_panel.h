@@ -49,7 +49,7 @@ private:
     void chooseDetail(int index);
     void showDetail();
     std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
-    void lookAtTarget(bool takesUp);
+    void beginLook(bool takesUp);
     void showTarget();
     void whenLooked(const std::function<void()>& then);
     /// Shows the builder and the options of an interrupted build of these data, as it goes on with no others.

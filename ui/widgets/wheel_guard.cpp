@@ -31,7 +31,7 @@ WheelGuard::WheelGuard(const QWidget& picture, QObject* parent) : QObject(parent
 
 bool WheelGuard::isKeptFromWheel(const QWidget& widget) const
 {
-    return widget.focusPolicy().testFlag(Qt::ClickFocus) && !onlyScrolls(widget) && !hasKeys(widget) &&
+    return (widget.focusPolicy() & Qt::ClickFocus) != 0 && !onlyScrolls(widget) && !hasKeys(widget) &&
            &widget != &picture_ && !picture_.isAncestorOf(&widget);
 }
 

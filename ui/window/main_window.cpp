@@ -198,6 +198,16 @@ void MainWindow::open(const QString& path)
     workbench_.opening().open(path);
 }
 
+void MainWindow::openFirst(const QStringList& files)
+{
+    if (files.isEmpty())
+        return;
+    const QUrl url(files.first());
+    open(url.isLocalFile() ? url.toLocalFile() : files.first());
+    if (files.size() > 1)
+        messages_->add(tr("Only one file can be open at a time; of these, %1 was opened.").arg(files.first()));
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     if (!filesOf(event->mimeData()).isEmpty())
@@ -215,9 +225,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     empty_->setDropping(false);
     const QStringList files = filesOf(event->mimeData());
     event->acceptProposedAction();
-    open(files.first());
-    if (files.size() > 1)
-        messages_->add(tr("Only one file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
+    openFirst(files);
 }
 
 void MainWindow::connectActions()

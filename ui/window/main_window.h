@@ -36,7 +36,10 @@ public:
     ~MainWindow() override;
 
     Viewport& viewport() noexcept { return *viewport_; }
+    /// A file, or an address.
     void open(const QString& path);
+    /// The first of them, and says so if there are more. Local files may be URLs, too, as a desktop gives them.
+    void openFirst(const QStringList& files);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -128,7 +128,7 @@ std::map<const QWidget*, QString> labelsOf(const QWidget& panel)
 /// A control that takes the keys, named by its label, by what stands on it, or by what is read out of it.
 QString settingName(const QWidget& control, const std::map<const QWidget*, QString>& labels)
 {
-    if (!control.focusPolicy().testFlag(Qt::TabFocus) || control.focusProxy() != nullptr)
+    if ((control.focusPolicy() & Qt::TabFocus) == 0 || control.focusProxy() != nullptr)
         return {};
     if (const auto label = labels.find(&control); label != labels.end())
         return label->second;
@@ -189,7 +189,7 @@ void addOtherModes(std::vector<PaletteCommand>& commands, const QString& panel, 
     std::map<QString, QStringList> modes; // by what is set
     QStringList ofPresent;
     for (const Provided<Renderer>& mode : workbench.scenes().modes())
-        for (const Parameter& parameter : mode.plugin->parameters()) {
+        for (const Parameter& parameter : mode.plugin->parameters({})) {
             const QString label = translatedText(parameter.label);
             if (mode.id == workbench.session().view().appearance.mode)
                 ofPresent.append(label);
