@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run by the installation of the component "bundle", after the programs and the VTK readers: puts Qt, VTK and all that they need
-# beside them, with their licences. Left to the machine is what must fit its kernel, its driver or its fonts, and what those use.
+# beside them, with their licences. TAN_INSTALL_LIBDIR is the folder of the libraries below the prefix. Left to the machine is what must fit its kernel, its driver or its fonts, and what those use.
 cmake_policy(VERSION 3.25)
 set(prefix "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
-set(libraries "${prefix}/lib/tan")
+cmake_path(GET TAN_INSTALL_LIBDIR PARENT_PATH library_folder)
+set(libraries "${prefix}/${TAN_INSTALL_LIBDIR}")
 set(of_the_machine
     "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|util|anl)\\.so" "^libstdc\\+\\+" "^libgcc_s"
     "^lib(GL|EGL|GLX|OpenGL|GLdispatch|drm|gbm)\\.so" "^libwayland-" "^libX(11|11-xcb|ext|au|dmcp)\\.so" "^libxcb\\.so"
@@ -30,9 +31,9 @@ endforeach()
 file(GLOB translations "${qt_translations}/qtbase_*.qm")
 file(INSTALL ${translations} DESTINATION "${prefix}/share/tan/qt-translations")
 file(WRITE "${prefix}/bin/qt.conf"
-    "[Paths]\nPrefix = ..\nPlugins = lib/tan/qt\nTranslations = share/tan/qt-translations\n")
+    "[Paths]\nPrefix = ..\nPlugins = ${TAN_INSTALL_LIBDIR}/qt\nTranslations = share/tan/qt-translations\n")
 
-file(GLOB ours "${libraries}/libtan-*.so.*" "${libraries}/plugins/*.so")
+file(GLOB ours "${prefix}/${library_folder}/libtan-*.so.*" "${libraries}/libtan-*.so.*" "${libraries}/plugins/*.so")
 file(GET_RUNTIME_DEPENDENCIES RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDENCIES_VAR missing
     EXECUTABLES "${prefix}/bin/tan" "${prefix}/bin/tan-desktop" "${libraries}/plugins/tan-read-vtk"
     LIBRARIES ${ours} ${plugin_files} PRE_EXCLUDE_REGEXES ${of_the_machine})

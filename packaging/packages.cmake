@@ -12,7 +12,7 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages_of_a_kind.cmake)
-set(CPACK_COMPONENTS_ALL core program vtk development)
+set(CPACK_COMPONENTS_ALL core program window vtk development)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -29,16 +29,32 @@ set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libcurl4 (>= 7.87)")
 # Loaded at run time, so that no link says so; the library does without, but for pictures by OpenGL.
 set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "ca-certificates, libegl1, libgl1-mesa-dri, libopengl0")
+# libtan-core lies where the system looks: installing it tells the loader, and packages of programs that use it which one has it.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/shlibs "libtan-core ${TAN_SOVERSION} libtan-core${TAN_SOVERSION}\n")
+set(CPACK_DEBIAN_CORE_PACKAGE_PROVIDES "libtan-core${TAN_SOVERSION} (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_CORE_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers ${CMAKE_CURRENT_BINARY_DIR}/shlibs)
 set(CPACK_COMPONENT_CORE_DESCRIPTION "the library of TAn, without its programs
 Builds multiresolution models of volume data, takes meshes of a known error
 from them, and draws these. Needs no Qt.")
+# The command line, for machines without a screen, too.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tan)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}, libegl1, libgl1-mesa-dri, libopengl0")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${core_of_same_version}")
+# Until 0.1 the window was in this package: who has it keeps the window.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tan-desktop")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "tan-vtk-readers")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}
+This is the command line, which needs no screen.")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME tan-desktop)
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "${same_version}, libegl1, libgl1-mesa-dri, libopengl0")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_BREAKS "tan (<< 0.2)")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_REPLACES "tan (<< 0.2)")
 # xdg-utils opens the manual in the web browser.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "qt6-translations-l10n, xdg-utils")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "qt6-translations-l10n, xdg-utils")
 # ffmpeg makes videos of films.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, tan-vtk-readers")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "ffmpeg, tan-vtk-readers")
+set(CPACK_COMPONENT_WINDOW_DESCRIPTION "the window of TAn
+Shows multiresolution models as isosurfaces and volumes, at any accuracy, and
+builds them.")
 set(CPACK_DEBIAN_VTK_PACKAGE_NAME tan-vtk-readers)
 set(CPACK_DEBIAN_VTK_PACKAGE_DEPENDS "${same_version}")
 set(CPACK_COMPONENT_VTK_DESCRIPTION "reads VTK, Exodus, EnSight, NetCDF, DICOM and more into TAn
@@ -61,6 +77,8 @@ set(CPACK_RPM_PACKAGE_GROUP "Applications/Engineering")
 set(CPACK_RPM_SPEC_MORE_DEFINE "%define _build_id_links none\n%define __os_install_post %{nil}")
 set(CPACK_RPM_CORE_PACKAGE_NAME tan-core)
 set(CPACK_RPM_PROGRAM_PACKAGE_REQUIRES "tan-core = ${PROJECT_VERSION}")
+set(CPACK_RPM_WINDOW_PACKAGE_NAME tan-desktop)
+set(CPACK_RPM_WINDOW_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
 set(CPACK_RPM_VTK_PACKAGE_NAME tan-vtk-readers)
 set(CPACK_RPM_VTK_PACKAGE_REQUIRES "tan = ${PROJECT_VERSION}")
 set(CPACK_RPM_DEVELOPMENT_PACKAGE_NAME tan-devel)

@@ -6,7 +6,7 @@ else()
     # One archive that runs from any folder: the programs with all that they load.
     set(CPACK_MONOLITHIC_INSTALL ON)
     set(CPACK_INSTALL_CMAKE_PROJECTS "")
-    foreach(component core program vtk bundle)
+    foreach(component core program window vtk bundle)
         list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_CMAKE_BUILD_FOLDER}" TAn ${component} /)
     endforeach()
     string(TOLOWER "${CPACK_SYSTEM_NAME}" system)

@@ -2,9 +2,11 @@
 #include "ui/desktop.h"
 
 #include "core/base/file_writer.h"
+#include "plugins/host/plugin_folders.h"
 #include "plugins/widgets/icons.h"
 #include "ui/session/language.h"
 #include "ui/widgets/legible_style.h"
+#include "ui/widgets/plain_texts.h"
 #include "ui/window/main_window.h"
 #include "ui/work/steady_heap.h"
 #include "ui/workbench/plugin_choice.h"
@@ -12,6 +14,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLibraryInfo>
+#include <QProcess>
 #include <QTranslator>
 
 #include <algorithm>
@@ -74,6 +77,7 @@ int refuseWithoutDisplay()
 
 int runDesktop(int argc, char** argv)
 {
+    ignoreRelativeFolders();
     reportFailedWrites();
     keepHeapSteady();
     const bool isShown = hasDisplay({argv, static_cast<std::size_t>(argc)});
@@ -85,9 +89,10 @@ int runDesktop(int argc, char** argv)
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("TAn");
     QCoreApplication::setApplicationVersion(TAN_VERSION);
-    QGuiApplication::setDesktopFileName("org.tan.TAn"); // how Wayland finds the icon
+    QGuiApplication::setDesktopFileName("org.tan.tan"); // how Wayland finds the icon
     QApplication::setWindowIcon(programIcon());
     useLegibleStyle();
+    showTextsPlainly(application);
     QTranslator ours;
     QTranslator ofQt;
     loadTranslations(application, ours, ofQt);
@@ -97,7 +102,8 @@ int runDesktop(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({"backend", Desktop::tr("Rendering back end: auto, cpu or gl."), "name", "auto"});
-    parser.addPositionalArgument("file", Desktop::tr("A dataset, a .tan model or a session to open, or the address of a model."), "[file]");
+    parser.addPositionalArgument(
+        "file", Desktop::tr("A dataset, a .tan model or a session to open; each in a window of its own."), "[file...]");
     parser.process(application);
     const auto backend = backendNamed(parser.value("backend"));
     if (!backend) {
@@ -112,7 +118,12 @@ int runDesktop(int argc, char** argv)
         return refuseWithoutDisplay();
     Workbench workbench(*host);
     MainWindow window(workbench, *backend);
-    window.openFirst(parser.positionalArguments()); // before the start page, whose pictures wait while a file is read
+    const QStringList files = parser.positionalArguments();
+    if (!files.isEmpty())
+        window.open(files[0]); // before the start page is seen, whose pictures wait while a file is read
+    for (const QString& file : files.mid(1))
+        QProcess::startDetached(QCoreApplication::applicationFilePath(),
+                                {"--backend", parser.value("backend"), "--", file});
     window.show();
     return QApplication::exec();
 }

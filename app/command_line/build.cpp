@@ -5,6 +5,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "plugins/host/dataset_opening.h"
@@ -47,10 +48,11 @@ Outcome describe(const ModelBuild& build, const std::string& output, bool isPack
                        {"degenerate", static_cast<qint64>(report.degenerate)},
                        {"bytes", static_cast<qint64>(build.fileBytes)},
                        {"stopped_early", build.stoppedEarly}};
-    outcome.text = output + ": " + std::to_string(report.sites) + " sites, " + std::to_string(report.tetrahedra) +
-                   " tetrahedra in the history" + (isPacked ? "" : ", " + byteText(build.fileBytes)) + "\nbuilt by " +
-                   build.builder + " in " + rounded(build.seconds, 3) + " s, using at most " +
-                   byteText(build.peakBytes) + " of memory\n";
+    outcome.text = visibleText(output) + ": " + std::to_string(report.sites) + " sites, " +
+                   std::to_string(report.tetrahedra) + " tetrahedra in the history" +
+                   (isPacked ? "" : ", " + byteText(build.fileBytes)) + "\nbuilt by " + visibleText(build.builder) +
+                   " in " + rounded(build.seconds, 3) + " s, using at most " + byteText(build.peakBytes) +
+                   " of memory\n";
     if (build.stoppedEarly)
         outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
     if (report.inverted > 0)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/camera_option.h"
 
-#include <tan/render.h>
+#include "core/base/mapped_file.h"
 
-#include <QFile>
+#include <tan/render.h>
 
 #include <algorithm>
 #include <array>
@@ -27,18 +27,18 @@ constexpr std::array<NamedView, 7> views = {{{"front", 0, 0},
                                              {"bottom", 0, -90},
                                              {"iso", 45, 35.264389682754654}}};
 
-constexpr qint64 largestFile = 1 << 20;
+constexpr std::size_t largestFile = 1 << 20;
 
 Result<Camera> readCamera(const std::string& path, const Eigen::AlignedBox3d& bounds, double aspectRatio)
 {
-    QFile file{std::filesystem::path(path)};
-    if (!file.exists())
+    std::error_code problem;
+    if (!std::filesystem::exists(path, problem))
         return Error{ErrorKind::WrongUsage,
                      "The camera '" + path + "' is neither a view (" + cameraNames() + ") nor a file."};
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                     "The camera '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
-    const auto camera = cameraFromText(file.read(largestFile).toStdString(), bounds, aspectRatio);
+    const auto text = wholeText(path, largestFile);
+    if (!text)
+        return Error{text.error().kind, "The camera cannot be used. " + text.error().text()};
+    const auto camera = cameraFromText(*text, bounds, aspectRatio);
     if (!camera)
         return Error{camera.error().kind, "'" + path + "': " + camera.error().text()};
     return camera;

@@ -6,6 +6,7 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/subcommand.h"
 #include "core/base/system_error.h"
+#include "core/base/text.h"
 
 #include <tan/open.h>
 
@@ -25,6 +26,11 @@ const Subcommand* findSubcommand(std::string_view name)
     return found == subcommands().end() ? nullptr : &*found;
 }
 
+bool asksForHelp(std::span<const std::string> words)
+{
+    return std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; });
+}
+
 int exitCode(ErrorKind kind)
 {
     switch (kind) {
@@ -39,7 +45,7 @@ int exitCode(ErrorKind kind)
 
 int fail(const Streams& streams, const Error& error)
 {
-    streams.messages << "tan: " << error.text() << std::endl;
+    streams.messages << "tan: " << visibleText(error.message) << std::endl;
     return exitCode(error.kind);
 }
 
@@ -57,7 +63,7 @@ Error trueReason(const Error& error, const PluginHost& host)
 int print(const Streams& streams, const std::string& text, int code)
 {
     errno = 0;
-    streams.output << text << std::flush;
+    streams.output << visibleLines(text) << std::flush; // whatever plugins and files say in it
     const int systemError = errno;
     if (streams.output)
         return code;
@@ -65,6 +71,32 @@ int print(const Streams& streams, const std::string& text, int code)
         return exitCode(ErrorKind::CannotWrite);
     const std::string reason = systemError != 0 ? ": " + systemErrorText(systemError).text() : "";
     return fail(streams, {ErrorKind::CannotWrite, "Standard output cannot be written" + reason + "."});
+}
+
+/// The same for programs, and nothing in it that a terminal obeys: such characters, which stand in its strings alone,
+/// are written as JSON's own escapes.
+std::string jsonText(const QJsonObject& figures)
+{
+    const auto isSeen = [](char32_t code) {
+        switch (QChar::category(code)) {
+        case QChar::Other_Control: return code == U'\n'; // between its values
+        case QChar::Other_Format:
+        case QChar::Separator_Line:
+        case QChar::Separator_Paragraph: return false;
+        default: return true;
+        }
+    };
+    QString text;
+    const QString plain = QString::fromUtf8(QJsonDocument(figures).toJson(QJsonDocument::Indented));
+    for (qsizetype i = 0; i < plain.size(); ++i) {
+        const bool isPair = plain[i].isHighSurrogate() && i + 1 < plain.size();
+        const QStringView character = QStringView(plain).mid(i, isPair ? 2 : 1);
+        const bool seen = isSeen(isPair ? QChar::surrogateToUcs4(plain[i], plain[i + 1]) : plain[i].unicode());
+        for (const QChar unit : character)
+            text += seen ? QString(unit) : QString("\\u%1").arg(unit.unicode(), 4, 16, QChar('0'));
+        i += character.size() - 1;
+    }
+    return text.toStdString();
 }
 
 std::string wholeHelp(PluginHost& host)
@@ -100,7 +132,7 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
                   const Streams& streams, const std::stop_token& stop)
 {
     const Syntax syntax = wholeSyntax(subcommand, host);
-    if (std::ranges::any_of(words, [](const std::string& word) { return word == "--help" || word == "-h"; }))
+    if (asksForHelp(words))
         return print(streams, subcommandHelp(subcommand.name, syntax), 0);
     const auto arguments = parseArguments(syntax, words);
     if (!arguments)
@@ -115,9 +147,7 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
     line.clear();
     if (!outcome)
         return fail(streams, trueReason(outcome.error(), host));
-    const std::string text = arguments->has("json")
-                                 ? QJsonDocument(outcome->figures).toJson(QJsonDocument::Indented).toStdString()
-                                 : outcome->text;
+    const std::string text = arguments->has("json") ? jsonText(outcome->figures) : outcome->text;
     return print(streams, text, outcome->isYes ? 0 : 1);
 }
 
@@ -134,6 +164,8 @@ bool isForWindow(std::span<const std::string> words)
 
 bool needsFonts(std::span<const std::string> words)
 {
+    if (asksForHelp(words))
+        return false;
     const Subcommand* subcommand = words.empty() ? nullptr : findSubcommand(words[0]);
     return subcommand != nullptr && subcommand->needsFonts != nullptr && subcommand->needsFonts(words.subspan(1));
 }
@@ -142,6 +174,12 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
                    const std::stop_token& stop)
 {
     const std::string first = words.empty() ? "--help" : words[0];
+    if (first == "help" && words.size() == 2) {
+        const Subcommand* const asked = findSubcommand(words[1]);
+        if (asked == nullptr)
+            return fail(streams, unknownSubcommand(words[1]));
+        return print(streams, subcommandHelp(asked->name, wholeSyntax(*asked, host)), 0);
+    }
     if (first == "--help" || first == "-h" || first == "help")
         return print(streams, wholeHelp(host), 0);
     if (first == "--version")
@@ -149,7 +187,8 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
     const Subcommand* subcommand = findSubcommand(first);
     if (subcommand == nullptr)
         return fail(streams, unknownSubcommand(first));
-    host.whenFailing([&streams](const Error& error) { streams.messages << "tan: " << error.text() << std::endl; });
+    host.whenFailing(
+        [&streams](const Error& error) { streams.messages << "tan: " << visibleText(error.message) << std::endl; });
     const int code = runSubcommand(*subcommand, words.subspan(1), host, streams, stop);
     host.whenFailing({});
     return code;

@@ -3,6 +3,7 @@
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "core/build/model_build.h"
 #include "plugins/host/output_check.h"
 
@@ -37,7 +38,7 @@ Result<Outcome> copyInput(const Invocation& invocation, const std::optional<Accu
                        {"of_sites", static_cast<qint64>(report->sitesOfWhole)},
                        {"tetrahedra", static_cast<qint64>(report->tetrahedra)},
                        {"bytes", static_cast<qint64>(report->fileBytes)}};
-    outcome.text = output.string() + ": " + std::to_string(report->sites) +
+    outcome.text = visibleText(output.string()) + ": " + std::to_string(report->sites) +
                    (report->sites == report->sitesOfWhole ? "" : " of " + std::to_string(report->sitesOfWhole)) +
                    " sites, " + std::to_string(report->tetrahedra) + " tetrahedra in the history, " +
                    byteText(report->fileBytes) + "\n";
@@ -47,7 +48,7 @@ Result<Outcome> copyInput(const Invocation& invocation, const std::optional<Accu
     std::string names;
     for (const std::string& section : report->derived) {
         derived.append(QString::fromStdString(section));
-        names += (names.empty() ? "" : ", ") + section;
+        names += (names.empty() ? "" : ", ") + visibleText(section);
     }
     outcome.figures["derived"] = derived;
     outcome.text += "Made anew by this version, and not byte for byte what was packed: " + names + ".\n";

@@ -3,6 +3,7 @@
 
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/input_file.h"
 
@@ -194,7 +195,7 @@ void addRemarks(const Dataset& dataset, Outcome& outcome)
     QJsonArray remarks;
     for (const Message& remark : dataset.remarks) {
         remarks.append(QString::fromStdString(remark.text()));
-        outcome.text += remark.text() + "\n";
+        outcome.text += visibleText(remark) + "\n";
     }
     outcome.figures["remarks"] = remarks;
     addFaultyCells(dataset, outcome);

@@ -10,6 +10,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "app/server/server_mesh.h"
+#include "core/base/text.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
 #include "plugins/host/file_saving.h"
@@ -46,7 +47,7 @@ Outcome outcomeOf(const std::filesystem::path& output, const TetrahedralMesh& me
     return {.figures = {{"file", QFile::decodeName(output.c_str())},
                         {"sites", static_cast<qint64>(mesh.positions.size())},
                         {"tetrahedra", static_cast<qint64>(mesh.tetrahedra.size())}},
-            .text = output.string() + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
+            .text = visibleText(output.string()) + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
                     std::to_string(mesh.tetrahedra.size()) + " tetrahedra"};
 }
 
@@ -61,8 +62,14 @@ void describeMesh(PluginHost& host, const std::filesystem::path& output, Outcome
         outcome.text += " of " + std::to_string(figure("whole_tetrahedra"));
     if (isSurfaceFileOnly(host, output))
         outcome.text += ", of which the file has the boundary";
-    if (outcome.figures["scale"].toDouble() > 1)
+    const bool isScaled = outcome.figures["scale"].toDouble() > 1;
+    if (outcome.figures.contains("reached_error")) {
+        outcome.text += ", with errors of up to " + rounded(outcome.figures["reached_error"].toDouble()) + " %";
+        if (const double warping = outcome.figures["reached_warping"].toDouble(); warping > 0)
+            outcome.text += " and a warping of up to " + rounded(warping) + " %";
+    } else if (isScaled) {
         outcome.text += ", with errors of up to " + rounded(outcome.figures["error"].toDouble()) + " %";
+    }
 }
 
 void addFigures(Outcome& outcome, const QJsonObject& figures)

@@ -100,13 +100,21 @@ std::vector<std::pair<std::string, std::string>> exitCodes()
     };
 }
 
+std::vector<std::pair<std::string, std::string>> exitCodes(const std::vector<int>& codes)
+{
+    auto some = exitCodes();
+    std::erase_if(some, [&](const auto& entry) { return std::ranges::count(codes, std::stoi(entry.first)) == 0; });
+    return some;
+}
+
 std::vector<std::pair<std::string, std::string>> environmentVariables()
 {
     return {
         {"TAN_PLUGIN_PATH", "more folders with plugins, separated by ':'"},
         {"TAN_PLUGIN_DISABLE", "ids of plugins that are not to be loaded, separated by ','"},
         {"TAN_CACHE_MB",
-         "how many megabytes the cache of models that are packed or on a server takes at most; 8590 without it"},
+         "how many megabytes (of 1,000,000 bytes) the cache of models that are packed or on a server takes at most; "
+         "without it 8590, which is 8 GiB"},
     };
 }
 
@@ -120,7 +128,7 @@ std::string generalRemarks()
 std::string programHelp(const std::vector<std::pair<std::string, std::string>>& subcommands)
 {
     return "tan: Tetrahedra Analyzer. Volume data as multiresolution models with a known error.\n\n"
-           "Usage: tan SUBCOMMAND [ARGUMENTS]     do something here; 'tan SUBCOMMAND --help' explains each\n"
+           "Usage: tan SUBCOMMAND [ARGUMENTS]     do something here; 'tan help SUBCOMMAND' explains each\n"
            "       tan [FILE]                     open the window, with a dataset or a model\n"
            "       tan --help | --version\n\n"
            "Subcommands:\n" +
@@ -150,7 +158,7 @@ std::string subcommandHelp(std::string_view name, const Syntax& syntax)
         text += "\nExamples:\n";
     for (const Example& example : syntax.examples)
         text += "  " + example.command + "\n      " + wrapped(example.explanation, 6, 6) + "\n";
-    return text + "\nExit codes:\n" + listed(exitCodes());
+    return text + "\nExit codes:\n" + listed(exitCodes(syntax.exitCodes));
 }
 
 } // namespace tetra

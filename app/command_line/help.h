@@ -13,9 +13,10 @@ namespace tetra {
 /// The line behind "Usage:" of a subcommand: "tan build IN -o MODEL [OPTIONS]".
 std::string usage(std::string_view name, const Syntax& syntax);
 
-/// What holds for all subcommands: exit codes and variables of the environment, each with its meaning; where figures
-/// and messages go.
+/// What holds for all subcommands: exit codes, or those of them that are asked for, and variables of the environment,
+/// each with its meaning; where figures and messages go.
 std::vector<std::pair<std::string, std::string>> exitCodes();
+std::vector<std::pair<std::string, std::string>> exitCodes(const std::vector<int>& codes);
 std::vector<std::pair<std::string, std::string>> environmentVariables();
 std::string generalRemarks();
 

@@ -7,6 +7,7 @@
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
 #include "core/base/file_writer.h"
+#include "core/base/text.h"
 #include "core/verify/curvilinear_cells.h"
 #include "plugins/host/build_estimate.h"
 #include "plugins/host/dataset_opening.h"
@@ -44,10 +45,10 @@ QJsonObject provenanceFigures(const ModelDescription& description)
 
 std::string provenanceText(const ModelDescription& description)
 {
-    std::string text = "built by " + description.builder + " from " + description.sourceName;
+    std::string text = "built by " + visibleText(description.builder) + " from " + visibleText(description.sourceName);
     for (const auto& [id, value] : description.parameters)
         if (!value.empty() && !id.starts_with(importPrefix)) // the source's name tells of it
-            text.append(", ").append(id).append(" ").append(value);
+            text.append(", ").append(visibleText(id)).append(" ").append(visibleText(value));
     return text + "\n";
 }
 
@@ -177,7 +178,7 @@ Result<Outcome> describeModel(const Invocation& invocation, const std::string& p
     outcome.figures["tetrahedra"] = static_cast<qint64>(model.tetrahedronCount());
     outcome.figures["bytes"] = static_cast<qint64>(model.fileSize());
     outcome.figures["levels"] = found->list;
-    outcome.text = path + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
+    outcome.text = shownInput(path) + ": model of a " + datasetText(summary) + "\n" + provenanceText(description) +
                    std::to_string(model.siteCount()) + " sites, " + std::to_string(model.tetrahedronCount()) +
                    " tetrahedra in the history, " + byteText(model.fileSize()) + "\n\n" + table(found->rows) +
                    guaranteeText(description);
@@ -200,7 +201,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     if (!facts)
         return facts.error();
     const ModelDescription& description = facts->description;
-    if (const Status fits = checkWarpingOption(invocation.arguments, description, path); !fits)
+    if (const Status fits = checkWarpingOption(invocation.arguments, description, shownInput(path)); !fits)
         return fits.error();
     const bool warps = description.warpingWeight > 0;
     const bool isPacked = facts->form == ModelForm::Packed;
@@ -240,7 +241,7 @@ Result<Outcome> describeFront(const Invocation& invocation, const std::string& p
     outcome.figures["bytes"] = static_cast<qint64>(facts->fileBytes);
     outcome.figures["unpacked_bytes"] = static_cast<qint64>(facts->unpackedBytes);
     outcome.figures["levels"] = list;
-    outcome.text = path + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n" +
+    outcome.text = shownInput(path) + ": " + (isPacked ? "packed " : "") + "model of a " + datasetText(summary) + "\n" +
                    provenanceText(description) + std::to_string(facts->sites) + " sites, " +
                    std::to_string(facts->tetrahedra) + " tetrahedra in the history, " + byteText(facts->fileBytes) +
                    (isPacked ? ", unpacked " + byteText(facts->unpackedBytes) : "") + "\n\n" + table(rows);
@@ -264,9 +265,9 @@ void addEstimates(PluginHost& host, const Dataset& dataset, Outcome& outcome)
                                 {"disk_bytes", static_cast<qint64>(estimate->diskBytes)},
                                 {"model_bytes", static_cast<qint64>(estimate->modelBytes)},
                                 {"seconds", estimate->seconds}});
-        outcome.text += "a build by " + builder.id + " would take about " + byteText(estimate->memoryBytes) +
-                        " of memory, " + byteText(estimate->diskBytes) + " of disk and " +
-                        rounded(estimate->seconds, 2) + " s\n";
+        outcome.text += "a build by " + visibleText(builder.id) + " would take about " +
+                        byteText(estimate->memoryBytes) + " of memory, " + byteText(estimate->diskBytes) +
+                        " of disk and " + durationText(estimate->seconds) + "\n";
     }
     outcome.figures["estimates"] = list;
 }
@@ -288,7 +289,8 @@ Result<Outcome> describeDataset(const Invocation& invocation, const std::string&
     const auto bytes = std::filesystem::file_size(path, problem);
     const DatasetSummary summary = summaryOf(*dataset);
     Outcome outcome{.figures = datasetFigures(summary),
-                    .text = path + ": " + dataset->source.name + ", " + datasetText(summary) + "\n"};
+                    .text = visibleText(path) + ": " + visibleText(dataset->source.name) + ", " + datasetText(summary) +
+                            "\n"};
     outcome.figures["source"] = toQString(dataset->source.name);
     outcome.figures["bytes"] = static_cast<qint64>(problem ? 0 : bytes);
     addEstimates(invocation.host, *dataset, outcome);
@@ -333,6 +335,7 @@ Syntax infoSyntax(PluginHost& host)
                      {"tan info engine.tan --lod 1 --against engine.nrrd", "And how far a mesh is off on the whole."},
                      {"tan info engine.nrrd --json", "A dataset, for a program."}}};
     addImportOptions(syntax, host);
+    syntax.exitCodes = {0, 1, 2, 3, 4, 130}; // 1: of '--against'
     return syntax;
 }
 

@@ -39,17 +39,6 @@ Result<std::vector<double>> isovaluesOf(const Arguments& arguments)
     return isovalues;
 }
 
-/// A surface of a value that the data do not have is empty, which is hardly what was meant.
-Status checkInRange(const std::vector<double>& isovalues, const ValueRange& range)
-{
-    for (const double isovalue : isovalues)
-        if (isovalue < range.minimum || isovalue > range.maximum)
-            return Error{ErrorKind::WrongUsage, "The data have no value " + formatNumber(isovalue) +
-                                                    ": they lie between " + formatNumber(range.minimum) + " and " +
-                                                    formatNumber(range.maximum) + "."};
-    return {};
-}
-
 /// How often a tetrahedron is crossed by a surface, which makes one triangle there or two.
 std::uint64_t crossingsOf(const TetrahedralMesh& mesh, std::vector<double> isovalues)
 {
@@ -195,8 +184,6 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     const std::shared_ptr<const Model>& model = found->model;
     if (const Status warps = checkWarpingOption(arguments, *model); !warps)
         return warps.error();
-    if (const Status inRange = checkInRange(*isovalues, model->description().range); !inRange)
-        return inRange.error();
     if (const Status safe = checkMeshOutput(output, *model); !safe)
         return safe.error();
     MeshExtractor extractor(model);
@@ -230,10 +217,11 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     figures["triangles"] = static_cast<qint64>(triangles);
     figures["seconds"] = elapsed.count();
     Outcome outcome{.figures = figures,
-                    .text = output.string() + ": " + std::to_string(vertices) + " vertices, " +
+                    .text = visibleText(output.string()) + ": " + std::to_string(vertices) + " vertices, " +
                             std::to_string(triangles) + " triangles from " +
                             std::to_string(mesh.mesh.tetrahedra.size()) + " tetrahedra, in " +
                             rounded(elapsed.count(), 3) + " s\n"};
+    tellEmptySurfaces(*isovalues, model->description().range, outcome);
     tellPart(*found, outcome);
     return outcome;
 }

@@ -3,6 +3,7 @@
 #include "app/command_line/interruption.h"
 #include "app/command_line/window.h"
 #include "core/base/file_writer.h"
+#include "plugins/host/plugin_folders.h"
 
 #include <QGuiApplication>
 #include <QLocale>
@@ -17,12 +18,21 @@
 
 namespace {
 
+void withoutRuntimeFolder(QtMsgType type, const QMessageLogContext& context, const QString& text)
+{
+    if (!text.startsWith("QStandardPaths: "))
+        std::cerr << qFormatLogMessage(type, context, text).toStdString() << std::endl;
+}
+
 /// Starts the part of Qt that these words need: fonts take a tenth of a second.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, const std::vector<std::string>& words)
 {
     if (!tetra::needsFonts(words))
         return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Machines without a login have no folder for running programs. Nothing is put there, and Qt would complain.
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR"))
+        qInstallMessageHandler(withoutRuntimeFolder);
     QLocale::setDefault(QLocale::c()); // what is drawn is as what is printed
     return std::make_unique<QGuiApplication>(argc, argv);
 }
@@ -39,6 +49,7 @@ void occupyStandardDescriptors()
 int run(int argc, char** argv)
 {
     const std::vector<std::string> words(argv + 1, argv + argc);
+    tetra::ignoreRelativeFolders();
     if (tetra::isForWindow(words)) {
         std::cerr << "tan: " << tetra::startWindow(argv).text() << std::endl;
         return 4;

@@ -3,6 +3,8 @@
 
 #include "app/command_line/table.h"
 #include "app/server/server_mesh.h"
+#include "core/base/text.h"
+#include "core/remote/address.h"
 
 #include <tan/packed.h>
 
@@ -94,6 +96,11 @@ std::string modelExplanation()
     return "The model, packed or not: a file, or its address on a server (http:// or https://).";
 }
 
+std::string shownInput(const std::string& place)
+{
+    return isAddress(place) ? shownAddress(placeOf(place, false)) : visibleText(place);
+}
+
 bool isAtHand(const std::filesystem::path& place)
 {
     return !isAddress(place.string()) && !isPacked(place);
@@ -158,9 +165,10 @@ Result<FoundModel> openSessionInput(const Invocation& invocation, const std::fil
 Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
                                   const Progress& progress)
 {
-    const auto options = optionsWithToken(invocation.arguments, place);
+    auto options = optionsWithToken(invocation.arguments, place);
     if (!options)
         return options.error();
+    options->afresh = true;
     return openModel(placeOf(place.string(), false), *options, progress);
 }
 

@@ -16,6 +16,9 @@ namespace tetra {
 /// What the help says of a model that is read.
 std::string modelExplanation();
 
+/// A file or an address as it is printed: without what a terminal would obey, and without a password.
+std::string shownInput(const std::string& place);
+
 /// Whether a model is simply mapped, with nothing to be fetched or unpacked first.
 bool isAtHand(const std::filesystem::path& place);
 
@@ -34,7 +37,7 @@ Result<std::string> tokenOption(const Arguments& arguments, const std::filesyste
 /// The model of a session, which may have been left at its server.
 Result<FoundModel> openSessionInput(const Invocation& invocation, const std::filesystem::path& place,
                                     const Progress& progress);
-/// The model at a path or an address, whole.
+/// The model at a path or an address, whole; read from there, whatever the cache has of it.
 Result<FoundModel> openWholeInput(const Invocation& invocation, const std::filesystem::path& place,
                                   const Progress& progress);
 

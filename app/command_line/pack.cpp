@@ -5,6 +5,7 @@
 #include "app/command_line/option_values.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "core/build/model_build.h"
 #include "plugins/host/output_check.h"
 
@@ -60,7 +61,8 @@ Result<Outcome> runPack(const Invocation& invocation)
         return report.error();
     Outcome outcome{.figures = {{"file", QFile::decodeName(output.c_str())},
                                 {"sites", static_cast<qint64>(found->model->siteCount())}},
-                    .text = output.string() + ": " + std::to_string(found->model->siteCount()) + " sites, "};
+                    .text =
+                        visibleText(output.string()) + ": " + std::to_string(found->model->siteCount()) + " sites, "};
     addPacking(*report, found->model->fileSize(), outcome);
     return outcome;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/plugin_options.h"
 
+#include "core/base/mapped_file.h"
+#include "core/base/text.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/host/parameter_text.h"
 
 #include <tan/transfer.h>
-
-#include <QFile>
 
 #include <algorithm>
 #include <filesystem>
@@ -84,6 +84,13 @@ std::string placeholder(const Parameter& parameter)
     return isText ? "TEXT" : "NUMBER";
 }
 
+std::string startingSmall(std::string text)
+{
+    if (!text.empty())
+        text[0] = smallLetter(text[0]);
+    return text;
+}
+
 Option optionOf(const Parameter& parameter)
 {
     Option option{.name = optionName(parameter),
@@ -92,7 +99,7 @@ Option optionOf(const Parameter& parameter)
                   .repeatable = isList(parameter),
                   .ofPlugin = true};
     if (isOnByDefault(parameter))
-        option.explanation += " On by default; this option turns it off.";
+        option.explanation = "Turns off what is done by default: " + startingSmall(option.explanation);
     if (isIsovalues(parameter))
         option.explanation += " COLOUR is #rrggbb or a name (orange, silver ...), OPACITY above 0 and at most 1.";
     if (isTransferFunction(parameter)) {
@@ -108,15 +115,11 @@ Option optionOf(const Parameter& parameter)
 /// Errors name the file, and the line and the column of what is wrong in it.
 Result<ParameterValue> readTransferFunction(const std::string& path)
 {
-    constexpr qint64 largestFile = 16 << 20;
-    QFile file{std::filesystem::path(path)};
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                     "The transfer function '" + path + "' cannot be read: " + file.errorString().toStdString() + "."};
-    if (file.size() > largestFile)
-        return Error{ErrorKind::BadInput, "'" + path + "' is too large for a transfer function."};
-    const QByteArray text = file.readAll();
-    auto functions = importTransferFunctions({text.constData(), static_cast<std::size_t>(text.size())}, {});
+    constexpr std::size_t largestFile = 16 << 20;
+    const auto text = wholeText(path, largestFile);
+    if (!text)
+        return Error{text.error().kind, "The transfer function cannot be used. " + text.error().text()};
+    auto functions = importTransferFunctions(*text, {});
     if (!functions)
         return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text()};
     if (functions->front().coloursOnly)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 
 #include <QJsonArray>
 
@@ -32,7 +33,8 @@ Syntax pluginsSyntax(PluginHost&)
                 "be used is named with the reason and the remedy; it does not keep the program from working.",
             .positionals = {},
             .options = {},
-            .examples = {{"tan plugins", "All plugins, a line each."}}};
+            .examples = {{"tan plugins", "All plugins, a line each."}},
+            .exitCodes = {0, 2, 4}};
 }
 
 Result<Outcome> runPlugins(const Invocation& invocation)
@@ -55,12 +57,13 @@ Result<Outcome> runPlugins(const Invocation& invocation)
                                 {"file", toQString(plugin.path.string())}});
         rows.push_back({kind, metadata.id, version, std::string(pluginStateName(plugin.state))});
         if (!plugin.error.empty())
-            errors += "\n" + metadata.id + " (" + plugin.path.string() + "): " + plugin.error.text() + "\n";
+            errors += "\n" + visibleText(metadata.id) + " (" + visibleText(plugin.path.string()) +
+                      "): " + visibleText(plugin.error) + "\n";
     }
     outcome.figures = {{"plugins", list}};
     outcome.text = table(rows) + errors + "\nSearched in:\n";
     for (const auto& folder : invocation.host.folders())
-        outcome.text += "  " + folder.string() + "\n";
+        outcome.text += "  " + visibleText(folder.string()) + "\n";
     return outcome;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/progress_line.h"
 
+#include "app/command_line/table.h"
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,16 +21,6 @@ int percentOf(double fraction)
     return static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
 }
 
-std::string duration(double seconds)
-{
-    const auto whole = static_cast<long>(std::ceil(seconds));
-    if (whole < 60)
-        return std::to_string(whole) + " s";
-    if (whole < 3600)
-        return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
-}
-
 } // namespace
 
 ProgressLine::ProgressLine(std::ostream& messages, bool isTerminal)
@@ -37,7 +30,8 @@ ProgressLine::ProgressLine(std::ostream& messages, bool isTerminal)
 
 Progress ProgressLine::progress(std::stop_token stop)
 {
-    return {std::move(stop), [this](double fraction, const Message& activity) { report(fraction, activity.text()); }};
+    return {std::move(stop),
+            [this](double fraction, const Message& activity) { report(fraction, visibleText(activity)); }};
 }
 
 void ProgressLine::clear()
@@ -65,7 +59,7 @@ void ProgressLine::report(double fraction, std::string_view activity)
 std::string ProgressLine::remaining() const
 {
     const auto seconds = remainingTime_.seconds();
-    return seconds ? ", " + duration(*seconds) + " left" : "";
+    return seconds ? ", " + durationText(std::max(*seconds, 1.0)) + " left" : "";
 }
 
 void ProgressLine::draw(double fraction, std::string_view activity)

@@ -28,6 +28,20 @@ Status checkNotEmpty(const Arguments& arguments, const Model& model, const Tetra
                                             ", with values from " + rangeText(data.range.minimum, data.range.maximum) + "."};
 }
 
+void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& range, Outcome& outcome)
+{
+    QJsonArray remarks;
+    for (const double isovalue : isovalues)
+        if (isovalue < range.minimum || isovalue > range.maximum) {
+            const std::string remark = "The surface of " + formatNumber(isovalue) + " is empty: the data lie between " +
+                                       formatNumber(range.minimum) + " and " + formatNumber(range.maximum) + ".";
+            outcome.text += remark + "\n";
+            remarks.append(QString::fromStdString(remark));
+        }
+    if (!remarks.isEmpty())
+        outcome.figures["remarks"] = remarks;
+}
+
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
     const auto ofMesh = [](const MeshSize& size) {
@@ -50,16 +64,23 @@ QJsonObject figuresOf(const Model& model, const MeshQuery& query, const Extracte
     }
     const Accuracy kept = keptEverywhere(query, mesh.scale);
     const bool warps = model.description().warpingWeight > 0;
-    return {{"sites", static_cast<qint64>(mesh.mesh.positions.size())},
-            {"tetrahedra", static_cast<qint64>(mesh.mesh.tetrahedra.size())},
-            {"error", kept.error},
-            {"warping", warps ? kept.warping : 0},
-            {"scale", mesh.scale},
-            {"method", wordOf(methodWords, mesh.method)},
-            {"kept_sites", static_cast<qint64>(mesh.keptSites)},
-            {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
-            {"whole_sites", static_cast<qint64>(mesh.wholeSites)},
-            {"whole_tetrahedra", static_cast<qint64>(mesh.wholeTetrahedra)}};
+    QJsonObject figures{{"sites", static_cast<qint64>(mesh.mesh.positions.size())},
+                        {"tetrahedra", static_cast<qint64>(mesh.mesh.tetrahedra.size())},
+                        {"error", kept.error},
+                        {"warping", warps ? kept.warping : 0},
+                        {"scale", mesh.scale},
+                        {"method", wordOf(methodWords, mesh.method)},
+                        {"kept_sites", static_cast<qint64>(mesh.keptSites)},
+                        {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
+                        {"whole_sites", static_cast<qint64>(mesh.wholeSites)},
+                        {"whole_tetrahedra", static_cast<qint64>(mesh.wholeTetrahedra)}};
+    // Of a mesh of one accuracy it is known what it reaches, which may be less than what was asked for.
+    if (query.error.isConstant() && query.warping.isConstant() && model.elsewhere() == nullptr) {
+        const MeshSize reached = meshSizeAt(model, kept);
+        figures["reached_error"] = reached.error;
+        figures["reached_warping"] = warps ? reached.warping : 0;
+    }
+    return figures;
 }
 
 } // namespace tetra

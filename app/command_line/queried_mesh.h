@@ -25,4 +25,8 @@ Status checkNotEmpty(const Arguments& arguments, const Model& model, const Tetra
 /// What there is to tell of a mesh that a query gave: its size, what it keeps, and what it was chosen from.
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
 
+/// Says of which of these values the data have none, whose surfaces are empty: that is usual among the files of a
+/// series, and no mistake.
+void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& range, Outcome& outcome);
+
 } // namespace tetra

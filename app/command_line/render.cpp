@@ -10,6 +10,7 @@
 #include "app/command_line/render_request.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "plugins/api/boundary_parameters.h"
 #include "plugins/api/scene_parameters.h"
 #include "plugins/host/file_saving.h"
@@ -121,6 +122,14 @@ ViewValue viewOf(const ParameterValues& values)
     return view;
 }
 
+std::vector<double> isovaluesIn(const ParameterValues& values)
+{
+    std::vector<double> all;
+    for (const Isovalue& isovalue : viewOf(values).isovalues)
+        all.push_back(isovalue.value);
+    return all;
+}
+
 /// What fields can be taken from.
 PresentView presentView(const Camera& camera, const ParameterValues& values)
 {
@@ -183,7 +192,11 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     view.model = found->model;
     const ModelDescription& data = view.model->description();
     // What does not fit is told before the work begins.
-    const auto values = pluginValues(invocation.arguments, renderer.plugin->parameters(roughExtentOf(*view.model)));
+    std::vector<Parameter> parameters = renderer.plugin->parameters(roughExtentOf(*view.model));
+    for (Parameter& parameter : parameters)
+        if (parameter.id == isovaluesId) // one that these data do not have gives an empty surface
+            parameter.minimum = parameter.maximum = 0;
+    const auto values = pluginValues(invocation.arguments, parameters);
     if (!values)
         return values.error();
     if (const Status used = checkAppearance(invocation.arguments, *view.model, renderer, *values); !used)
@@ -498,13 +511,15 @@ Result<Outcome> runRender(const Invocation& invocation)
     figures["backend"] = QString::fromStdString(request->backend);
     figures["seconds"] = seconds;
     Outcome outcome{.figures = figures,
-                    .text = request->output.string() + ": " + std::to_string(picture->width) + " x " +
+                    .text = visibleText(request->output.string()) + ": " + std::to_string(picture->width) + " x " +
                             std::to_string(picture->height) + " pixels, " +
                             contentText(*order.scene, prepared->tetrahedra) + ", in " + rounded(seconds, 3) + " s\n"};
     const std::uint64_t faulty = faultyCellCount(*prepared->built.model);
     if (const auto outlined = prepared->built.faultyCells; outlined && *outlined < faulty)
         outcome.text += std::to_string(*outlined) + " of " + std::to_string(faulty) +
                         " faulty cells are outlined: the model does not have all corners of the others.\n";
+    if (!isOfSession)
+        tellEmptySurfaces(isovaluesIn(prepared->request.values), prepared->built.model->description().range, outcome);
     tellPart(prepared->found, outcome);
     return outcome;
 }

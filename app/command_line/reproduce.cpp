@@ -8,7 +8,9 @@
 #include "app/reproduction/figures.h"
 #include "app/reproduction/report.h"
 #include "app/reproduction/report_text.h"
+#include "app/reproduction/surface_comparison.h"
 #include "core/base/file_writer.h"
+#include "core/base/text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -38,6 +40,11 @@ Result<std::set<int>> tablesOf(const Arguments& arguments)
             return Error{ErrorKind::WrongUsage, "--tables takes whole numbers from 1 to 4, as in '1,2,3'."};
         tables.insert(static_cast<int>(number));
     }
+    constexpr int ofSurfaces = 4;
+    if (tables.contains(ofSurfaces) && !canCompareSurfaces)
+        return Error{ErrorKind::WrongUsage,
+                     "Table 4 compares with surfaces that CGAL simplifies, and this TAn was built without CGAL "
+                     "(TAN_CGAL). Give --tables 1,2,3."};
     return tables;
 }
 
@@ -166,7 +173,7 @@ Result<Outcome> runReproduce(const Invocation& invocation)
     QJsonArray names;
     for (const std::filesystem::path& file : *files) {
         names.append(QFile::decodeName(file.c_str()));
-        outcome.text += "  " + file.string() + "\n";
+        outcome.text += "  " + visibleText(file.string()) + "\n";
     }
     outcome.figures["files"] = names;
     return outcome;

@@ -4,6 +4,7 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 
@@ -110,6 +111,7 @@ Syntax sampleSyntax(PluginHost& host)
                      {"tan sample part -o part.vtu", "A plate with holes, as tetrahedra."},
                      {"tan sample --list", "What there is."}}};
     addPluginOptions(syntax, writerParameters(host, WrittenContent::Dataset));
+    syntax.exitCodes = {0, 2, 4, 130}; // no file is read
     return syntax;
 }
 
@@ -137,7 +139,8 @@ Result<Outcome> runSample(const Invocation& invocation)
         return saved.error();
 
     const DatasetSummary summary = summaryOf(*dataset);
-    Outcome outcome{.figures = datasetFigures(summary), .text = *output + ": " + datasetText(summary) + "\n"};
+    Outcome outcome{.figures = datasetFigures(summary),
+                    .text = visibleText(*output) + ": " + datasetText(summary) + "\n"};
     outcome.figures["file"] = QFile::decodeName(output->c_str());
     outcome.figures["name"] = QString::fromStdString(arguments.positionals[0]);
     return outcome;

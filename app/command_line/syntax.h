@@ -37,6 +37,7 @@ struct Syntax {
     std::vector<Positional> positionals;
     std::vector<Option> options;
     std::vector<Example> examples;
+    std::vector<int> exitCodes{0, 2, 3, 4, 130}; ///< those that can occur
 };
 
 } // namespace tetra

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/table.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace tetra {
 
-std::string table(const std::vector<std::vector<std::string>>& rows)
+std::string table(std::vector<std::vector<std::string>> rows)
 {
+    for (auto& row : rows)
+        for (std::string& cell : row)
+            cell = visibleText(std::move(cell));
     std::vector<std::size_t> widths;
     for (const auto& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
@@ -51,6 +56,18 @@ std::string byteText(std::uint64_t bytes)
         ++unit;
     }
     return rounded(number, 3) + " " + units[unit];
+}
+
+std::string durationText(double seconds)
+{
+    if (seconds < 1)
+        return "less than 1 s";
+    const auto whole = static_cast<std::uint64_t>(std::ceil(std::min(seconds, 1e15)));
+    if (whole < 60)
+        return std::to_string(whole) + " s";
+    if (whole < 3600)
+        return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
 } // namespace tetra

@@ -8,7 +8,7 @@
 namespace tetra {
 
 /// Rows of cells as text in columns, aligned to the right, the first row being the heads. Rows have equally many cells.
-std::string table(const std::vector<std::vector<std::string>>& rows);
+std::string table(std::vector<std::vector<std::string>> rows);
 
 /// The number with at most `digits` significant digits, whatever the locale: for people, not for programs.
 std::string rounded(double number, int digits = 4);
@@ -18,5 +18,8 @@ std::string rangeText(double least, double largest);
 
 /// "1.5 MB".
 std::string byteText(std::uint64_t bytes);
+
+/// "less than 1 s", "12 s", "4 min 40 s", "2 h 5 min": rounded up.
+std::string durationText(double seconds);
 
 } // namespace tetra

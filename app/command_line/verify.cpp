@@ -7,6 +7,7 @@
 #include "app/command_line/query_options.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
+#include "core/base/text.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
 
@@ -76,7 +77,7 @@ std::string failureText(const VerificationReport& verdict, bool warps)
 {
     std::string text;
     for (const std::string& failure : verdict.failures)
-        text += "\n" + failure;
+        text += "\n" + visibleText(failure);
     std::vector<std::pair<std::string, std::string>> levelsOfFailures;
     for (const LevelReport& level : verdict.levels)
         for (const std::string& failure : level.failures) {
@@ -89,7 +90,7 @@ std::string failureText(const VerificationReport& verdict, bool warps)
                 known->second += ", " + name;
         }
     for (const auto& [failure, levels] : levelsOfFailures)
-        text += "\nat " + levels + " %: " + failure;
+        text += "\nat " + levels + " %: " + visibleText(failure);
     return text.empty() ? text : text + "\n";
 }
 
@@ -132,7 +133,7 @@ Outcome describe(const VerificationReport& verdict, const std::string& path, con
                        {"failures", toJson(verdict.failures)},
                        {"folded_cells", static_cast<qint64>(verdict.foldedCells)},
                        {"levels", levels}};
-    outcome.text = path + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
+    outcome.text = shownInput(path) + (verdict.ok() ? ": proved\n" : ": NOT what it claims to be\n");
     if (!isUnchecked)
         outcome.text += "\n" + table(rows) + "\n" + statisticsText(measured, description.domain) +
                         guaranteeText(description) + remarkOn(verdict);
@@ -211,6 +212,7 @@ Syntax verifySyntax(PluginHost& host)
                       "The mesh that 'tan extract' would write for the same options."}}};
     std::ranges::move(queryOptions(), std::back_inserter(syntax.options));
     addImportOptions(syntax, host);
+    syntax.exitCodes = {0, 1, 2, 3, 4, 130};
     return syntax;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reproduction/paper_tables.h"
 
+#include "core/base/mapped_file.h"
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <fstream>
 #include <span>
+#include <sstream>
 
 namespace tetra {
 
@@ -29,11 +30,13 @@ class TableFile {
 public:
     static Result<TableFile> read(const std::filesystem::path& path)
     {
-        std::ifstream stream(path);
+        constexpr std::size_t mostBytes = 16 << 20;
+        const auto text = wholeText(path, mostBytes);
+        std::istringstream stream(text ? *text : std::string());
         TableFile file;
         file.path_ = path;
         std::string line;
-        if (!stream || !std::getline(stream, line))
+        if (!text || !std::getline(stream, line))
             return Error{ErrorKind::BadInput, "Cannot read '" + path.string() +
                                                   "', which should hold the paper's figures. Does --data name the "
                                                   "folder that has 'paper' in it?"};

@@ -24,6 +24,9 @@ struct SurfaceComparison {
     double simplifyingSeconds = 0; ///< of the first surface
 };
 
+/// Whether this program has CGAL (the option TAN_CGAL); without it compareSurfaces() gives zeros.
+extern const bool canCompareSurfaces;
+
 /// Simplifies the finest surfaces by edge collapse (P. Lindstrom and G. Turk, Fast and memory efficient polygonal
 /// simplification, 1998; CGAL's) to as many triangles as the surfaces of the data have, and measures both. Surfaces
 /// that have no triangles give zeros.

@@ -2,6 +2,7 @@
 #include "app/server/server_mesh.h"
 
 #include "app/command_line/query_options.h"
+#include "core/base/mapped_file.h"
 #include "core/remote/fetch.h"
 #include "core/remote/percent_encoding.h"
 #include "core/remote/remote_file.h"
@@ -10,17 +11,22 @@
 #include <QJsonDocument>
 
 #include <algorithm>
-#include <fstream>
+#include <cmath>
 
 namespace tetra {
 namespace {
 
-constexpr std::uint64_t mostMeshBytes = std::uint64_t(8) << 30;
-constexpr std::size_t leastTokenSize = 16;
+constexpr std::size_t leastTokenSize = 16, mostTokenSize = 1024;
 
 QJsonObject jsonOf(std::string_view text)
 {
     return QJsonDocument::fromJson(QByteArray(text.data(), static_cast<qsizetype>(text.size()))).object();
+}
+
+bool isFinite(const TetrahedralMesh& mesh)
+{
+    return std::ranges::all_of(mesh.positions, [](const auto& place) { return place.allFinite(); }) &&
+           std::ranges::all_of(mesh.values, [](float value) { return std::isfinite(value); });
 }
 
 /// What a server that sends no mesh says.
@@ -28,9 +34,10 @@ Error saidInstead(const std::string& address, const FetchedAnswer& answer)
 {
     const std::string_view text(reinterpret_cast<const char*>(answer.content.data()), answer.content.size());
     const std::string said = jsonOf(text)["error"].toString().left(1000).toStdString();
-    const ErrorKind kind = answer.status == 400                           ? ErrorKind::WrongUsage
-                           : answer.status == 413 || answer.status >= 503 ? ErrorKind::OutOfResource
-                                                                          : ErrorKind::BadInput;
+    const ErrorKind kind = answer.status == 400 ? ErrorKind::WrongUsage
+                           : answer.status == 413 || answer.status == 429 || answer.status >= 503
+                               ? ErrorKind::OutOfResource
+                               : ErrorKind::BadInput;
     if (answer.status == 200 || said.empty())
         return {
             ErrorKind::BadInput,
@@ -69,7 +76,7 @@ std::string meshAddress(const std::string& model, const Arguments& arguments)
 Result<ServerMesh> meshAtServer(const std::string& address, const std::string& token, const Progress& progress)
 {
     constexpr double fetchedAt = 0.7;
-    const auto answer = fetchOnce(address, token, mostMeshBytes, progress.part(0, fetchedAt));
+    const auto answer = fetchOnce(address, token, limitsOfMesh(packedMeshType), progress.part(0, fetchedAt));
     if (!answer)
         return answer.error();
     if (answer->status != 200 || answer->contentType != packedMeshType)
@@ -77,6 +84,11 @@ Result<ServerMesh> meshAtServer(const std::string& address, const std::string& t
     auto unpacked = unpackMesh(answer->content, std::uint64_t(1) << 30, progress.part(fetchedAt, 1));
     if (!unpacked)
         return unpacked.error();
+    if (unpacked->mesh.tetrahedra.empty() || !isFinite(unpacked->mesh))
+        return Error{ErrorKind::BadInput,
+                     Message::say("'%1' sends a mesh without tetrahedra, or with numbers that are not finite. Nothing "
+                                  "was written.",
+                                  shownAddress(address))};
     ServerMesh mesh;
     mesh.content = std::move(*unpacked);
     const QJsonObject told = jsonOf(mesh.content.facts);
@@ -95,18 +107,19 @@ Result<ServerMesh> meshAtServer(const std::string& address, const std::string& t
 
 Result<std::string> tokenIn(const std::string& file)
 {
-    std::ifstream stream(file);
-    if (!stream)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("The token's file '%1' cannot be read. Check its name and permissions.", file)};
-    std::string token;
-    std::getline(stream, token);
+    constexpr std::size_t mostBytes = 64 << 10;
+    const auto text = wholeText(file, mostBytes);
+    if (!text)
+        return Error{ErrorKind::WrongUsage, Message::say("The token's file cannot be read. %1", text.error().message)};
+    std::string token = text->substr(0, text->find('\n'));
+    if (token.ends_with('\r')) // written by an editor of another system
+        token.pop_back();
     const bool isVisible = std::ranges::all_of(token, [](char c) { return c > ' ' && c < 0x7f; });
-    if (stream.bad() || token.size() < leastTokenSize || !isVisible)
+    if (token.size() < leastTokenSize || token.size() > mostTokenSize || !isVisible)
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' holds no token: its first line has to be at least %2 letters, digits or signs "
-                                  "without blanks, such as 'openssl rand -hex 24' writes.",
-                                  file, leastTokenSize)};
+                     Message::say("'%1' does not hold a token: its first line has to be %2 to %3 letters, digits or "
+                                  "signs without blanks, such as 'openssl rand -hex 24' writes.",
+                                  file, leastTokenSize, mostTokenSize)};
     return token;
 }
 

@@ -13,6 +13,7 @@ Result<ByteSource> fileSource(const std::filesystem::path& path)
         return file.error();
     ByteSource source;
     source.size = (*file)->bytes().size();
+    source.isLocal = true;
     source.read = [mapped = *std::move(file)](std::uint64_t offset, std::span<std::byte> to,
                                               const Progress&) -> Status {
         const std::span<const std::byte> bytes = mapped->bytes();

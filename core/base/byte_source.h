@@ -23,6 +23,8 @@ struct ByteRange {
 /// called from, one thread or several at once, whoever makes it says.
 struct ByteSource {
     std::uint64_t size = 0;
+    /// Whether reading all of it costs no more than memory and disk give: a file on this machine.
+    bool isLocal = false;
     /// Fills `to` with the bytes from `offset` on. Errors: bytes beyond the end, whatever keeps it from reading them,
     /// cancelled.
     std::function<Status(std::uint64_t offset, std::span<std::byte> to, const Progress& progress)> read;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file_writer.h"
 
+#include "core/base/finished_file.h"
 #include "core/base/folder.h"
 #include "core/base/guarded.h"
 #include "core/base/positioned_io.h"
@@ -67,7 +68,7 @@ template <class Function> auto uninterrupted(Function&& function)
 }
 
 /// What `target` is now: nothing, or a regular file that may be replaced. Its mode goes to `mode`.
-Status checkTarget(const std::filesystem::path& target, std::optional<mode_t>& mode)
+Status checkTargetAndMode(const std::filesystem::path& target, std::optional<mode_t>& mode)
 {
     struct stat existing {};
     if (::stat(target.c_str(), &existing) != 0) {
@@ -84,6 +85,14 @@ Status checkTarget(const std::filesystem::path& target, std::optional<mode_t>& m
         return cannotWrite(target, Message::say("the file is read-only"),
                            Message::say("Choose another name, or make it writable."));
     mode = existing.st_mode & 07777;
+    return {};
+}
+
+/// Some file systems have no permissions to keep: then what they give is all there is.
+Status keepMode(int descriptor, const std::optional<mode_t>& mode, const std::filesystem::path& target)
+{
+    if (mode && ::fchmod(descriptor, *mode) != 0 && errno != EPERM && errno != ENOTSUP)
+        return cannotWrite(target, errno);
     return {};
 }
 
@@ -131,15 +140,14 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& target, std::
     if (writer.target_.empty() || !writer.target_.has_filename())
         return cannotWrite(target, Message::say("it does not name a file"), Message::say("Name a file."));
     std::optional<mode_t> mode;
-    if (const Status possible = checkTarget(writer.target_, mode); !possible)
+    if (const Status possible = checkTargetAndMode(writer.target_, mode); !possible)
         return possible.error();
     if (workFolder.empty())
         removeLeftFiles(writer.target_.parent_path(), isTemporaryName);
     if (const Status made = writer.makeTemporary(workFolder); !made)
         return made.error();
-    // Some file systems have no permissions to keep: then what they give is all there is.
-    if (mode && ::fchmod(writer.descriptor_, *mode) != 0 && errno != EPERM && errno != ENOTSUP)
-        return cannotWrite(writer.target_, errno);
+    if (const Status kept = keepMode(writer.descriptor_, mode, writer.target_); !kept)
+        return kept.error();
     const auto takeBuffer = [&]() -> Status {
         writer.buffer_.reserve(std::max<std::size_t>(bufferBytes, 1));
         return {};
@@ -313,6 +321,33 @@ Status writeWholeFile(const std::filesystem::path& target, std::span<const std::
     if (const Status written = file->write(content); !written)
         return written;
     return file->commit();
+}
+
+Status checkTarget(const std::filesystem::path& target)
+{
+    std::optional<mode_t> mode;
+    return checkTargetAndMode(behindLinks(target), mode);
+}
+
+Status replaceFile(const std::filesystem::path& made, const std::filesystem::path& target)
+{
+    const std::filesystem::path behind = behindLinks(target);
+    std::optional<mode_t> mode;
+    if (const Status possible = checkTargetAndMode(behind, mode); !possible)
+        return possible;
+    const int descriptor = ::open(made.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0)
+        return cannotWrite(behind, errno);
+    Status done = keepMode(descriptor, mode, behind);
+    if (done && uninterrupted([&] { return ::fsync(descriptor); }) != 0)
+        done = cannotWrite(behind, errno);
+    ::close(descriptor);
+    if (done && ::rename(made.c_str(), behind.c_str()) != 0)
+        done = cannotWrite(behind, errno);
+    if (!done)
+        return done;
+    const int problem = syncFolder(behind.parent_path());
+    return problem == 0 ? Status() : cannotWrite(behind, problem);
 }
 
 std::filesystem::path behindLinks(const std::filesystem::path& path)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <tan/base.h>
+#include "core/base/mapped_file.h"
 
 #include "core/base/memory.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -128,52 +130,97 @@ bool isMappingDamaged(int index) noexcept
     return table[index].damaged.load(std::memory_order_acquire);
 }
 
-Error cannotRead(const std::filesystem::path& path, const Message& reason)
+} // namespace
+
+Error cannotReadFile(const std::filesystem::path& path, const Message& reason)
 {
     return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason)};
 }
 
-Error cannotRead(const std::filesystem::path& path, int systemError)
+Error cannotReadFile(const std::filesystem::path& path, int systemError)
 {
     const Message reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource, cannotRead(path, Message::say("%1. %2", reason, resourceRemedy)).message};
+        return {ErrorKind::OutOfResource, cannotReadFile(path, Message::say("%1. %2", reason, resourceRemedy)).message};
     switch (systemError) {
-    case ENOENT: return cannotRead(path, Message::say("%1. Check its name and folder.", reason));
-    case EACCES: return cannotRead(path, Message::say("%1. Ask its owner for the right to read it.", reason));
-    default: return cannotRead(path, reason);
+    case ENOENT: return cannotReadFile(path, Message::say("%1. Check its name and folder.", reason));
+    case EACCES: return cannotReadFile(path, Message::say("%1. Ask its owner for the right to read it.", reason));
+    // A socket, and a device without a driver.
+    case ENXIO:
+    case ENODEV:
+        return cannotReadFile(path, Message::say("it is not a regular file. Copy its content into one first."));
+    default: return cannotReadFile(path, Message::say("%1.", reason));
     }
 }
 
-std::int64_t nanoseconds(const timespec& time)
+Result<RegularFile> RegularFile::open(const std::filesystem::path& path)
 {
-    return std::int64_t(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+    // Without O_NONBLOCK a pipe would make open() wait for a writer; regular files do not know it.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor < 0)
+        return cannotReadFile(path, errno);
+    RegularFile file(path, descriptor);
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0)
+        return cannotReadFile(path, errno);
+    if (S_ISDIR(status.st_mode))
+        return cannotReadFile(path, Message::say("it is a folder. Name a file in it."));
+    if (!S_ISREG(status.st_mode))
+        return cannotReadFile(path, Message::say("it is not a regular file. Copy its content into one first."));
+    file.size_ = static_cast<std::uint64_t>(status.st_size);
+    file.modified_ = std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec;
+    return file;
 }
 
-} // namespace
+RegularFile::RegularFile(RegularFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(other.release()), size_(other.size_), modified_(other.modified_)
+{
+}
+
+RegularFile::~RegularFile()
+{
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+}
+
+int RegularFile::release() noexcept
+{
+    return std::exchange(descriptor_, -1);
+}
+
+Result<std::string> RegularFile::front(std::size_t most) const
+{
+    constexpr std::size_t step = 1 << 16; // a file may claim any size
+    std::string text;
+    while (text.size() < most) {
+        const std::size_t had = text.size();
+        text.resize(std::min(most, had + step));
+        const ssize_t got = ::pread(descriptor_, text.data() + had, text.size() - had, static_cast<off_t>(had));
+        const int problem = errno;
+        text.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        if (got == 0)
+            break;
+        if (got < 0 && problem != EINTR)
+            return cannotReadFile(path_, problem);
+    }
+    return text;
+}
 
 Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem::path& path)
 {
     const std::shared_ptr<MappedFile> file(new MappedFile);
     file->path_ = path;
-    // Without O_NONBLOCK a pipe would make open() wait for a writer.
-    file->descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file->descriptor_ < 0)
-        return cannotRead(path, errno);
-    struct stat status {};
-    if (::fstat(file->descriptor_, &status) != 0)
-        return cannotRead(path, errno);
-    if (S_ISDIR(status.st_mode))
-        return cannotRead(path, Message::say("it is a folder. Name a file in it."));
-    if (!S_ISREG(status.st_mode))
-        return cannotRead(path, Message::say("it is not a regular file. Copy its content into one first."));
-    file->modified_ = nanoseconds(status.st_mtim);
-    const auto size = static_cast<std::size_t>(status.st_size);
+    auto regular = RegularFile::open(path);
+    if (!regular)
+        return regular.error();
+    file->modified_ = regular->modified();
+    const auto size = static_cast<std::size_t>(regular->size());
+    file->descriptor_ = regular->release();
     if (size == 0)
         return std::shared_ptr<const MappedFile>(file);
     void* const start = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file->descriptor_, 0);
     if (start == MAP_FAILED)
-        return cannotRead(path, errno);
+        return cannotReadFile(path, errno);
     file->bytes_ = {static_cast<const std::byte*>(start), size};
     file->guard_ = guardMapping(file->bytes_);
     if (file->guard_ < 0)
@@ -199,7 +246,7 @@ bool MappedFile::damaged() const noexcept
     // The last page of a file that was cut reads as zeros without any signal.
     struct stat status {};
     return ::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != bytes_.size() ||
-           nanoseconds(status.st_mtim) != modified_;
+           std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec != modified_;
 }
 
 } // namespace tetra

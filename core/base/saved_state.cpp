@@ -24,7 +24,7 @@ constexpr std::size_t readBytes = std::size_t(1) << 20;
 
 int openToRead(const std::filesystem::path& path)
 {
-    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); // a pipe in its place is waited for by nobody
 }
 
 std::uint64_t sizeOf(int descriptor)
@@ -185,7 +185,7 @@ Status SavedState::find()
 
 Status SavedState::checkJournal(const Foot& foot)
 {
-    journal_ = ::open(journalPath_.c_str(), O_RDWR | O_CLOEXEC);
+    journal_ = ::open(journalPath_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     journalSize_ = foot.journalSize;
     if (journalSize_ > 0 &&
         (journal_ < 0 || sizeOf(journal_) < journalSize_ || !addTo(journalSum_, journal_, 0, journalSize_)))

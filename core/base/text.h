@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tetra {
 
@@ -24,5 +26,33 @@ inline std::string smallLetters(std::string_view text)
 
 /// The bytes at the front of `text` that are UTF-8 (RFC 3629); all of them, if the text is.
 std::size_t utf8Bytes(std::string_view text) noexcept;
+
+/// A text of somebody else (a file or its name, a server, a plugin) for people: what would not be seen as itself stands
+/// there as an escape, so that it neither commands a terminal nor passes for another line or another order of letters.
+/// Control characters become "\n" or "\x1b", other line breaks, marks of direction and invisible characters "\u202e",
+/// bytes that are no UTF-8 "\xff". All else stays, backslashes too; so twice is the same as once. Linear.
+TAN_INTERNAL std::string visibleText(std::string text);
+
+/// A message with visibleText() wherever it is not a sentence of this program.
+inline std::string visibleText(const Message& message)
+{
+    if (message.sentence().empty())
+        return visibleText(message.text());
+    std::vector<Message> arguments;
+    for (const Message& argument : message.arguments())
+        arguments.emplace_back(visibleText(argument));
+    return Message::of(message.sentence(), std::move(arguments)).text();
+}
+
+/// visibleText() of a text of several lines: line feeds stay.
+inline std::string visibleLines(std::string_view text)
+{
+    std::string visible;
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+        visible += visibleText(std::string(text.substr(0, end))) + '\n';
+        text.remove_prefix(end + 1);
+    }
+    return visible + visibleText(std::string(text));
+}
 
 } // namespace tetra

@@ -2,7 +2,9 @@
 #include "core/build/model_build.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/finished_file.h"
 #include "core/base/guarded.h"
+#include "core/base/mapped_file.h"
 #include "core/build/decimation_build.h"
 #include "core/history/format.h"
 #include "core/history/model_writer.h"
@@ -10,10 +12,8 @@
 #include <tan/build.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <utility>
 
@@ -56,15 +56,13 @@ Status checkModelOutput(const std::filesystem::path& output)
 {
     std::error_code problem;
     if (!std::filesystem::is_regular_file(output, problem) || std::filesystem::file_size(output, problem) == 0)
-        return {}; // nothing to lose: missing, empty, or no file at all, which writing tells
-    std::ifstream file(output, std::ios::binary);
-    if (!file.is_open()) // what cannot be looked at may be anything
-        return Error{isLackOfResources(errno) ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-                     Message::say("'%1' cannot be read: %2.", output.string(), systemErrorText(errno))};
-    std::array<char, format::magic.size()> begin{};
-    file.read(begin.data(), begin.size());
-    if (beginsLikeModel(std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(file.gcount()))))
-        return {};
+        return checkTarget(output); // nothing to lose that is a file: missing or empty
+    const auto file = RegularFile::open(output);
+    const auto begin = file ? file->front(format::magic.size()) : file.error();
+    if (!begin) // what cannot be looked at may be anything
+        return begin.error();
+    if (beginsLikeModel(std::as_bytes(std::span(*begin))))
+        return checkTarget(output);
     return Error{ErrorKind::WrongUsage, Message::say("'%1' exists and is no TAn model, so it is not overwritten. Give "
                                                      "the model another name, or remove that file first.",
                                                      output.string())};

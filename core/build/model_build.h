@@ -16,7 +16,8 @@ TAN_INTERNAL bool beginsLikeModel(std::span<const std::byte> firstBytes) noexcep
 
 /// An error (WrongUsage) if there is a file `output` that does not begin like a TAn model, whatever its name is: a
 /// model replaces only models and empty files. Guards the samples that a header names, which no input list shows, and
-/// notes that somebody called .tan. Also an error if that file cannot be read.
+/// notes that somebody called .tan. Also an error if that file cannot be read, or is none that a FileWriter replaces: a
+/// folder, a pipe, a device, a file that is read-only. So what takes long to make is not made in vain.
 TAN_INTERNAL Status checkModelOutput(const std::filesystem::path& output);
 
 /// The folder beside a model (beside what a link leads to) that holds the files of its build until it is done.

@@ -260,7 +260,7 @@ void ExactOrder::takeFirst()
 
 Status ExactOrder::run(Pauses& pauses)
 {
-    if (const auto goneOn = pauses.goneOn(*this); !goneOn)
+    if (const auto goneOn = pauses.goneOn(*this); !goneOn.ok())
         return goneOn.error();
     if (Status status = lookAtAll(pauses); !status)
         return status;
@@ -472,7 +472,7 @@ Status PaperOrder::run(Pauses& pauses)
     for (std::uint32_t vertex = 0; vertex < mesh_.vertexCount(); ++vertex)
         gradients_.push_back(vertexGradient(mesh_, vertex));
     const auto goneOn = pauses.goneOn(*this);
-    if (!goneOn)
+    if (!goneOn.ok())
         return goneOn.error();
     for (std::uint32_t vertex = 0; !*goneOn && vertex < mesh_.vertexCount(); ++vertex)
         estimate(vertex);
@@ -581,7 +581,7 @@ double Rounds::leastKey() const
 
 Status Rounds::run(Pauses& pauses)
 {
-    if (const auto goneOn = pauses.goneOn(*this); !goneOn)
+    if (const auto goneOn = pauses.goneOn(*this); !goneOn.ok())
         return goneOn.error();
     for (;;) {
         if (Status status = lookAtStale(pauses); !status)

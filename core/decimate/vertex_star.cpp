@@ -269,19 +269,16 @@ void LinkCondition::set(const VertexStar& star)
     link_.assign(star.link().begin(), star.link().end());
     edges_.clear();
     rim_.clear();
-    rimEdges_.clear();
     const auto link = star.link();
     for (const auto& [a, b, c] : star.faces())
         edges_.insert(edges_.end(), {edgeKey(link[a], link[b]), edgeKey(link[b], link[c]), edgeKey(link[c], link[a])});
     for (const VertexStar::RimTriangle& triangle : star.rim()) {
         const std::uint32_t a = link[triangle.corners[0]], b = link[triangle.corners[1]];
         rim_.insert(rim_.end(), {a, b});
-        rimEdges_.push_back(edgeKey(a, b));
     }
     std::ranges::sort(link_);
     sortUnique(edges_);
     sortUnique(rim_);
-    sortUnique(rimEdges_);
 }
 
 bool LinkCondition::isOnRim(std::uint32_t vertex) const
@@ -331,12 +328,6 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
         const CollapsibleMesh::Four& vertices = mesh.vertices(slot);
         const CollapsibleMesh::Four& neighbours = mesh.neighbours(slot);
         const std::size_t own = indexOf(vertices, target);
-        if (std::ranges::find(vertices, vertex) != vertices.end()) {
-            // A face of the target and one of the vertex would fold onto one another.
-            const std::size_t other = indexOf(vertices, vertex);
-            if (CollapsibleMesh::isTriangle(neighbours[own]) && CollapsibleMesh::isTriangle(neighbours[other]))
-                return false;
-        }
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t corner = vertices[i];
             if (i != own && corner != vertex && has(link_, corner) && !has(shared_, corner))
@@ -356,10 +347,10 @@ bool LinkCondition::allows(const CollapsibleMesh& mesh, const VertexStar& star, 
             const EdgeKey edge = edgeKey(ends[0], ends[1]);
             if (has(edges_, edge) && !has(sharedEdges_, edge))
                 return false;
+            // An edge that is opposite to both in boundary triangles belongs to a tetrahedron with both of them, which
+            // leavesFaceOpen() has seen; corners of such triangles remain.
             if (!CollapsibleMesh::isTriangle(neighbours[i]))
                 continue;
-            if (has(rimEdges_, edge))
-                return false;
             for (const std::uint32_t end : ends)
                 if (has(rim_, end) && end != sharedLink_[0] && end != sharedLink_[1])
                     return false;

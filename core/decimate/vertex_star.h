@@ -121,7 +121,6 @@ private:
     std::vector<std::uint32_t> link_;       ///< vertices around the star's, sorted
     std::vector<EdgeKey> edges_;            ///< of the link, sorted
     std::vector<std::uint32_t> rim_;        ///< vertices joined to it by boundary edges, sorted
-    std::vector<EdgeKey> rimEdges_;         ///< opposite to it in boundary triangles, sorted
     std::vector<std::uint32_t> shared_;     ///< vertices that have a triangle with it and the target, sorted
     std::vector<EdgeKey> sharedEdges_;      ///< edges that have a tetrahedron with them, sorted
     std::vector<std::uint32_t> sharedLink_; ///< vertices that have a boundary triangle with them

@@ -113,7 +113,11 @@ void BatchBuilder::abandonBatch()
 Status BatchBuilder::check(const HistoryStep& step) const
 {
     const std::uint32_t creator = siteCount();
-    if (step.point >= pointCount_ || creator == gone - 1)
+    if (creator == gone - 1)
+        return Error{
+            ErrorKind::OutOfResource,
+            Message::say("The history has more than %1 sites. Ask for a larger error, or build in blocks.", gone - 1)};
+    if (step.point >= pointCount_)
         return inconsistent(Message::say("point %1 is not in the dataset", step.point));
     if (std::isnan(step.keyBefore) || step.keyBefore < 0)
         return inconsistent(Message::say("the error before it is not a number of at least 0"));

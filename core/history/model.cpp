@@ -128,7 +128,7 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
             Message::say("'%1' is damaged: the checksum of its text is wrong. Copy the file again, or build it again.",
                          path.string())};
     const Result<bool> delaunay = readHistoryKind(mapped, *layout);
-    if (!delaunay)
+    if (!delaunay.ok())
         return delaunay.error();
     ModelDescription description = descriptionOf(layout->header);
     description.delaunay = *delaunay;

@@ -78,6 +78,11 @@ Message wrongChecksum(std::uint32_t section)
     return Message::say("the checksum of section '%1' is wrong", format::sectionName(section));
 }
 
+Message impossibleNumbers(std::uint32_t section)
+{
+    return Message::say("section '%1' holds numbers that cannot be", format::sectionName(section));
+}
+
 } // namespace
 
 Result<std::unique_ptr<const SectionChecks>> SectionChecks::make(std::shared_ptr<const MappedFile> file,
@@ -94,8 +99,13 @@ Result<std::unique_ptr<const SectionChecks>> SectionChecks::make(std::shared_ptr
 SectionChecks::SectionChecks(std::shared_ptr<const MappedFile> file, const FileLayout& layout) : file_(std::move(file))
 {
     for (const Section& section : layout.sections)
-        sections_.push_back(
-            {section.id, file_->bytes().subspan(section.offset, section.bytes), section.checksum, {}, {}, {}});
+        sections_.push_back({section.id,
+                             NumberLimits(section, layout.header),
+                             file_->bytes().subspan(section.offset, section.bytes),
+                             section.checksum,
+                             {},
+                             {},
+                             {}});
 }
 
 SectionChecks::~SectionChecks() = default;
@@ -157,6 +167,7 @@ bool SectionChecks::goOn() const noexcept
     const Watched& section = sections_[section_];
     const auto piece = section.bytes.subspan(read_, std::min<std::uint64_t>(bytesAtOnce, section.bytes.size() - read_));
     sum_.add(piece);
+    checkNumbers(section, read_, piece);
     read_ += piece.size();
     readInAll_ += piece.size();
     if (read_ < section.bytes.size())
@@ -182,7 +193,9 @@ Status SectionChecks::finish(const Progress& progress) const
 Status SectionChecks::damage() const
 {
     const std::uint32_t section = damaged_;
-    return section == 0 ? Status() : damaged(*file_, wrongChecksum(section));
+    if (section == 0)
+        return {};
+    return damaged(*file_, isImpossible_ ? impossibleNumbers(section) : wrongChecksum(section));
 }
 
 const SectionChecks::Watched& SectionChecks::sectionOf(const std::byte* place) const noexcept
@@ -237,14 +250,26 @@ void SectionChecks::checkChunk(const Watched& section, std::uint64_t chunk) cons
     if ((section.begun[word].fetch_or(bit, std::memory_order_relaxed) & bit) == 0) {
         const std::uint64_t begin = chunk << chunkBits_;
         const std::uint64_t bytes = std::min(std::uint64_t(1) << chunkBits_, section.bytes.size() - begin);
-        if (checksum(section.bytes.subspan(begin, bytes)) != section.chunks[chunk])
+        const std::span<const std::byte> content = section.bytes.subspan(begin, bytes);
+        if (checksum(content) != section.chunks[chunk])
             damaged_ = section.id;
+        else
+            checkNumbers(section, begin, content);
         section.done[word].fetch_or(bit, std::memory_order_release);
         section.done[word].notify_all();
         return;
     }
     for (; (done & bit) == 0; done = section.done[word].load(std::memory_order_acquire))
         section.done[word].wait(done, std::memory_order_acquire);
+}
+
+void SectionChecks::checkNumbers(const Watched& section, std::uint64_t offset,
+                                 std::span<const std::byte> part) const noexcept
+{
+    if (damaged_ != 0 || section.limits.hold(offset, part))
+        return;
+    isImpossible_ = true;
+    damaged_ = section.id;
 }
 
 } // namespace tetra

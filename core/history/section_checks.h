@@ -4,6 +4,7 @@
 #include "core/base/checksum.h"
 #include "core/history/file_layout.h"
 #include "core/history/format.h"
+#include "core/history/number_limits.h"
 
 #include <tan/base.h>
 
@@ -47,7 +48,8 @@ private:
     std::vector<std::uint64_t> elements_;
 };
 
-/// Finds out whether what is read of a model's sections is what was written there. A file with checksums of chunks is
+/// Finds out whether what is read of a model's sections is what was written there, and whether it can be: numbers have
+/// limits (number_limits.h). A file with checksums of chunks is
 /// checked where it is read, each chunk once, in whatever thread reads it first. Of an older file, whose sums are of
 /// whole sections, all is read once by a thread of low priority, from the beginning on. Damage that was found stays
 /// known. Safe to use from any number of threads.
@@ -66,12 +68,13 @@ public:
     bool check(std::span<const std::byte> part) const noexcept;
     /// Waits for the thread, and helps it. Errors: damage, cancelled.
     Status finish(const Progress& progress) const;
-    /// An Error that names the file and the section if damage is known.
+    /// An Error that names the file, the section and what is wrong there if damage is known.
     Status damage() const;
 
 private:
     struct Watched {
         std::uint32_t id = 0;
+        NumberLimits limits;
         std::span<const std::byte> bytes;
         std::uint64_t sum = 0;                 ///< of the whole
         std::span<const std::uint64_t> chunks; ///< theirs, if there are any
@@ -87,12 +90,14 @@ private:
     bool isDone(const Watched& section, std::uint64_t first, std::uint64_t end) const noexcept;
     void checkChunks(const Watched& section, std::uint64_t first, std::uint64_t end) const noexcept;
     void checkChunk(const Watched& section, std::uint64_t chunk) const noexcept;
+    void checkNumbers(const Watched& section, std::uint64_t offset, std::span<const std::byte> part) const noexcept;
     bool goOn() const noexcept;
 
     std::shared_ptr<const MappedFile> file_;
     std::vector<Watched> sections_; ///< in the order of their places
     int chunkBits_ = 0;             ///< chunks are of 2^chunkBits_ bytes; 0: there are no sums of chunks
-    mutable std::atomic<std::uint32_t> damaged_ = 0; ///< the id of a section that is, or 0
+    mutable std::atomic<std::uint32_t> damaged_ = 0; ///< the id of a section that is, or 0 ...
+    mutable std::atomic<bool> isImpossible_ = false; ///< ... and whether that is its numbers, not its checksum
 
     /// What the thread does, piece by piece.
     mutable std::mutex mutex_;

@@ -56,12 +56,14 @@ void SectionWriter::place(const PlannedSection& planned, std::uint64_t& end)
 Status SectionWriter::add(SectionId id, std::span<const std::byte> bytes)
 {
     Cursor& to = cursor(id);
+    const bool grows = grows_ && &to == &cursors_.back();
+    if (!grows && bytes.size() > to.section.bytes - to.written)
+        return misfit(to);
     to.sums.add(bytes);
-    if (grows_ && &to == &cursors_.back()) {
+    if (grows) {
         to.written += bytes.size();
         return file_.write(bytes);
     }
-    assert(bytes.size() <= to.section.bytes - to.written);
     if (bytes.size() > to.buffer.capacity() - to.buffer.size())
         if (const Status flushed = flush(to); !flushed)
             return flushed;
@@ -75,7 +77,8 @@ Status SectionWriter::add(SectionId id, std::span<const std::byte> bytes)
 Status SectionWriter::read(SectionId id, std::uint64_t offset, std::span<std::byte> bytes)
 {
     Cursor& from = cursor(id);
-    assert(offset <= from.written && bytes.size() <= from.written - offset);
+    if (offset > from.written || bytes.size() > from.written - offset)
+        return misfit(from);
     if (const Status flushed = flush(from); !flushed)
         return flushed;
     return file_.read(from.section.offset + offset, bytes);
@@ -96,13 +99,15 @@ Status SectionWriter::finish(Header header)
     for (Cursor& cursor : cursors_) {
         if (cursor.mayBeShorter)
             cursor.section.bytes = cursor.written;
-        assert(cursor.written == cursor.section.bytes);
+        if (cursor.written != cursor.section.bytes)
+            return misfit(cursor);
         if (const Status flushed = flush(cursor); !flushed)
             return flushed;
         cursor.section.checksum = cursor.sums.ofWhole();
         table.push_back(cursor.section);
     }
-    assert(table.size() <= mostInTable);
+    if (table.size() > mostInTable) // it would reach into the first section
+        return misfit(cursors_.back());
     header.sectionCount = static_cast<std::uint32_t>(table.size());
     header.fileBytes = file_.size();
     header.checksum = headerChecksum(header, std::as_bytes(std::span(table)));
@@ -119,6 +124,15 @@ SectionWriter::Cursor& SectionWriter::cursor(SectionId id)
                                          [](const Cursor& cursor) { return cursor.section.id; });
     assert(found != cursors_.end());
     return *found;
+}
+
+/// Whoever plans sections and fills them contradicts himself: better no file than one whose sections overlap.
+Error SectionWriter::misfit(const Cursor& cursor) const
+{
+    return {ErrorKind::CannotWrite,
+            Message::say("Cannot write '%1': section '%2' was planned with %3 bytes, which does not fit what it holds. "
+                         "This is a fault of TAn: please report it.",
+                         file_.target().string(), format::sectionName(cursor.section.id), cursor.section.bytes)};
 }
 
 Status SectionWriter::flush(Cursor& cursor)

@@ -32,11 +32,12 @@ public:
     /// Lays further sections out in this order, behind what there is, and takes their room on the disk. An error tells
     /// a disk that is too full.
     Status plan(std::span<const PlannedSection> sections);
-    /// Appends to a section, never beyond the size it was given.
+    /// Appends to a section. Errors: beyond the size that it was given, where another one lies.
     Status add(format::SectionId id, std::span<const std::byte> bytes);
-    /// What was appended to a section, from a byte of it on.
+    /// What was appended to a section, from a byte of it on. Errors: more than that.
     Status read(format::SectionId id, std::uint64_t offset, std::span<std::byte> bytes);
     /// Once every section is full: completes `header` with sizes and checksums, writes it with the table and commits.
+    /// Errors: one that is not.
     Status finish(format::Header header);
 
 private:
@@ -51,6 +52,7 @@ private:
     void place(const PlannedSection& planned, std::uint64_t& end);
     Cursor& cursor(format::SectionId id);
     Status flush(Cursor& cursor);
+    Error misfit(const Cursor& cursor) const;
 
     FileWriter file_;
     std::vector<Cursor> cursors_;

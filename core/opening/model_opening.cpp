@@ -2,9 +2,10 @@
 #include "core/base/guarded.h"
 #include "core/history/derived_sections.h"
 #include "core/history/prefix_copy.h"
+#include "core/opening/file_state.h"
+#include "core/opening/opening_folder.h"
 #include "core/opening/served_model.h"
 #include "core/packed/packed_file.h"
-#include "core/remote/cache_folder.h"
 #include "core/remote/remote_file.h"
 
 #include <tan/open.h>
@@ -13,7 +14,10 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <random>
 #include <utility>
+
+#include <unistd.h>
 
 namespace tetra {
 
@@ -59,7 +63,7 @@ public:
     ModelSource& operator=(const ModelSource&) = delete;
 
     virtual ModelFacts facts() const = 0;
-    /// Stands for the content of the file.
+    /// Of the header and all that it covers: with the checksums in the table, what was read of the file is known.
     virtual std::uint64_t checksum() const = 0;
     /// Of the model of a level.
     virtual std::uint64_t expectedBytes(std::size_t level) const = 0;
@@ -204,7 +208,7 @@ Result<std::unique_ptr<const ModelSource>> openSource(ByteSource source, const s
                                                       const Progress& progress, const WhenFailing& whenFailing)
 {
     const Result<bool> isPacked = holdsPacked(source, progress);
-    if (!isPacked)
+    if (!isPacked.ok())
         return isPacked.error();
     if (*isPacked) {
         auto packed = PackedModel::open(std::move(source), name, progress);
@@ -228,22 +232,20 @@ Result<std::unique_ptr<const ModelSource>> sourceOf(ByteSource source, const std
     return opened;
 }
 
-Result<CacheFolder> cacheOf(const OpenOptions& options)
-{
-    if (options.cacheFolder.empty())
-        return CacheFolder::standard();
-    return CacheFolder::open(options.cacheFolder,
-                             options.cacheBytes > 0 ? options.cacheBytes : CacheFolder::defaultLimit);
-}
+/// A model's file, with what its levels may be kept under.
+struct FoundSource {
+    std::unique_ptr<const ModelSource> source;
+    /// Of this state of this file, and of no other; empty where nothing tells its states apart.
+    std::string state;
+    std::optional<FileState> onDisk; ///< of a file of this machine
+};
 
 /// A file on a server. What is there and does not fit its checksums is asked for again the next time.
-Result<std::unique_ptr<const ModelSource>> sourceAtServer(const std::string& address, const OpenOptions& options,
-                                                          const Progress& progress)
+Result<FoundSource> sourceAtServer(const std::string& address, const OpenOptions& options, const OpeningFolder& folder,
+                                   const Progress& progress)
 {
-    const auto cache = cacheOf(options);
-    if (!cache)
-        return cache.error();
-    const auto file = RemoteFile::open(address, *cache, {.token = options.token}, progress);
+    const auto file = RemoteFile::open(address, folder.folder,
+                                       {.token = options.token, .afresh = options.afresh || folder.own}, progress);
     if (!file)
         return file.error();
     const auto unread = std::make_shared<std::atomic<bool>>(false);
@@ -258,10 +260,29 @@ Result<std::unique_ptr<const ModelSource>> sourceAtServer(const std::string& add
     ByteSource source = file->source();
     source.read = watched(std::move(source.read));
     source.fetch = watched(std::move(source.fetch));
-    return sourceOf(std::move(source), shownAddress(address), progress, [file = *file, unread](const Error& error) {
+    const auto forget = [file = *file, own = folder.own, unread](const Error& error) {
         if (error.kind == ErrorKind::BadInput && !*unread)
             file.forget();
-    });
+    };
+    auto opened = sourceOf(std::move(source), shownAddress(address), progress, forget);
+    if (!opened)
+        return opened.error();
+    return FoundSource{*std::move(opened), file->state(), {}};
+}
+
+/// A file of this machine. It is in one state all the time that it is opened, or in none that is known.
+Result<FoundSource> sourceOnDisk(const std::string& place, const Progress& progress)
+{
+    std::optional<FileState> state = stateOf(place);
+    auto file = fileSource(place);
+    if (!file)
+        return file.error();
+    if (state != stateOf(place))
+        state.reset();
+    auto opened = sourceOf(*std::move(file), place, progress, [](const Error&) {});
+    if (!opened)
+        return opened.error();
+    return FoundSource{*std::move(opened), state ? "file " + state->text : std::string(), state};
 }
 
 /// Tells of "ftp://host/x.tan" and "host:8080/x.tan" more than that there is no such file.
@@ -277,15 +298,16 @@ Status checkPlace(const std::string& place)
                                                    printable(place))};
 }
 
-Result<std::unique_ptr<const ModelSource>> sourceAt(const std::string& place, const OpenOptions& options,
-                                                    const Progress& progress)
+/// With `folder` for what of a file on a server is fetched.
+Result<FoundSource> sourceAt(const std::string& place, const OpenOptions& options,
+                             const std::optional<OpeningFolder>& folder, const Progress& progress)
 {
-    if (isAddress(place))
-        return sourceAtServer(placeOf(place, false), options, progress);
-    if (const Status found = checkPlace(place); !found)
-        return found.error();
-    auto file = fileSource(place);
-    return file ? sourceOf(*std::move(file), place, progress, [](const Error&) {}) : file.error();
+    if (!isAddress(place)) {
+        const Status found = checkPlace(place);
+        return found ? sourceOnDisk(place, progress) : found.error();
+    }
+    const auto own = folder ? Result<OpeningFolder>(*folder) : openingFolder(options);
+    return own ? sourceAtServer(placeOf(place, false), options, *own, progress) : own.error();
 }
 
 std::size_t levelFor(const std::vector<LevelInFile>& levels, const std::optional<Accuracy>& asked,
@@ -306,33 +328,50 @@ std::size_t levelFor(const std::vector<LevelInFile>& levels, const std::optional
 /// Makes models of a source's levels in the cache, or finds them there.
 class LevelCache {
 public:
-    LevelCache(std::unique_ptr<const ModelSource> source, CacheFolder folder, std::filesystem::path place)
-        : source_(std::move(source)), facts_(source_->facts()), folder_(std::move(folder)), place_(std::move(place))
+    LevelCache(FoundSource found, const OpenOptions& options, OpeningFolder folder, std::filesystem::path place)
+        : source_(std::move(found.source)), facts_(source_->facts()), onDisk_(std::move(found.onDisk)),
+          folder_(std::move(folder)), place_(std::move(place))
     {
+        if (!options.afresh && !folder_.own && !found.state.empty())
+            state_ = "model " + found.state + ' ' + std::to_string(source_->checksum());
     }
 
     const ModelFacts& facts() const noexcept { return facts_; }
-    bool has(std::size_t level) const { return folder_.find(keyOf(level)).has_value(); }
+    bool has(std::size_t level) const { return isKept() && folder_.folder.find(keyOf(level)).has_value(); }
     /// With `whole` as the beginning of a model that stays where it is.
     Result<FoundModel> take(std::size_t level, const Progress& progress,
                             const std::shared_ptr<const WholeElsewhere>& whole = {}) const;
 
 private:
+    bool isKept() const { return !state_.empty(); }
     bool isWhole(std::size_t level) const { return level + 1 == facts_.levels.size(); }
-    /// The checksum guards against chance: a server could put a model there that claims to be another one's, so each
-    /// address has models of its own.
     std::string keyOf(std::size_t level) const
     {
-        return "model " + (isAddress(place_.native()) ? placeOf(place_.native(), false) + ' ' : std::string()) +
-               std::to_string(source_->checksum()) +
-               (isWhole(level) ? "" : " up to site " + std::to_string(facts_.levels[level].sites));
+        if (!isKept()) {
+            std::random_device random;
+            return "model of one opening " + std::to_string(random()) + ' ' + std::to_string(random());
+        }
+        return state_ + (isWhole(level) ? "" : " up to site " + std::to_string(facts_.levels[level].sites));
     }
+    Status make(std::size_t level, const std::filesystem::path& path, const Progress& progress) const;
 
     std::unique_ptr<const ModelSource> source_;
     const ModelFacts facts_;
-    const CacheFolder folder_;
+    std::optional<FileState> onDisk_;
+    OpeningFolder folder_;
     const std::filesystem::path place_;
+    std::string state_; ///< what levels are kept under; empty if they are kept for nobody
 };
+
+/// What is kept under a state of the file is read when a change would have given it another one.
+Status LevelCache::make(std::size_t level, const std::filesystem::path& path, const Progress& progress) const
+{
+    if (isKept() && onDisk_)
+        if (const Status settled = waitUntilSettled(*onDisk_, progress); !settled)
+            return settled;
+    const auto made = source_->make(level, path, progress);
+    return made ? Status() : made.error();
+}
 
 Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
                                     const std::shared_ptr<const WholeElsewhere>& whole) const
@@ -347,12 +386,11 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
         CachedFile file;
         std::shared_ptr<const Model> model;
     };
-    const auto make = [&](const std::filesystem::path& path, const Progress& making) -> Status {
-        const auto made = source_->make(level, path, making);
-        return made ? Status() : made.error();
+    const auto makeLevel = [&](const std::filesystem::path& path, const Progress& making) {
+        return make(level, path, making);
     };
     for (bool isAgain = false;; isAgain = true) {
-        auto file = folder_.take(keyOf(level), source_->expectedBytes(level), make, progress);
+        auto file = folder_.folder.take(keyOf(level), source_->expectedBytes(level), makeLevel, progress);
         if (!file)
             return file.error();
         auto model = Model::open(file->path(), place_, whole);
@@ -361,6 +399,8 @@ Result<FoundModel> LevelCache::take(std::size_t level, const Progress& progress,
             std::filesystem::remove(file->path(), ignored);
             continue;
         }
+        if (!isKept()) // the open file stays
+            ::unlink(file->path().c_str());
         if (!model)
             return model.error();
         const auto held = std::make_shared<const Held>(*std::move(file), *std::move(model));
@@ -386,13 +426,13 @@ std::vector<std::size_t> levelsShown(const std::vector<LevelInFile>& levels, std
 
 Result<LevelCache> levelsAt(const std::string& place, const OpenOptions& options, const Progress& progress)
 {
-    auto source = sourceAt(place, options, progress);
-    if (!source)
-        return source.error();
-    auto folder = cacheOf(options);
+    auto folder = openingFolder(options);
     if (!folder)
         return folder.error();
-    return LevelCache(*std::move(source), *std::move(folder), place);
+    auto source = sourceAt(place, options, *folder, progress);
+    if (!source)
+        return source.error();
+    return LevelCache(*std::move(source), options, *std::move(folder), place);
 }
 
 Result<FoundModel> openFrom(const std::string& place, const OpenOptions& options, const Progress& progress)
@@ -444,6 +484,27 @@ Result<FoundModel> openLeft(const std::string& place, const OpenOptions& options
     return levels.take(first, progress.part(frontEnd, 1), *whole);
 }
 
+/// Where the cache has not room on its disk, or breaks down meanwhile, without it: what is wrong there is told only if
+/// that does not help.
+Result<FoundModel> openAnywhere(const std::string& place, const OpenOptions& options, const Progress& progress)
+{
+    const auto open = [&](const OpenOptions& chosen, const Progress& opening) {
+        return isLeftAtServer(place) ? openLeft(place, chosen, opening) : openFrom(place, chosen, opening);
+    };
+    auto found = open(options, progress);
+    if (found || found.error().kind != ErrorKind::CannotWrite)
+        return found;
+    const auto own = folderOfItsOwn(options);
+    if (!own)
+        return found;
+    OpenOptions elsewhere = options;
+    elsewhere.cacheFolder = own->folder.path();
+    elsewhere.cacheBytes = own->folder.limit();
+    elsewhere.afresh = true;
+    auto again = open(elsewhere, progress.part(1, 1));
+    return again || again.error().kind != ErrorKind::CannotWrite ? again : found;
+}
+
 /// Of a file on this disk the beginning to a batch.
 Status cutOnDisk(const std::string& place, const Accuracy& accuracy, const std::filesystem::path& output,
                  const Progress& progress)
@@ -466,17 +527,18 @@ Result<UnpackReport> copyFrom(const std::string& place, const std::optional<Accu
                               const Progress& progress, const std::string& token)
 {
     constexpr double frontEnd = 0.02;
-    const auto source = sourceAt(place, {.token = token}, progress.part(0, frontEnd));
-    if (!source)
-        return source.error();
-    const ModelFacts facts = (*source)->facts();
+    const auto found = sourceAt(place, {.token = token}, {}, progress.part(0, frontEnd));
+    if (!found)
+        return found.error();
+    const ModelSource& source = *found->source;
+    const ModelFacts facts = source.facts();
     sitesOfWhole = facts.sites;
     const Progress copying = progress.part(frontEnd, 1);
     if (accuracy && facts.form == ModelForm::Explicit && !isAddress(place)) {
         const Status cut = cutOnDisk(place, *accuracy, output, copying);
         return cut ? Result<UnpackReport>(UnpackReport()) : cut.error();
     }
-    return (*source)->make(levelFor(facts.levels, accuracy, ~std::uint64_t(0)), output, copying);
+    return source.make(levelFor(facts.levels, accuracy, ~std::uint64_t(0)), output, copying);
 }
 
 } // namespace
@@ -500,8 +562,8 @@ std::string placeOf(std::string_view place, bool leftAtServer)
 Result<ModelFacts> modelFacts(const std::string& place, const Progress& progress, const std::string& token)
 {
     const auto read = [&]() -> Result<ModelFacts> {
-        const auto source = sourceAt(place, {.token = token}, progress);
-        return source ? Result<ModelFacts>((*source)->facts()) : source.error();
+        const auto found = sourceAt(place, {.token = token}, {}, progress);
+        return found ? Result<ModelFacts>(found->source->facts()) : found.error();
     };
     return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), read, place);
 }
@@ -518,8 +580,7 @@ Result<FoundModel> openModel(const std::string& place, const OpenOptions& option
     }
     return guarded(
         Message::marked("Not enough memory to open '%1'. Close other programs."),
-        [&] { return isLeftAtServer(place) ? openLeft(place, options, progress) : openFrom(place, options, progress); },
-        place);
+        [&] { return openAnywhere(place, options, progress); }, place);
 }
 
 Result<CopyReport> copyModel(const std::string& place, const std::optional<Accuracy>& accuracy,

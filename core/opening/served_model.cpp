@@ -28,10 +28,12 @@ Message tokenWanted(const std::string& shownAddress)
         shownAddress);
 }
 
-constexpr std::uint64_t mostFoundBytes = std::uint64_t(8) << 30;
 constexpr std::uint64_t mostFoundTetrahedra = std::uint64_t(1) << 30;
-constexpr std::uint64_t mostToldBytes = 4 << 20;
-constexpr std::uint64_t mostAboutBytes = 64 << 10;
+/// What stands at the front of a model's file is told within milliseconds.
+constexpr FetchLimits limitsOfFacts{"application/json", 64 << 10};
+/// For its sizes a model is opened, and may have to be unpacked.
+constexpr FetchLimits limitsOfSizes{"application/json", 4 << 20, longestThinking};
+
 constexpr std::size_t longestQuestion = 7'000; ///< of the 8,192 bytes that a server takes for an address
 
 /// Puts a question together.
@@ -132,11 +134,12 @@ Error saidOtherwise(const std::string& address, const FetchedAnswer& answer)
                 Message::say("'%1' finds no meshes (status %2): only a server of TAn ('tan serve') of this version "
                              "does. Let the model be fetched from there.",
                              shownAddress(address), answer.status)};
-    const ErrorKind kind = answer.status == 400                           ? ErrorKind::WrongUsage
-                           : answer.status == 413 || answer.status >= 503 ? ErrorKind::OutOfResource
-                                                                          : ErrorKind::BadInput;
-    return {kind, Message::say("The server of '%1' says: %2", shownAddress(address),
-                               printable(std::string_view(*said->string()).substr(0, mostSaid)))};
+    const ErrorKind kind = answer.status == 400 ? ErrorKind::WrongUsage
+                           : answer.status == 413 || answer.status == 429 || answer.status >= 503
+                               ? ErrorKind::OutOfResource
+                               : ErrorKind::BadInput;
+    return {kind,
+            Message::say("The server of '%1' says: %2", shownAddress(address), said->string()->substr(0, mostSaid))};
 }
 
 Error saysNonsense(const std::string& address)
@@ -148,9 +151,9 @@ Error saysNonsense(const std::string& address)
 
 /// An answer in JSON.
 Result<JsonValue> askedFor(const std::string& address, std::string_view question, const std::string& token,
-                           std::uint64_t mostBytes, ServerConnection& connection, const Progress& progress)
+                           const FetchLimits& limits, ServerConnection& connection, const Progress& progress)
 {
-    const auto answer = connection.fetch(address + "?" + std::string(question), token, mostBytes, progress);
+    const auto answer = connection.fetch(address + "?" + std::string(question), token, limits, progress);
     if (!answer)
         return answer.error();
     if (answer->status != 200 || answer->contentType != "application/json")
@@ -283,7 +286,7 @@ WholeSizes sizesOfWhole(const Model& model)
 Result<ServerOffer> askServer(const std::string& address, const std::string& token, const Progress& progress)
 {
     const std::string place = placeOf(address, false);
-    const auto answer = fetchOnce(place + "?" + std::string(aboutQuestion), token, mostAboutBytes, progress);
+    const auto answer = fetchOnce(place + "?" + std::string(aboutQuestion), token, limitsOfFacts, progress);
     constexpr int unauthorized = 401;
     ServerOffer offer;
     if (!answer && answer.error().kind == ErrorKind::OutOfResource)
@@ -320,7 +323,7 @@ Result<std::shared_ptr<const ServedModel>> ServedModel::ask(const std::string& a
                                                             const Progress& progress)
 {
     auto connection = std::make_unique<ServerConnection>();
-    const auto told = askedFor(address, sizesQuestion, token, mostToldBytes, *connection, progress);
+    const auto told = askedFor(address, sizesQuestion, token, limitsOfSizes, *connection, progress);
     if (!told)
         return told.error();
     auto sizes = sizesIn(*told);
@@ -340,8 +343,8 @@ Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuer
     const auto question = meshQuestion(query, warps_);
     if (!question)
         return question.error();
-    const auto answer =
-        connection_->fetch(address_ + "?empty=yes&" + *question, token_, mostFoundBytes, progress.part(0, fetchedAt));
+    const auto answer = connection_->fetch(address_ + "?empty=yes&" + *question, token_, limitsOfMesh(packedMeshType),
+                                           progress.part(0, fetchedAt));
     if (!answer)
         return answer.error();
     if (answer->status != 200 || answer->contentType != packedMeshType)

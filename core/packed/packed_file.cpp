@@ -26,6 +26,32 @@ template <class T> std::span<const std::byte> bytesOfAll(const std::vector<T>& e
     return std::as_bytes(std::span(elements));
 }
 
+/// Whether levels can be those of a model of this header.
+bool levelsMakeSense(std::span<const PackedLevelEntry> levels, const Header& header, PackMethod method,
+                     std::uint64_t chunkBytes)
+{
+    // A replayed model's levels have sites of their own.
+    const bool own = method == PackMethod::Replayed;
+    const ModelDescription about = descriptionOf(header);
+    const std::uint64_t fewest = fewestSites(about.domain);
+    const std::uint64_t most = own ? about.lattice.pointCount() : header.siteCount;
+    const PackedLevelEntry* before = nullptr;
+    for (const PackedLevelEntry& level : levels) {
+        const bool bounds = level.error >= 0 && std::isfinite(level.error) && level.warping >= 0 &&
+                            std::isfinite(level.warping) && level.sites >= fewest && level.sites <= most &&
+                            level.chunkBytes <= chunkBytes && level.chunkBytes > sizeof(PackedChunkHead) &&
+                            level.replayLevel < format::mostPackedLevels;
+        const bool order =
+            before == nullptr || (before->sites < level.sites && before->chunkBytes <= level.chunkBytes &&
+                                  before->error >= level.error && (!own || before->replayLevel < level.replayLevel));
+        if (!bounds || !order)
+            return false;
+        before = &level;
+    }
+    return !levels.empty() && levels.size() <= format::mostPackedLevels &&
+           (own || levels.back().sites == header.siteCount);
+}
+
 std::uint64_t sumOfChunk(const PackedChunkHead& head, std::span<const std::byte> bytes)
 {
     Checksum sum;
@@ -99,6 +125,11 @@ std::uint64_t PackedFileWriter::size() const noexcept
 
 Status PackedFileWriter::finish()
 {
+    if (!levelsMakeSense(levels_, header_, static_cast<PackMethod>(facts_.method), chunks_.size()))
+        return Error{ErrorKind::BadInput,
+                     Message::say("The model cannot be packed into '%1': the errors that it claims make no sense. 'tan "
+                                  "verify' tells more.",
+                                  file_.target().string())};
     struct Part {
         SectionId id;
         std::uint32_t elementBytes;
@@ -227,6 +258,7 @@ Status PackedFile::readFront(const Progress& progress)
     readText(text, description_);
     const Section& chunks = layout->section(SectionId::PackedChunks);
     chunks_ = {chunks.offset, chunks.bytes};
+    chunksSum_ = chunks.checksum;
     if (facts_.method != std::uint32_t(PackMethod::Replayed) &&
         facts_.method != std::uint32_t(PackMethod::StoredByParts))
         return Error{
@@ -239,26 +271,40 @@ Status PackedFile::readFront(const Progress& progress)
 
 Status PackedFile::checkLevels() const
 {
-    // A replayed model's levels have sites of their own.
-    const bool own = facts_.method == std::uint32_t(PackMethod::Replayed);
-    const std::uint64_t fewest = fewestSites(description_.domain);
-    const std::uint64_t most = own ? description_.lattice.pointCount() : header_.siteCount;
-    const PackedLevelEntry* before = nullptr;
-    for (const PackedLevelEntry& level : levels_) {
-        const bool bounds = level.error >= 0 && std::isfinite(level.error) && level.warping >= 0 &&
-                            std::isfinite(level.warping) && level.sites >= fewest && level.sites <= most &&
-                            level.chunkBytes <= chunks_.size && level.chunkBytes > sizeof(PackedChunkHead) &&
-                            level.replayLevel < format::mostPackedLevels;
-        const bool order =
-            before == nullptr || (before->sites < level.sites && before->chunkBytes <= level.chunkBytes &&
-                                  before->error >= level.error && (!own || before->replayLevel < level.replayLevel));
-        if (!bounds || !order)
-            return damaged(Message::say("its levels make no sense"));
-        before = &level;
+    if (levelsMakeSense(levels_, header_, static_cast<PackMethod>(facts_.method), chunks_.size))
+        return {};
+    return damaged(Message::say("its levels make no sense"));
+}
+
+Status PackedFile::checkChunks(const Progress& progress) const
+{
+    if (!source_.isLocal)
+        return {};
+    const std::lock_guard lock(checking_);
+    if (areChecked_)
+        return {};
+    const Status right = sumChunks(progress);
+    areChecked_ = right.ok();
+    return right;
+}
+
+Status PackedFile::sumChunks(const Progress& progress) const
+{
+    constexpr std::uint64_t atOnce = 1 << 20;
+    std::vector<std::byte> window(std::min(atOnce, chunks_.size));
+    Checksum sum;
+    for (std::uint64_t place = 0; place < chunks_.size; place += window.size()) {
+        if (progress.cancelled())
+            return cancelledError(Message::marked("Reading a packed model"));
+        window.resize(std::min(atOnce, chunks_.size - place));
+        if (const Status read = source_.read(chunks_.offset + place, window, progress); !read)
+            return read;
+        sum.add(window);
     }
-    if (!own && levels_.back().sites != header_.siteCount)
-        return damaged(Message::say("its levels make no sense"));
-    return {};
+    if (sum.value() == chunksSum_)
+        return {};
+    return damaged(Message::say("the checksum of section '%1' is wrong",
+                                format::sectionName(std::uint32_t(SectionId::PackedChunks))));
 }
 
 /// Has the next `count` bytes in the window.

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -77,6 +78,10 @@ public:
     std::span<const format::PackedLevelEntry> levels() const noexcept { return levels_; }
     /// Where the chunks begin, and how many bytes they have.
     ByteRange chunks() const noexcept { return chunks_; }
+    /// Of a file on this machine compares the checksum of all chunks with that of the table, once: their own ones say
+    /// that each is whole, not that they are those of this file. O(bytes of the file). Of a file elsewhere, of which
+    /// whoever wants a level reads no more than that, does nothing. From any thread. Errors: damage, cancelled.
+    Status checkChunks(const Progress& progress) const;
     /// "... is damaged: WHAT. Copy the file again."
     Error damaged(const Message& what) const;
 
@@ -84,6 +89,7 @@ private:
     PackedFile() = default;
     Status readFront(const Progress& progress);
     Status checkLevels() const;
+    Status sumChunks(const Progress& progress) const;
 
     ByteSource source_;
     std::filesystem::path name_;
@@ -93,6 +99,9 @@ private:
     std::vector<format::PackedSum> sums_;
     std::vector<format::PackedLevelEntry> levels_;
     ByteRange chunks_;
+    std::uint64_t chunksSum_ = 0; ///< as the table has it
+    mutable std::mutex checking_;
+    mutable bool areChecked_ = false; ///< guarded: the chunks, and they are right
 };
 
 /// Reads chunks in order, each checked against its sum; asks the source for a piece of the file at a time.

@@ -41,6 +41,9 @@ static_assert(sizeof(PackedMeshHeader) == 48 && std::endian::native == std::endi
 /// No decision costs less than about 1/700 bit, and a tetrahedron takes at least one.
 constexpr std::uint64_t mostTetrahedraInByte = std::uint64_t(8) << 10;
 constexpr std::uint32_t mostFactBytes = 1 << 20;
+/// What a mesh takes while it is unpacked, with the copies that are handed out: 16 and perhaps 8 bytes a tetrahedron,
+/// 28 a vertex, each twice.
+constexpr std::uint64_t bytesOfTetrahedron = 48, bytesOfVertex = 56;
 
 float floatOfOrder(std::uint32_t order) noexcept
 {
@@ -727,6 +730,12 @@ Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_
                        header.vertices <= (header.codedBytes + 8) * mostTetrahedraInByte;
     if (!sound || body.size() < sizeof header + header.factBytes)
         return noPackedMesh();
+    const std::uint64_t usable = usableBytes();
+    if (usable != 0 && header.tetrahedra * bytesOfTetrahedron + header.vertices * bytesOfVertex > usable / 2)
+        return Error{ErrorKind::OutOfResource,
+                     Message::say("The mesh has %1 tetrahedra, too many for the memory of this machine. Ask for a "
+                                  "larger error or a part of it.",
+                                  header.tetrahedra)};
     if (header.tetrahedra > mostTetrahedra || header.vertices / 4 > mostTetrahedra)
         return Error{ErrorKind::OutOfResource, Message::say("The mesh has %1 tetrahedra, and at most %2 are taken.",
                                                             header.tetrahedra, mostTetrahedra)};

@@ -2,13 +2,12 @@
 #include <tan/packed.h>
 
 #include "core/base/guarded.h"
+#include "core/base/mapped_file.h"
 #include "core/build/model_build.h"
 #include "core/packed/packed_file.h"
 #include "core/packed/parts.h"
 #include "core/packed/replay.h"
 
-#include <array>
-#include <fstream>
 #include <utility>
 
 namespace tetra {
@@ -89,10 +88,12 @@ std::uint64_t PackedModel::unpackedBytes() const noexcept
 
 bool isPacked(const std::filesystem::path& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    std::array<char, 16 << 10> front{};
-    file.read(front.data(), front.size());
-    const auto bytes = std::as_bytes(std::span(front)).first(static_cast<std::size_t>(file.gcount()));
+    constexpr std::size_t frontBytes = 16 << 10;
+    const auto file = RegularFile::open(path);
+    const auto front = file ? file->front(frontBytes) : file.error();
+    if (!front)
+        return false;
+    const auto bytes = std::as_bytes(std::span(*front));
     return beginsLikeModel(bytes) && isFrontOfPacked(bytes);
 }
 
@@ -148,7 +149,9 @@ Result<UnpackReport> unpackModel(const PackedModel& packed, const std::filesyste
         return safe.error();
     return guarded(
         noMemoryToUnpack,
-        [&] {
+        [&]() -> Result<UnpackReport> {
+            if (const Status right = packed.file().checkChunks(progress); !right)
+                return right.error();
             return packed.method() == PackMethod::Replayed ? unpackReplayed(packed.file(), output, progress)
                                                            : unpackParts(packed.file(), output, progress);
         },
@@ -166,6 +169,8 @@ Status unpackPrefix(const PackedModel& packed, std::size_t level, const std::fil
     return guarded(
         noMemoryToUnpack,
         [&] {
+            if (const Status right = packed.file().checkChunks(progress); !right)
+                return right;
             return packed.method() == PackMethod::Replayed
                        ? unpackPrefixOfReplayed(packed.file(), level, output, progress)
                        : unpackPrefixOfParts(packed.file(), level, output, progress);

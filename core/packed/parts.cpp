@@ -2,6 +2,7 @@
 #include "core/packed/parts.h"
 
 #include "core/base/checksum.h"
+#include "core/base/finished_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "core/history/derived_sections.h"
@@ -355,7 +356,7 @@ public:
         record_.clear();
         for (;;) {
             const Result<bool> more = chunks_.next(progress);
-            if (!more)
+            if (!more.ok())
                 return more.error();
             if (!*more && record_.empty())
                 return std::optional<PartKind>();
@@ -393,6 +394,63 @@ Status checkArrays(const Model& model, const Progress& progress)
     return model.confirm(progress);
 }
 
+/// What is followed while packing leads where it should. Whether it is a mesh shows on the way.
+bool isHistory(const Model& model)
+{
+    const std::uint64_t points = model.description().lattice.pointCount();
+    if (std::ranges::any_of(model.points(), [&](std::uint32_t point) { return point >= points; }))
+        return false;
+    const auto offsets = model.starOffsets();
+    if (offsets.front() != 0 || offsets.back() != model.tetrahedronCount() || !std::ranges::is_sorted(offsets))
+        return false;
+    for (std::uint32_t site = 0; site < model.siteCount(); ++site)
+        for (std::uint64_t t = offsets[site]; t < offsets[site + std::size_t(1)]; ++t) {
+            const std::uint32_t destroyer = model.destroyers()[t];
+            if (std::ranges::max(model.otherSites()[t]) >= site || destroyer <= site ||
+                (destroyer >= model.siteCount() && destroyer != Model::never))
+                return false;
+        }
+    return true;
+}
+
+/// Unpacking puts sections together that have the checksums of the table, and zeros between them.
+Status checkSections(const Model& model, const FileLayout& layout)
+{
+    const std::span<const std::byte> file = model.fileBytes();
+    const auto damaged = [&](const Message& what) {
+        return Error{ErrorKind::BadInput, Message::say("'%1' is damaged: %2. Copy the file again, or build it again.",
+                                                       model.path().string(), what)};
+    };
+    std::uint64_t end = sizeof(Header) + layout.sections.size() * sizeof(Section);
+    for (const Section& section : layout.sections) {
+        if (std::ranges::any_of(file.subspan(end, section.offset - end),
+                                [](std::byte byte) { return byte != std::byte(0); }))
+            return damaged(Message::say("something lies before section '%1'", format::sectionName(section.id)));
+        if (checksum(file.subspan(section.offset, section.bytes)) != section.checksum)
+            return damaged(Message::say("the checksum of section '%1' is wrong", format::sectionName(section.id)));
+        end = section.offset + section.bytes;
+    }
+    return {};
+}
+
+/// Whether codeFacts() has a code for each step from one to the next, and reads as many of them.
+bool canBeCoded(std::span<const Fault> faults, const ModelDescription& about)
+{
+    if (about.domain != DomainClass::Curvilinear || faults.size() > 2 * about.lattice.pointCount())
+        return false;
+    std::uint64_t before = 0;
+    return std::ranges::none_of(faults, [&](const Fault& fault) {
+        return fault.number + 1 == std::exchange(before, fault.number) || fault.reserved != 0;
+    });
+}
+
+Error cannotBePacked(const Model& model)
+{
+    return {ErrorKind::BadInput,
+            Message::say("'%1' cannot be packed: its history is not that of a mesh. 'tan verify' tells more.",
+                         model.path().string())};
+}
+
 PartFacts partFactsOf(const Model& model)
 {
     PartFacts facts;
@@ -405,6 +463,8 @@ PartFacts partFactsOf(const Model& model)
         for (const Fault& fault : *derived.faults)
             if (fault.kind != static_cast<std::uint32_t>(format::FaultKind::InvertedTetrahedron))
                 facts.faultsOfCells.push_back(fault);
+    if (!canBeCoded(facts.faultsOfCells, model.description()))
+        facts.faultsOfCells.clear(); // then the section comes as it is
     return facts;
 }
 
@@ -545,6 +605,10 @@ public:
         const auto layout = readLayout(model_.fileBytes(), model_.path());
         if (!layout)
             return layout.error();
+        if (const Status whole = checkSections(model_, *layout); !whole)
+            return whole.error();
+        if (!isHistory(model_))
+            return cannotBePacked(model_);
         for (const Section& section : layout->sections)
             order_.push_back(section.id);
         facts_ = partFactsOf(model_);
@@ -677,37 +741,45 @@ private:
         return {};
     }
 
-    /// Makes the model again, and keeps what is not the same then.
+    /// The samples that are no sites. Gives all of them, as they come back with the sites'.
+    KeptSamples codeSamples(PlainCoder<RangeEncoder>& plain, const HistoryArrays& arrays) const
+    {
+        const auto positions = !model_.floatSamplePositions().empty() ? std::as_bytes(model_.floatSamplePositions())
+                                                                      : std::as_bytes(model_.doubleSamplePositions());
+        KeptSamples kept;
+        plain.number<std::uint32_t>(model_.samples().empty() ? 0 : positions.empty() ? 1 : 2);
+        if (model_.samples().empty())
+            return kept;
+        const OtherSamples others(model_.description().lattice.pointCount(), arrays.points);
+        const auto code = [&](std::span<const std::byte> samples, std::span<const std::byte> ofSites,
+                              std::size_t size) {
+            std::vector<std::byte> bytes = others.take(samples, size);
+            plain.elements(bytes, size);
+            return others.put(bytes, arrays.points, ofSites, size);
+        };
+        kept.values = code(model_.samples(), arrays.values, sampleSize(model_.description().sampleType));
+        if (!positions.empty())
+            kept.positions = code(positions, arrays.positions, 3 * std::size_t(facts_.coordinateBytes));
+        return kept;
+    }
+
+    /// Makes the model again as unpacking does, and keeps what is not the same then.
     Status packRest(const HistoryArrays& arrays)
     {
-        const auto samplePositions = !model_.floatSamplePositions().empty()
-                                         ? std::as_bytes(model_.floatSamplePositions())
-                                         : std::as_bytes(model_.doubleSamplePositions());
         const Result<WorkFolder> folder = WorkFolder::open(workFolderOf(file_.target()), WorkFolder::Leftovers::Remove);
         if (!folder)
             return folder.error();
         const std::filesystem::path made = folder->path() / "model.tan";
-        const WrittenModel written{arrays,           model_.description(), facts_, model_.finalKey(),
-                                   model_.samples(), samplePositions};
+        RangeEncoder coder;
+        PlainCoder<RangeEncoder> plain(coder);
+        const KeptSamples kept = codeSamples(plain, arrays);
+        const WrittenModel written{arrays,      model_.description(), facts_, model_.finalKey(),
+                                   kept.values, kept.positions};
         if (const Status wrote = writeModelFile(written, order_, made); !wrote)
             return wrote;
         Result<std::optional<Differing>> differing = compare(model_, made);
         if (!differing)
             return differing.error();
-        RangeEncoder coder;
-        PlainCoder<RangeEncoder> plain(coder);
-        const bool sampled = !model_.samples().empty();
-        plain.number<std::uint32_t>(!sampled ? 0 : samplePositions.empty() ? 1 : 2);
-        if (sampled) {
-            const OtherSamples others(model_.description().lattice.pointCount(), model_.points());
-            const std::size_t size = sampleSize(model_.description().sampleType);
-            std::vector<std::byte> bytes = others.take(model_.samples(), size);
-            plain.elements(bytes, size);
-            if (!samplePositions.empty()) {
-                bytes = others.take(samplePositions, 3 * std::size_t(facts_.coordinateBytes));
-                plain.elements(bytes, 3 * std::size_t(facts_.coordinateBytes));
-            }
-        }
         codeRest(plain, *differing, format::mostSections);
         if (*differing)
             for (std::size_t i = 0; i < (*differing)->table.size(); ++i) {
@@ -769,7 +841,7 @@ public:
             const std::span<const std::byte> piece = record.subspan(sizeof head);
             const Result<bool> decoded = sitesAlone ? sitesAlone->decode(piece, head.sites, progress_)
                                                     : Result<bool>(decoder_->decode(piece, site + head.sites));
-            if (!decoded)
+            if (!decoded.ok())
                 return decoded.error();
             if (!*decoded)
                 return damaged();
@@ -977,17 +1049,6 @@ Result<KeptSamples> readKeptSamples(PlainCoder<RangeDecoder>& plain, const Parts
     return kept;
 }
 
-/// Gives a file the name of another one, which it replaces.
-Status moveFile(const std::filesystem::path& from, const std::filesystem::path& to, const std::filesystem::path& shown)
-{
-    std::error_code failure;
-    std::filesystem::rename(from, to, failure);
-    if (!failure)
-        return {};
-    return Error{ErrorKind::CannotWrite,
-                 Message::say("'%1' cannot be written: %2.", shown.string(), systemErrorText(failure.value()))};
-}
-
 } // namespace
 
 Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::path& output, const Progress& progress)
@@ -1011,17 +1072,16 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
     const Result<WorkFolder> folder = WorkFolder::open(workFolderOf(output), WorkFolder::Leftovers::Remove);
     if (!folder)
         return folder.error();
-    const std::filesystem::path made = folder->path() / "model.tan";
+    const std::filesystem::path made = folder->path() / "model.tan", put = folder->path() / "differing.tan";
+    const std::filesystem::path* finished = &made;
     if (const Status written = writeModelFile(model, reader.order(), made); !written)
         return written.error();
     if (differing && reader.isAgain()) {
-        const std::filesystem::path put = folder->path() / "differing.tan";
         if (const Status written = DifferingWriter(file, *differing, made, put).run(plain); !written)
             return written.error();
-        if (const Status moved = moveFile(put, made, output); !moved)
-            return moved.error();
+        finished = &put;
     }
-    Result<UnpackReport> compared = compareSections(file, made);
+    Result<UnpackReport> compared = compareSections(file, *finished);
     if (!compared)
         return compared.error();
     if (!compared->derived.empty() && !reader.isToldBySites())
@@ -1031,12 +1091,13 @@ Result<UnpackReport> unpackParts(const PackedFile& file, const std::filesystem::
         reader.boundByRunningKeys();
         if (const Status written = writeModelFile(model, reader.order(), made); !written)
             return written.error();
+        finished = &made;
         compared = compareSections(file, made);
         if (!compared)
             return compared.error();
     }
-    if (const Status moved = moveFile(made, behindLinks(output), output); !moved)
-        return moved.error();
+    if (const Status replaced = replaceFile(*finished, output); !replaced)
+        return replaced.error();
     progress.report(1, unpackingParts);
     return compared;
 }

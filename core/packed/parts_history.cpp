@@ -388,7 +388,7 @@ public:
     bool run(std::uint32_t end)
     {
         while (state_.siteCount() < end)
-            if (!group(end) || isOverrun())
+            if (!group(end) || isImpossible_ || isOverrun())
                 return false;
         return true;
     }
@@ -403,7 +403,11 @@ private:
             return coder_.overrun();
     }
     bool bit(BitModel& model, bool truth) { return codedBit(coder_, model, truth); }
-    std::uint64_t number(NumberModel& model, std::uint64_t truth) { return model.code(coder_, truth); }
+    std::uint64_t number(NumberModel& model, std::uint64_t truth)
+    {
+        isImpossible_ |= encodes && truth == ~std::uint64_t(0);
+        return model.code(coder_, truth);
+    }
     /// Below 2^64, small ones shorter.
     std::uint64_t wideNumber(NumberModel& model, std::uint64_t truth)
     {
@@ -431,6 +435,7 @@ private:
     /// One of `count` equally likely numbers, `count` not 0.
     std::uint64_t oneOf(std::uint64_t truth, std::uint64_t count)
     {
+        isImpossible_ |= encodes && truth >= count;
         const unsigned bits = static_cast<unsigned>(std::bit_width(count)) - 1;
         const std::uint64_t shorter = (std::uint64_t(2) << bits) - count; // so many are a bit shorter
         if constexpr (encodes) {
@@ -527,6 +532,8 @@ private:
     std::uint64_t death_ = 0;           ///< likewise: the first that has not been coded
     std::uint32_t unused_ = 0;          ///< likewise: all before are
     bool placedEarly_ = false;          ///< the only site was, before what it destroys was known
+    /// In the encoder: something was to be coded that has no code, so that the decoder would read something else.
+    bool isImpossible_ = false;
 };
 
 template <class Coder> bool GroupCoder<Coder>::group(std::uint32_t end)
@@ -655,10 +662,15 @@ template <class Coder> auto GroupCoder<Coder>::trueSeed(bool isFirst) -> Seed
         int score = -1;
         if (isFirst)
             death_ = truth_.deathOffsets[first_];
-        while (isDying(truth_.deaths[death_]))
+        const std::uint64_t end = truth_.deathOffsets[first_ + count_];
+        // One that comes later than what destroys it is part of no mesh.
+        const auto exists = [this](std::uint32_t t) { return t < base_; };
+        while (death_ < end && exists(truth_.deaths[death_]) && isDying(truth_.deaths[death_]))
             ++death_;
-        for (std::uint64_t i = death_; i < truth_.deathOffsets[first_ + count_] && score < highest; ++i) {
+        for (std::uint64_t i = death_; i < end && score < highest; ++i) {
             const std::uint32_t t = truth_.deaths[i];
+            if (!exists(t))
+                return {};
             if (isDying(t))
                 continue;
             const Seed one{t, std::ranges::binary_search(state_.hot, t), mayHold && state_.contains(t, site)};
@@ -677,6 +689,8 @@ template <class Coder> bool GroupCoder<Coder>::codeSeed(bool isFirst, std::uint3
 {
     const std::vector<std::uint32_t>& hot = state_.hot;
     const Seed truth = trueSeed(isFirst);
+    if (encodes && truth.tetrahedron == nowhere)
+        return false;
     if (!hot.empty() && bit(models_.seedIsHot[isFirst ? 1 : 0], truth.isHot)) {
         const auto place = std::ranges::lower_bound(hot, truth.tetrahedron) - hot.begin();
         seed = hot[oneOf(static_cast<std::uint64_t>(place), hot.size())];
@@ -959,21 +973,28 @@ template <class Coder> bool GroupCoder<Coder>::codeApex(const GroupScratch::Face
                                                         std::uint32_t truth, std::uint32_t& apex)
 {
     const std::size_t single = count_ == 1 ? 0 : 1;
+    constexpr std::size_t most = 8;
     std::vector<std::uint32_t>& candidates = at_.candidates;
     candidates.clear();
     const auto offer = [&](std::uint32_t site) {
-        if (site != nowhere && candidates.size() < 8 && std::ranges::find(face.corners, site) == face.corners.end() &&
+        if (site != nowhere && candidates.size() < most &&
+            std::ranges::find(face.corners, site) == face.corners.end() &&
             std::ranges::find(candidates, site) == candidates.end())
             candidates.push_back(site);
     };
     offer(single == 0 ? first_ : face.hint);
     for (std::size_t i = 0; single == 1 && i < 3; ++i) {
         const std::uint32_t edge = at_.edgeNumbers.find(edgeKey(face.corners[i], face.corners[(i + 1) % 3]));
-        for (std::uint32_t link = at_.edgeHeads[edge]; link != nowhere; link = at_.edgeLinks[link].before) {
-            const GroupScratch::Face& other = at_.faces[at_.edgeLinks[link].face];
-            if (!other.closed)
-                for (const std::uint32_t corner : other.corners)
-                    offer(corner);
+        for (std::uint32_t* link = &at_.edgeHeads[edge]; *link != nowhere && candidates.size() < most;) {
+            GroupScratch::EdgeLink& at = at_.edgeLinks[*link];
+            const GroupScratch::Face& other = at_.faces[at.face];
+            if (other.closed) { // and stays so: nobody has to pass it again
+                *link = at.before;
+                continue;
+            }
+            for (const std::uint32_t corner : other.corners)
+                offer(corner);
+            link = &at.before;
         }
     }
     for (std::size_t rank = 0; rank < candidates.size(); ++rank)

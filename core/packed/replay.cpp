@@ -649,10 +649,7 @@ Result<bool> isReproducible(const Model& model, const Dataset& dataset, const Re
     const auto mapped = MappedFile::open(again);
     if (!mapped)
         return mapped.error();
-    const auto theirs = readLayout(model.fileBytes(), model.path()), ours = readLayout((*mapped)->bytes(), again);
-    if (!theirs || !ours)
-        return theirs ? ours.error() : theirs.error();
-    return ours->header.checksum == theirs->header.checksum;
+    return std::ranges::equal(model.fileBytes(), (*mapped)->bytes());
 }
 
 // Unpacking.
@@ -671,7 +668,7 @@ Result<std::vector<RegionChunks>> readChunks(const PackedFile& file, std::uint32
     PackedChunkReader chunks(file, bytes);
     for (;;) {
         const Result<bool> more = chunks.next(progress);
-        if (!more)
+        if (!more.ok())
             return more.error();
         if (!*more)
             return regions;
@@ -1204,7 +1201,7 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
         return lattice.error();
     constexpr double filledAt = 0.1;
     const Result<bool> filled = fillSamples(model, **lattice, progress.part(0, filledAt));
-    if (!filled)
+    if (!filled.ok())
         return filled.error();
     if (!*filled)
         return cannot;
@@ -1212,7 +1209,7 @@ Result<std::optional<PackReport>> packReplayed(const Model& model, PackedFileWri
     if (!dataset)
         return cannot;
     const Result<bool> same = isReproducible(model, *dataset, *recipe, file.target(), progress.part(filledAt, triedAt));
-    if (!same)
+    if (!same.ok())
         return same.error();
     if (!*same)
         return cannot;

@@ -513,7 +513,7 @@ Result<std::vector<std::byte>> SiteEncoder::encode(std::uint32_t end, const Prog
     std::ranges::sort(points);
     SetCoder<RangeEncoder> set(*coding_, coder, cost_);
     const Result<bool> coded = set.run(points, static_cast<std::uint32_t>(points.size()), progress);
-    if (!coded)
+    if (!coded.ok())
         return coded.error();
     if (!*coded)
         return Error{ErrorKind::BadInput,
@@ -547,7 +547,7 @@ Result<bool> SiteDecoder::decode(std::span<const std::byte> bytes, std::uint32_t
     HistoryCost unused;
     std::vector<std::uint32_t> points;
     const Result<bool> coded = SetCoder<RangeDecoder>(*coding_, coder, unused).run(points, count - first, progress);
-    return coded ? *coded && !coder.overrun() : coded;
+    return coded.ok() ? *coded && !coder.overrun() : coded;
 }
 
 const KnownSites& SiteDecoder::takeSites()

@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <utility>
@@ -39,6 +41,45 @@ Error cannotUse(const std::filesystem::path& folder, int systemError)
     return {isLack ? ErrorKind::OutOfResource : ErrorKind::CannotWrite,
             Message::say("Cannot use the cache folder '%1': %2. %3", folder.string(), systemErrorText(systemError),
                          remedy)};
+}
+
+/// Of `folder`, by what is wrong with `place`, which is that or above it.
+Error cannotTrust(const std::filesystem::path& folder, const Message& what)
+{
+    return {ErrorKind::CannotWrite,
+            Message::say("Cannot use the cache folder '%1': %2. Set XDG_CACHE_HOME to a folder that is yours alone.",
+                         folder.string(), what)};
+}
+
+/// Whether nobody but this user can put files into a folder or another one in its place. The system's own folders are
+/// the superuser's, whom some containers show under another number.
+Status checkTrust(const std::filesystem::path& folder)
+{
+    struct stat root {
+    }, status{};
+    const bool isKnown = ::stat("/", &root) == 0 && ::stat(folder.c_str(), &status) == 0;
+    if (!isKnown)
+        return cannotUse(folder, errno);
+    const uid_t user = ::geteuid();
+    if (status.st_uid != user)
+        return cannotTrust(folder, Message::say("it belongs to another user"));
+    if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+        return cannotTrust(folder, Message::say("others can write in it"));
+    // As the path goes, and where its links lead.
+    std::error_code problem;
+    for (const std::filesystem::path& path :
+         {std::filesystem::absolute(folder, problem), std::filesystem::canonical(folder, problem)})
+        for (std::filesystem::path above = path.parent_path(); !above.empty(); above = above.parent_path()) {
+            if (::stat(above.c_str(), &status) != 0)
+                return cannotUse(folder, errno);
+            if (status.st_uid != user && status.st_uid != 0 && status.st_uid != root.st_uid)
+                return cannotTrust(folder, Message::say("'%1' belongs to another user", above.string()));
+            if ((status.st_mode & S_IWOTH) != 0 && (status.st_mode & S_ISVTX) == 0)
+                return cannotTrust(folder, Message::say("everybody can write in '%1'", above.string()));
+            if (above == above.root_path())
+                break;
+        }
+    return {};
 }
 
 std::string nameOf(std::string_view key)
@@ -99,6 +140,20 @@ void touch(int descriptor)
     ::futimens(descriptor, times.data());
 }
 
+/// Whether it is a file of this user, and no more than a file.
+bool isOwnFile(int descriptor)
+{
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+}
+
+/// Whether a program has it open that took it from the folder.
+bool isInUse(const std::filesystem::path& path)
+{
+    const OpenFile file(path, 0);
+    return file && lockFile(file.descriptor(), path) == FileLock::Busy;
+}
+
 /// Removes a file that nobody uses; one that cannot be locked may be in use.
 bool removeUnused(const std::filesystem::path& path)
 {
@@ -124,17 +179,7 @@ std::vector<Entry> entriesOf(const std::filesystem::path& folder)
         struct stat status {};
         if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
             continue;
-        const bool isFile = isOurName(name);
-        std::uint64_t bytes = std::uint64_t(status.st_blocks) * 512;
-        if (name.ends_with(lockEnding)) { // its size is that of the file that is being made: what is still to come
-            struct stat making {};
-            const std::filesystem::path beside = std::filesystem::path(path).replace_extension(makingEnding);
-            const std::uint64_t made =
-                ::lstat(beside.c_str(), &making) == 0 ? std::uint64_t(making.st_blocks) * 512 : 0;
-            const auto expected = static_cast<std::uint64_t>(status.st_size);
-            bytes = expected - std::min(expected, made);
-        }
-        entries.push_back({std::move(path), bytes, status.st_atim, isFile});
+        entries.push_back({std::move(path), std::uint64_t(status.st_blocks) * 512, status.st_atim, isOurName(name)});
     }
     return entries;
 }
@@ -162,6 +207,18 @@ void removeUnfinished(std::span<const Entry> entries)
     }
 }
 
+/// Those that nobody makes any more, the ones first that were unused for longest.
+std::vector<Entry> oldestFirst(const std::filesystem::path& folder)
+{
+    std::vector<Entry> entries = entriesOf(folder);
+    removeUnfinished(entries);
+    entries = entriesOf(folder);
+    std::ranges::sort(entries, {}, [](const Entry& entry) { return std::pair(entry.used.tv_sec, entry.used.tv_nsec); });
+    return entries;
+}
+
+constexpr MarkedText noMemoryToLook =
+    Message::marked("Not enough memory to look into the cache folder '%1'. Close other programs.");
 constexpr auto beforeNextLook = std::chrono::milliseconds(20);
 
 } // namespace
@@ -184,17 +241,25 @@ CachedFile& CachedFile::operator=(CachedFile&& other) noexcept
     return *this;
 }
 
+Result<std::uint64_t> CacheFolder::standardLimit()
+{
+    const char* const given = std::getenv("TAN_CACHE_MB");
+    if (given == nullptr || *given == '\0')
+        return defaultLimit;
+    const std::optional<std::uint64_t> megabytes = parseNumber<std::uint64_t>(given);
+    if (!megabytes || *megabytes > 1'000'000'000'000)
+        return Error{ErrorKind::WrongUsage,
+                     Message::say("TAN_CACHE_MB is '%1'. Give the most megabytes that the cache folder may take.",
+                                  printable(given))};
+    return *megabytes * 1'000'000;
+}
+
 Result<CacheFolder> CacheFolder::standard()
 {
-    std::uint64_t limit = defaultLimit;
-    if (const char* const given = std::getenv("TAN_CACHE_MB"); given != nullptr && *given != '\0') {
-        const std::optional<std::uint64_t> megabytes = parseNumber<std::uint64_t>(given);
-        if (!megabytes || *megabytes > 1'000'000'000'000)
-            return Error{ErrorKind::WrongUsage,
-                         Message::say("TAN_CACHE_MB is '%1'. Give the most megabytes that the cache folder may take.",
-                                      printable(given))};
-        limit = *megabytes * 1'000'000;
-    }
+    const Result<std::uint64_t> standardBytes = standardLimit();
+    if (!standardBytes)
+        return standardBytes.error();
+    const std::uint64_t limit = *standardBytes;
     const char* const cache = std::getenv("XDG_CACHE_HOME");
     if (cache != nullptr && std::filesystem::path(cache).is_absolute()) // a relative one does not count
         return open(std::filesystem::path(cache) / "tan", limit);
@@ -220,6 +285,8 @@ Result<CacheFolder> CacheFolder::open(const std::filesystem::path& path, std::ui
         return cannotUse(path, ENOTDIR);
     if (::access(path.c_str(), R_OK | W_OK | X_OK) != 0)
         return cannotUse(path, errno);
+    if (const Status trusted = checkTrust(path); !trusted)
+        return trusted.error();
     return CacheFolder(path, limitBytes);
 }
 
@@ -227,7 +294,7 @@ std::optional<CachedFile> CacheFolder::find(std::string_view key) const
 {
     std::filesystem::path path = path_ / nameOf(key);
     OpenFile file(path, 0);
-    if (!file)
+    if (!file || !isOwnFile(file.descriptor()))
         return {};
     const FileLock lock = lockFile(file.descriptor(), path, LockKind::Shared);
     if (lock == FileLock::Busy || lock == FileLock::Gone) // somebody removes it
@@ -266,12 +333,11 @@ Result<CachedFile> CacheFolder::take(std::string_view key, std::uint64_t expecte
             continue;
         }
         ::unlink(making.c_str()); // by a program that was killed
-        Status made = makeRoom(expectedBytes);
-        if (made) {
-            // Others that look how much there is count it; where that fails, they count what is there.
-            [[maybe_unused]] const int ignored = ::ftruncate(lock.descriptor(), static_cast<off_t>(expectedBytes));
-            made = make(making, progress);
-        }
+        Status made = checkRoom(expectedBytes);
+        if (made)
+            made = makeAsItGrows(making, expectedBytes, make, progress);
+        if (made) // the file counts by now, whatever it was expected to take
+            made = makeRoom(0);
         if (!made) {
             finish();
             return made.error();
@@ -291,48 +357,120 @@ Result<CachedFile> CacheFolder::take(std::string_view key, std::uint64_t expecte
     }
 }
 
+/// Where the system does not tell how much the disk has, writing will.
+bool CacheFolder::fitsDisk(std::uint64_t bytes, std::uint64_t removed) const
+{
+    std::error_code problem;
+    const auto space = std::filesystem::space(path_, problem);
+    return problem || space.available >= bytes || bytes - space.available <= removed;
+}
+
+Error CacheFolder::noRoom(std::uint64_t bytes) const
+{
+    return {
+        ErrorKind::CannotWrite,
+        Message::say("The cache folder '%1' has no room for %2 more: its limit is %3, and what is in use stays. Set "
+                     "TAN_CACHE_MB to more megabytes.",
+                     path_.string(), neededBytesText(bytes), neededBytesText(limit_))};
+}
+
+Status CacheFolder::checkRoom(std::uint64_t bytes) const
+{
+    const auto work = [&]() -> Status {
+        if (bytes > limit_)
+            return noRoom(bytes);
+        const std::vector<Entry> entries = entriesOf(path_);
+        const std::uint64_t taken = bytesOf(entries);
+        if (!fitsDisk(bytes, taken))
+            return cannotUse(path_, ENOSPC);
+        if (taken <= limit_ - bytes)
+            return {};
+        std::uint64_t used = 0;
+        for (const Entry& entry : entries)
+            used += entry.isFile && isInUse(entry.path) ? entry.bytes : 0;
+        return used <= limit_ - bytes ? Status() : noRoom(bytes);
+    };
+    return guarded(noMemoryToLook, work, path_.native());
+}
+
+/// As the file grows, others go for what it takes by then; on a disk that is full, for a bit more each time.
+Status CacheFolder::makeAsItGrows(const std::filesystem::path& making, std::uint64_t expectedBytes, const Maker& make,
+                                  const Progress& progress) const
+{
+    using Clock = std::chrono::steady_clock;
+    constexpr auto betweenLooks = std::chrono::milliseconds(200);
+    constexpr std::uint64_t firstStep = 16 << 20;
+    std::mutex looking;
+    // Guarded by it:
+    Clock::time_point next = Clock::now() + betweenLooks;
+    std::stop_source tooMuch;
+    std::optional<Error> refusal;
+    const auto watch = [&](double fraction, const Message& activity) {
+        progress.report(fraction, activity);
+        const std::unique_lock lock(looking, std::try_to_lock);
+        if (!lock || Clock::now() < next)
+            return;
+        if (const Status fits = makeRoom(0); !fits) {
+            refusal = fits.error();
+            tooMuch.request_stop();
+        }
+        next = Clock::now() + betweenLooks;
+    };
+    for (std::uint64_t step = firstStep;; step *= 2) {
+        Status made = make(making, progress.withCallback(watch).alsoCancelledBy(tooMuch.get_token()));
+        if (!made && refusal)
+            return *refusal;
+        const bool mayBeFull = !made && made.error().kind == ErrorKind::CannotWrite && !fitsDisk(expectedBytes, 0);
+        if (!mayBeFull || !removeSome(step))
+            return made;
+        ::unlink(making.c_str());
+    }
+}
+
+/// False if nothing could be removed.
+bool CacheFolder::removeSome(std::uint64_t bytes) const
+{
+    std::uint64_t removed = 0;
+    const auto work = [&]() -> Status {
+        for (const Entry& entry : oldestFirst(path_))
+            if (removed < bytes && entry.isFile && removeUnused(entry.path))
+                removed += std::max<std::uint64_t>(entry.bytes, 1);
+        return {};
+    };
+    (void)guarded(noMemoryToLook, work, path_.native());
+    return removed > 0;
+}
+
 Status CacheFolder::makeRoom(std::uint64_t bytes) const
 {
     const auto work = [&]() -> Status {
-        std::vector<Entry> entries = entriesOf(path_);
-        std::uint64_t taken = bytesOf(entries);
-        const auto fits = [&] { return bytes <= limit_ && taken <= limit_ - bytes; };
-        // Where the system does not tell how much the disk has, writing will.
-        const auto fitsDisk = [&](std::uint64_t removed) {
-            std::error_code problem;
-            const auto space = std::filesystem::space(path_, problem);
-            return problem || space.available >= bytes || bytes - space.available <= removed;
-        };
-        const auto noRoom = [&] {
-            return Error{ErrorKind::CannotWrite,
-                         Message::say("The cache folder '%1' has no room for %2 more: its limit is %3, and what is in "
-                                      "use stays. Set TAN_CACHE_MB to more megabytes.",
-                                      path_.string(), neededBytesText(bytes), neededBytesText(limit_))};
-        };
-        if (fits() && fitsDisk(0))
+        std::uint64_t taken = bytesOf(entriesOf(path_));
+        const auto fits = [&] { return bytes <= limit_ && taken <= limit_ - bytes && fitsDisk(bytes, 0); };
+        if (fits())
             return {};
         // For what would not fit into an empty folder nothing is removed.
         if (bytes > limit_)
-            return noRoom();
-        if (!fitsDisk(taken))
+            return noRoom(bytes);
+        if (!fitsDisk(bytes, taken))
             return cannotUse(path_, ENOSPC);
-        removeUnfinished(entries);
-        entries = entriesOf(path_);
+        const std::vector<Entry> entries = oldestFirst(path_);
         taken = bytesOf(entries);
-        std::ranges::sort(entries, {},
-                          [](const Entry& entry) { return std::pair(entry.used.tv_sec, entry.used.tv_nsec); });
+        std::uint64_t made = 0; // by programs that live, this one included: stays
+        for (const Entry& entry : entries)
+            made += entry.isFile ? 0 : entry.bytes;
+        if (made > limit_ - bytes)
+            return noRoom(std::max(bytes, made - std::min(made, limit_)));
         for (const Entry& entry : entries) {
-            if (fits() && fitsDisk(0))
+            if (fits())
                 return {};
             if (entry.isFile && removeUnused(entry.path))
                 taken -= entry.bytes;
         }
-        if (!fits())
-            return noRoom();
-        return fitsDisk(0) ? Status() : cannotUse(path_, ENOSPC);
+        if (taken > limit_ - bytes)
+            return noRoom(std::max(bytes, taken - std::min(taken, limit_)));
+        return fitsDisk(bytes, 0) ? Status() : cannotUse(path_, ENOSPC);
     };
-    return guarded(Message::marked("Not enough memory to look into the cache folder '%1'. Close other programs."), work,
-                   path_.native());
+    return guarded(noMemoryToLook, work, path_.native());
 }
 
 void CacheFolder::clear() const

@@ -13,7 +13,8 @@ namespace tetra {
 namespace {
 
 constexpr std::size_t longestText = 1024;
-constexpr std::uint64_t mostBytes = std::uint64_t(1) << 60;
+constexpr std::uint64_t mostBytes = std::uint64_t(1) << 44; // 2^32 sites and the history of their tetrahedra
+constexpr std::uint64_t longestWait = 3600;
 
 std::string_view trimmed(std::string_view text)
 {
@@ -119,6 +120,10 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
         answer.contentType = smallLetters(trimmed(keptText(value.substr(0, value.find(';')))));
     } else if (name == "content-encoding") {
         answer.contentEncoding = smallLetters(keptText(value));
+    } else if (name == "retry-after") {
+        answer.retryAfter = wholeNumber(value);
+        if (answer.retryAfter)
+            answer.retryAfter = std::min(*answer.retryAfter, longestWait);
     } else if (name == "www-authenticate") {
         answer.wantsBearer = smallLetters(value.substr(0, value.find(' '))) == "bearer";
     }
@@ -156,7 +161,7 @@ AnswerUse useOfAnswer(const HttpAnswer& answer, const Asked& asked, std::span<co
     if (isFirst && !range->total)
         return AnswerUse::NoLength;
     if (isFirst && *range->total > mostBytes)
-        return AnswerUse::OtherPart;
+        return AnswerUse::TooLong;
     if (!isFirst && range->total && *range->total != asked.size)
         return AnswerUse::Changed;
     const bool isSound = !answer.contentLength || *answer.contentLength == *range->last - asked.first + 1;

@@ -34,7 +34,8 @@ struct HttpAnswer {
     std::string lastModified; ///< as it stands there
     std::string contentType;  ///< small letters, without parameters
     std::string contentEncoding;
-    bool wantsBearer = false; ///< WWW-Authenticate asks for a token, and not for a name and a password
+    std::optional<std::uint64_t> retryAfter; ///< seconds, at most an hour; a date is left out
+    bool wantsBearer = false;                ///< WWW-Authenticate asks for a token, and not for a name and a password
 
     /// What If-Range takes: a strong tag or else the date; empty if there is neither.
     std::string_view validator() const;
@@ -62,6 +63,7 @@ enum class AnswerUse {
     Packed,     ///< of bytes that are coded, so that nobody knows which they are
     OtherPart,  ///< none that was asked for, or one that contradicts itself
     NoLength,   ///< the first answer does not say how long the file is
+    TooLong,    ///< it says that it is longer than any model
     CutShort,   ///< within its head
     NoAnswer,   ///< no HTTP
     OtherStatus ///< no data, as its status says
@@ -75,7 +77,7 @@ struct Asked {
 };
 
 /// `start` is what has come of the content. A Part has contentRange with both ends; it begins at `asked.first` and ends
-/// no later than `asked.end`, but perhaps before. The first one also has the length of the file, at most 2^60.
+/// no later than `asked.end`, but perhaps before. The first one also has the length of the file, at most 2^44.
 AnswerUse useOfAnswer(const HttpAnswer& answer, const Asked& asked, std::span<const std::byte> start);
 
 } // namespace tetra

@@ -6,6 +6,7 @@
 #include "core/remote/http_answer.h"
 #include "core/remote/libcurl.h"
 #include "core/remote/piece_store.h"
+#include "core/remote/transfer_error.h"
 
 #include <algorithm>
 #include <atomic>
@@ -37,45 +38,6 @@ constexpr std::size_t longestAddress = 16 << 10;
 constexpr std::size_t longestHead = 256 << 10; ///< of an answer with all redirections
 constexpr long mostRedirections = 5;
 constexpr MarkedText notEnoughMemory = Message::marked("Not enough memory to read '%1'. Close other programs.");
-
-bool startsWithSmall(std::string_view text, std::string_view start)
-{
-    return text.size() >= start.size() && std::ranges::equal(text.substr(0, start.size()), start, {}, smallLetter);
-}
-
-/// Where the name and password of a user would stand before the host, if they do: [first, second) with the '@'.
-std::pair<std::size_t, std::size_t> userPart(std::string_view address)
-{
-    const std::size_t scheme = address.find("://");
-    const std::size_t first = scheme == std::string_view::npos ? 0 : scheme + 3;
-    const std::size_t end = std::min(address.find_first_of("/?#", first), address.size());
-    const std::size_t at = address.substr(0, end).rfind('@');
-    return at == std::string_view::npos || at < first ? std::pair(first, first) : std::pair(first, at + 1);
-}
-
-std::string withoutUser(std::string_view address)
-{
-    const auto [first, end] = userPart(address);
-    return std::string(address.substr(0, first)).append(address.substr(end));
-}
-
-/// Why a request did not bring what it was to bring.
-struct Refusal {
-    Message reason;     ///< with what to do, sentences
-    bool again = false; ///< another attempt may
-    bool moved = false; ///< the address that a redirection led to may have had its time
-    ErrorKind kind = ErrorKind::BadInput;
-};
-
-Refusal final(Message reason)
-{
-    return {std::move(reason)};
-}
-
-Refusal again(Message reason)
-{
-    return {.reason = std::move(reason), .again = true};
-}
 
 Error cannotRead(std::string_view address, const Refusal& refusal)
 {
@@ -119,17 +81,6 @@ Refusal wrongPart()
                               "open the copy."));
 }
 
-Refusal noHttp()
-{
-    return final(Message::say("what answers there is no web server. Check the address and its port."));
-}
-
-Refusal brokenOff()
-{
-    return again(Message::say("the connection was cut again and again, by the server or by a proxy on the way. Try it "
-                              "later, or download the file and open the copy."));
-}
-
 constexpr int unauthorized = 401;
 
 Message passwordWanted()
@@ -164,60 +115,17 @@ Refusal refusedStatus(int status, bool wantsBearer)
         return mayHaveMoved(
             final(Message::say("there is no such file on the server (%1). Check the address.", status)));
     case 408:
-    case 425:
-    case 429: return again(Message::say("the server is busy (%1). Try it later.", status));
+    case 425: return again(Message::say("the server is busy (%1). Try it later.", status));
     default: break;
+    }
+    if (isBusy(status)) {
+        Refusal refusal = again(Message::say("the server is busy (%1). Try it later.", status));
+        refusal.kind = ErrorKind::OutOfResource;
+        return refusal;
     }
     if (status >= 500)
         return again(Message::say("the server fails (%1). Try it later, or tell whoever runs it.", status));
     return final(Message::say("the server answers with status %1 in place of data. Check the address.", status));
-}
-
-/// What an error of libcurl means; `answer` is as far as it came.
-Refusal refusedTransfer(CURLcode code, const char* detail, const HttpAnswer& answer)
-{
-    const auto saying = [&](const char* otherwise) {
-        return printable(detail != nullptr && *detail != '\0' ? detail : otherwise);
-    };
-    switch (code) {
-    case CURLE_URL_MALFORMAT: {
-        Refusal refusal = final(
-            Message::say("it is no address of a file. Write it as https://HOST/PATH, and blanks in it as %1.", "%20"));
-        refusal.kind = ErrorKind::WrongUsage;
-        return refusal;
-    }
-    case CURLE_COULDNT_RESOLVE_HOST:
-        return again(Message::say("its host is not found. Check the address and the network."));
-    case CURLE_COULDNT_RESOLVE_PROXY:
-        return again(Message::say("the proxy is not found. Check http_proxy and https_proxy."));
-    case CURLE_COULDNT_CONNECT:
-        return again(Message::say("nothing answers at that host and port. Check the address and the network."));
-    case CURLE_TOO_MANY_REDIRECTS:
-        return final(Message::say("the server leads from one address to another and to no file. Check the address."));
-    case CURLE_PEER_FAILED_VERIFICATION:
-        return final(Message::say("the certificate of its host cannot be trusted (%1). Check the address and this "
-                                  "machine's clock; read nothing from it if you do not know why.",
-                                  saying("not valid")));
-    case CURLE_SSL_CONNECT_ERROR:
-    case CURLE_SSL_CERTPROBLEM:
-    case CURLE_SSL_CIPHER:
-    case CURLE_SSL_CACERT_BADFILE:
-    case CURLE_SSL_ISSUER_ERROR:
-    case CURLE_SSL_INVALIDCERTSTATUS:
-    case CURLE_USE_SSL_FAILED:
-        return final(Message::say("there is no safe connection to its host (%1). Check whether the address begins with "
-                                  "http:// or https://.",
-                                  saying("TLS")));
-    case CURLE_UNSUPPORTED_PROTOCOL:
-        if (answer.status >= 300 && answer.status < 400)
-            return final(Message::say("the server leads to an address that is not safe to follow. Give the address of "
-                                      "the file itself."));
-        return noHttp();
-    case CURLE_WEIRD_SERVER_REPLY:
-    case CURLE_BAD_CONTENT_ENCODING: return noHttp();
-    case CURLE_OUT_OF_MEMORY: throw std::bad_alloc();
-    default: return brokenOff();
-    }
 }
 
 /// Spreads what comes over time; libcurl's own limit lets bursts of a megabyte through.
@@ -283,6 +191,9 @@ std::optional<Refusal> checkAnswer(Request& request, std::span<const std::byte> 
     case AnswerUse::Packed: return packed(answer.contentEncoding);
     case AnswerUse::OtherPart: return wrongPart();
     case AnswerUse::NoLength: return noLength();
+    case AnswerUse::TooLong:
+        return final(Message::say("the server says that the file has %1, more than any model has. Check the address.",
+                                  neededBytesText(*answer.contentRange->total)));
     case AnswerUse::CutShort: return brokenOff();
     case AnswerUse::NoAnswer: return noHttp();
     case AnswerUse::OtherStatus: return refusedStatus(answer.status, answer.wantsBearer);
@@ -392,14 +303,15 @@ public:
         if (const Status got = request({&range, 1}, take, progress); !got)
             return got;
         state = first_->validator().empty() ? std::string()
-                                            : withoutUser(address) + '\n' + first_->entityTag + '\n' +
+                                            : addressWithoutUser(address) + '\n' + first_->entityTag + '\n' +
                                                   first_->lastModified + '\n' + std::to_string(size);
+        const bool isTemporary = state.empty() || options.afresh;
         std::string key = state;
-        if (key.empty()) {
+        if (isTemporary) {
             std::random_device random;
-            key = withoutUser(address) + '\n' + std::to_string(random()) + std::to_string(random());
+            key = addressWithoutUser(address) + '\n' + std::to_string(random()) + std::to_string(random());
         }
-        Result<std::shared_ptr<PieceStore>> opened = PieceStore::open(cache, key, size, state.empty(), progress);
+        Result<std::shared_ptr<PieceStore>> opened = PieceStore::open(cache, key, size, isTemporary, progress);
         if (!opened)
             return opened.error();
         store_ = std::move(*opened);
@@ -546,6 +458,7 @@ private:
         std::list<Request> waiting, running; ///< lists: libcurl keeps pointers to the requests
         RemoteCounts counts;
         Clock::time_point lastPiece = Clock::now();
+        std::optional<Refusal> busy; ///< what the server said that is at its limit, and has been asked to wait for
     };
 
     Status run(Work& work, std::span<const ByteRange> ranges)
@@ -566,6 +479,8 @@ private:
             if (work.progress.cancelled())
                 return cancelledError(activity());
             const Clock::time_point now = Clock::now();
+            if (now - work.lastPiece > silence() && work.busy)
+                return cannotRead(address, *work.busy);
             if (now - work.lastPiece > silence())
                 return cannotRead(address,
                                   final(Message::say("nothing came from the server for %1 seconds, or too slowly. "
@@ -652,7 +567,7 @@ private:
             return false;
         // Copies are made of all texts but the buffer for errors.
         const bool isSet =
-            set(CURLOPT_REDIR_PROTOCOLS_STR, startsWithSmall(address, "https:") ? "https" : "http,https") &&
+            set(CURLOPT_REDIR_PROTOCOLS_STR, smallLetters(address.substr(0, 6)) == "https:" ? "https" : "http,https") &&
             set(CURLOPT_FOLLOWLOCATION, options.token.empty() ? 1L : 0L) && set(CURLOPT_MAXREDIRS, mostRedirections) &&
             set(CURLOPT_QUICK_EXIT, 1L) && set(CURLOPT_RANGE, range.c_str()) &&
             set(CURLOPT_HTTPHEADER, request.headers) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
@@ -698,7 +613,8 @@ private:
         const bool isDone = code == CURLE_OK && !request->refusal && request->offset == request->end;
         std::optional<Refusal> refusal = request->refusal;
         if (!isDone && !refusal)
-            refusal = code == CURLE_OK ? brokenOff() : refusedTransfer(code, request->detail.data(), request->answer);
+            refusal =
+                code == CURLE_OK ? brokenOff() : refusedTransfer(code, request->detail.data(), request->answer.status);
         stop(*request);
         for (Request& next : work.waiting)
             next.depth = std::max(next.depth, depth + 1);
@@ -716,7 +632,9 @@ private:
             return cannotRead(address, *refusal);
         request->address = address;
         const milliseconds pause = options.firstPause * (std::int64_t(1) << std::min(request->fruitless, 10));
-        request->notBefore = Clock::now() + std::min(pause, longestPause);
+        const milliseconds asked = std::chrono::seconds(request->answer.retryAfter.value_or(0));
+        request->notBefore = Clock::now() + std::min(std::max(pause, asked), longestPause);
+        work.busy = isBusy(request->answer.status) ? refusal : std::nullopt;
         ++request->fruitless;
         ++request->depth;
         ++work.counts.breaks;
@@ -733,18 +651,6 @@ private:
     mutable std::mutex counting_;
     RemoteCounts counts_;
 };
-
-bool isRemoteAddress(std::string_view text) noexcept
-{
-    return startsWithSmall(text, "http://") || startsWithSmall(text, "https://");
-}
-
-std::string shownAddress(std::string_view address)
-{
-    const std::string bare = withoutUser(address);
-    const std::size_t query = bare.find_first_of("?#");
-    return printable(query == std::string::npos ? bare : bare.substr(0, query));
-}
 
 bool isUnauthorized(const Error& error)
 {
@@ -770,8 +676,8 @@ std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::
 Result<RemoteFile> RemoteFile::open(std::string_view address, const CacheFolder& cache, const RemoteOptions& options,
                                     const Progress& progress)
 {
-    if (!isRemoteAddress(address) || address.size() > longestAddress || address.find('\0') != std::string_view::npos) {
-        Refusal refusal = refusedTransfer(CURLE_URL_MALFORMAT, nullptr, {});
+    if (!isRemoteAddress(address) || address.size() > longestAddress || addressWithoutUser(address).empty()) {
+        Refusal refusal = refusedTransfer(CURLE_URL_MALFORMAT, nullptr, 0);
         return cannotRead(address, refusal);
     }
     const auto work = [&]() -> Result<RemoteFile> {

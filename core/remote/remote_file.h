@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/byte_source.h"
+#include "core/remote/address.h"
 #include "core/remote/cache_folder.h"
 
 #include <tan/base.h>
@@ -28,6 +29,8 @@ struct RemoteOptions {
     std::uint64_t bytesPerSecond = 0;
     /// Goes along as "Authorization: Bearer"; then redirections are not followed.
     std::string token{};
+    /// Asks for all of it, and leaves nothing in the cache.
+    bool afresh = false;
 };
 
 /// What reading has cost since the file was opened.
@@ -38,13 +41,6 @@ struct RemoteCounts {
     std::uint64_t connections = 0; ///< that were opened
     std::uint64_t breaks = 0;      ///< requests that broke off and were made again
 };
-
-/// Whether a text is the address of a file on a server, http:// or https://, and no path.
-TAN_INTERNAL bool isRemoteAddress(std::string_view text) noexcept;
-
-/// The address for messages and titles: without a name and password of a user, and without what follows a '?', which
-/// may be a key.
-TAN_INTERNAL std::string shownAddress(std::string_view address);
 
 /// Whether an error says that a server gives a file only to whom it knows (401).
 TAN_INTERNAL bool isUnauthorized(const Error& error);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of two kernels the checker takes the other one: builders have their own predicates (geometry/orientation.h), here it
-// is CGAL's. Compiled with -frounding-math, as scattered_delaunay.cpp is.
+// is CGAL's. Compiled with -frounding-math, as scattered_delaunay.cpp is. Where the option TAN_CGAL is off there is one
+// kernel only, as exact.
 #include "core/verify/exact_cell.h"
 
+#if defined(TAN_CGAL)
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#else
+#include "core/geometry/orientation.h"
+#endif
 
 #include <algorithm>
 #include <charconv>
@@ -12,7 +17,19 @@ namespace tetra {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+#if defined(TAN_CGAL)
+int signByKernel(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
+{
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    const auto point = [](const Eigen::Vector3d& place) { return Kernel::Point_3(place.x(), place.y(), place.z()); };
+    return CGAL::orientation(point(a), point(b), point(c), point(d));
+}
+#else
+int signByKernel(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d)
+{
+    return orientation(a, b, c, d);
+}
+#endif
 
 /// Whether two of the points are one, or all lie in one plane along the axes: most flat cells are of this kind, and
 /// filters cannot decide them.
@@ -31,8 +48,7 @@ int volumeSign(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
 {
     if (isPlainlyFlat(a, b, c, d))
         return 0;
-    const auto point = [](const Eigen::Vector3d& place) { return Kernel::Point_3(place.x(), place.y(), place.z()); };
-    return CGAL::orientation(point(a), point(b), point(c), point(d));
+    return signByKernel(a, b, c, d);
 }
 
 int volumeSign(const PlacedCell& cell)

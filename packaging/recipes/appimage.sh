@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/TAn.AppDir"
 tar -C "$folder/TAn.AppDir" --strip-components=1 -xf "$root"/build/packages/tan-*.tar.gz
 cd "$folder/TAn.AppDir"
-cp share/applications/org.tan.TAn.desktop share/icons/hicolor/scalable/apps/org.tan.TAn.svg .
+cp share/applications/org.tan.tan.desktop share/icons/hicolor/scalable/apps/org.tan.tan.svg .
 # `tan` without a subcommand, or with a file alone, opens the window.
 printf '#!/bin/sh\nexec "${0%%/*}/bin/tan" "$@"\n' >AppRun
 chmod +x AppRun

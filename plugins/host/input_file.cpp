@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/input_file.h"
 
-#include "core/base/system_error.h"
 #include "core/build/model_build.h"
 
 #include <tan/open.h>
 
-#include <cerrno>
-#include <fstream>
+#include <algorithm>
 #include <span>
 
 namespace tetra {
@@ -29,18 +27,14 @@ Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
     if (!std::filesystem::is_regular_file(status))
         return bad(Message::say("'%1' is a device or a pipe. Give a file.", path.string()));
 
-    std::ifstream file(path, std::ios::binary);
-    if (!file.is_open() && isLackOfResources(errno))
-        return Error{ErrorKind::OutOfResource, Message::say("'%1' cannot be read: %2. %3", path.string(),
-                                                            systemErrorText(errno), resourceRemedy)};
-    Buffer<std::byte> bytes(shownToReaders);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(shownToReaders));
-    if (file.gcount() == 0)
-        return bad(file.eof()
-                       ? Message::say("'%1' is empty. The copy may be incomplete: copy the file again.", path.string())
-                       : Message::say("'%1' cannot be read: %2.", path.string(), systemErrorText(errno)));
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    return bytes;
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return file.error();
+    const std::span<const std::byte> bytes = (*file)->bytes();
+    if (bytes.empty())
+        return bad(Message::say("'%1' is empty. The copy may be incomplete: copy the file again.", path.string()));
+    const auto front = bytes.first(std::min(bytes.size(), shownToReaders));
+    return Buffer<std::byte>(front.begin(), front.end());
 }
 
 bool isModelFile(const std::filesystem::path& path)

@@ -2,13 +2,12 @@
 #include "plugins/host/interrupted_build.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/mapped_file.h"
 #include "core/base/work_folder.h"
 #include "core/build/model_build.h"
 #include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <span>
 #include <sstream>
@@ -30,8 +29,9 @@ bool isThere(const std::filesystem::path& path)
 
 std::string noteRead(const std::filesystem::path& workFolder)
 {
-    std::ifstream file(noteIn(workFolder), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    constexpr std::size_t mostBytes = 1 << 20;
+    const auto note = wholeText(noteIn(workFolder), mostBytes);
+    return note ? *note : std::string();
 }
 
 /// The first lines of a note.

@@ -39,7 +39,9 @@ class GzipFile {
 public:
     static Result<GzipFile> open(const fs::path& path)
     {
-        const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        if (const auto regular = MappedFile::open(path); !regular) // says why not
+            return regular.error();
+        const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
         const int problem = descriptor < 0 ? errno : ENOMEM; // all that zlib can lack
         if (descriptor >= 0)
             if (gzFile file = gzdopen(descriptor, "rb"); file != nullptr) {

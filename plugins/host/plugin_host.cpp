@@ -81,6 +81,16 @@ PluginStatus inspect(const fs::path& path, const HostBuild& build)
     return status;
 }
 
+/// Of a library in the user's own folder, DATA/tan/plugins.
+Message whyNotTrusted(const fs::path& library)
+{
+    const fs::path plugins = library.parent_path();
+    for (const fs::path& place : {plugins.parent_path(), plugins, library})
+        if (Message why = whyOthersMayWrite(place); !why.empty())
+            return why;
+    return {};
+}
+
 std::string joined(const std::vector<std::string>& ids)
 {
     std::string text;
@@ -116,9 +126,11 @@ PluginHost::~PluginHost() = default;
 
 std::unique_ptr<PluginHost> PluginHost::standard()
 {
+    std::error_code problem;
+    const fs::path own = fs::weakly_canonical(userPluginFolder(), problem); // as it stands among the folders
     const fs::path program = QFile::encodeName(QCoreApplication::applicationDirPath()).toStdString();
     return std::make_unique<PluginHost>(
-        PluginHostOptions{.folders = pluginFolders(program), .disabled = disabledPlugins()});
+        PluginHostOptions{.folders = pluginFolders(program), .disabled = disabledPlugins(), .ownFolder = own});
 }
 
 std::vector<PluginStatus> PluginHost::plugins() const
@@ -169,6 +181,9 @@ void PluginHost::find()
                     complete_ = file.error();
             entries_.push_back(std::make_unique<Entry>());
             entries_.back()->status = std::move(status);
+            if (folder == options_.ownFolder && entries_.back()->usable())
+                if (Message why = whyNotTrusted(path); !why.empty())
+                    entries_.back()->refuse(std::move(why));
         }
         if (isLackOfResources(problem.value()))
             lacking(Message::say("%1.", systemErrorText(problem.value())));

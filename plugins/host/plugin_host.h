@@ -52,6 +52,8 @@ template <class Interface> struct Provided {
 struct PluginHostOptions {
     std::vector<std::filesystem::path> folders; ///< the first one wins
     std::vector<std::string> disabled{};        ///< ids
+    /// One of the folders, of which nothing is loaded where others could have put it (plugin_folders.h).
+    std::filesystem::path ownFolder{};
     HostBuild build = thisBuild();
 };
 

@@ -171,8 +171,7 @@ private slots:
         const auto wrong = pluginValues(*arguments, parameters); // "7::" has no colour
         QVERIFY(!wrong);
         QVERIFY2(wrong.error().text().starts_with("'--isovalue': "), wrong.error().text().c_str());
-        QCOMPARE(syntax.options[1].explanation,
-                 std::string("Shows the edges. On by default; this option turns it off."));
+        QCOMPARE(syntax.options[1].explanation, std::string("Turns off what is done by default: shows the edges."));
         const auto good = parseArguments(syntax, Words{"--no-outline", "--isovalue", "5:red", "--isovalue=7"});
         const auto values = pluginValues(*good, parameters);
         QVERIFY(values);

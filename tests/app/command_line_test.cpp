@@ -2,6 +2,7 @@
 /// `tan` as a program, from sample to picture: JSON keys, exit codes, what goes to which stream.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
+#include "tests/lacks.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
 #include <QDir>
@@ -383,7 +384,7 @@ private slots:
         QVERIFY2(run.exitCode == 0, run.messages);
         const VtkReader reader(path(qPrintable(name)));
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
         const QJsonObject figures = run.json();
         QCOMPARE(reader.told()["cells"].toInteger(), figures["triangles"].toInteger());
@@ -411,7 +412,7 @@ private slots:
             tan({"render", "c60.tan", "--error", "1", "--isovalue", "120:#ff0000", "--camera", "front", "--size",
                  "60x40", "--background", "#0000ff", "--backend", backend, "-o", "c60.png", "--json"});
         if (backend != "cpu" && run.exitCode == 4)
-            QSKIP("skipped: no OpenGL on this machine");
+            QSKIP_WITHOUT("OpenGL");
         QVERIFY2(run.exitCode == 0, run.messages);
         const QJsonObject figures = run.json();
         QCOMPARE(figures["width"].toInt(), 60);
@@ -495,11 +496,86 @@ private slots:
         QVERIFY(tan({"--version"}).output.startsWith("tan "));
     }
 
+    void helpIsAskedForInTwoWays()
+    {
+        const Run option = tan({"build", "--help"}), word = tan({"help", "build"});
+        QCOMPARE(word.exitCode, 0);
+        QVERIFY(word.output.startsWith("tan build: "));
+        QCOMPARE(word.output, option.output);
+        const Run wrong = tan({"help", "buidl"});
+        QCOMPARE(wrong.exitCode, 2);
+        QVERIFY2(wrong.messages.contains("'build'"), wrong.messages);
+        QCOMPARE(tan({"help"}).output, tan({"--help"}).output);
+    }
+
+    /// Only those that can occur.
+    void exitCodesAreTheCommands()
+    {
+        constexpr const char *notProved = "verification failed", *badInput = "bad input";
+        QVERIFY(tan({"help", "verify"}).output.contains(notProved));
+        QVERIFY(tan({"help", "info"}).output.contains(notProved));
+        QVERIFY(!tan({"help", "build"}).output.contains(notProved));
+        QVERIFY(tan({"help", "build"}).output.contains(badInput));
+        QVERIFY(!tan({"help", "plugins"}).output.contains(badInput));
+    }
+
+    /// In the log of every batch.
+    void nothingIsSaidOfFoldersThatAreNotThere()
+    {
+        const QMap<QString, QString> none = {{"XDG_RUNTIME_DIR", ""}};
+        for (const QStringList& words : {QStringList{"reproduce", "--help"},
+                                         QStringList{"render", "c60.tan", "--error", "8", "--colour-bar", "--axes",
+                                                     "--title", "C60", "--size", "99x99", "-o", "none.png"}}) {
+            const Run run = tan(words, none);
+            QVERIFY2(run.exitCode == 0, run.messages);
+            QCOMPARE(run.messages, QByteArray());
+        }
+    }
+
+    /// Among the files of a series that is usual.
+    void aValueThatIsNotThereGivesAnEmptySurface()
+    {
+        const Run surface = tan({"isosurface", "c60.tan", "--value", "100,900", "-o", "some.ply", "--json"});
+        QVERIFY2(surface.exitCode == 0, surface.messages);
+        QVERIFY(surface.json()["triangles"].toInt() > 0);
+        QCOMPARE(surface.json()["remarks"].toArray().size(), 1);
+        QVERIFY(
+            surface.json()["remarks"][0].toString().startsWith("The surface of 900 is empty: the data lie between "));
+        for (const char* file : {"none.ply", "none.vtp", "none.vtu", "none.vtk", "none.stl", "none.obj", "none.glb"}) {
+            const Run none = tan({"isosurface", "c60.tan", "--value", "900", "-o", file});
+            QVERIFY2(none.exitCode == 0, none.messages);
+            QVERIFY2(none.output.contains("The surface of 900 is empty"), none.output);
+            QVERIFY(QFile::exists(path(file)));
+        }
+        const Run picture =
+            tan({"render", "c60.tan", "--isovalue", "900", "--size", "99x99", "-o", "none.png", "--json"});
+        QVERIFY2(picture.exitCode == 0, picture.messages);
+        QCOMPARE(picture.json()["triangles"].toInt(-1), 0);
+        QCOMPARE(picture.json()["remarks"].toArray().size(), 1);
+    }
+
+    void extractTellsWhatIsReached()
+    {
+        const Run run = tan({"extract", "c60.tan", "--error", "8", "-o", "reached.vtu", "--json"});
+        QVERIFY2(run.exitCode == 0, run.messages);
+        const QJsonObject figures = run.json();
+        QCOMPARE(figures["error"].toDouble(), 8.0);
+        QVERIFY(figures["reached_error"].toDouble() > 0 && figures["reached_error"].toDouble() <= 8);
+        const QJsonObject level = tan({"info", "c60.tan", "--lod", "8", "--json"}).json()["levels"][0].toObject();
+        QCOMPARE(figures["reached_error"].toDouble(), level["reached"].toDouble());
+        QVERIFY(tan({"extract", "c60.tan", "--error", "8", "-o", "reached.vtu"})
+                    .output.contains(", with errors of up to "));
+        QVERIFY(!tan({"extract", "c60.tan", "--error", "8", "--focus", "sphere:5,5,5,2", "--focus-error", "1", "-o",
+                      "reached.vtu", "--json"})
+                     .json()
+                     .contains("reached_error"));
+    }
+
     void numbersDoNotFollowTheLocale()
     {
         const QMap<QString, QString> german = {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}};
         if (!QFileInfo::exists(TAN_BINARY_DIR "/tests/locales/de_DE.UTF-8/LC_NUMERIC"))
-            QSKIP("skipped: no de_DE.UTF-8 locale on this machine");
+            QSKIP_WITHOUT("locale de_DE.UTF-8");
         const QStringList info = {"info", "c60.tan", "--lod", "2.5,.5"};
         QCOMPARE(tan(info, german).output, tan(info, {{"LC_ALL", "C.UTF-8"}}).output);
         QCOMPARE(tan({"info", "c60.tan", "--lod", "2.5", "--json"}, german)

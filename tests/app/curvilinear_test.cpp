@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curvilinear data from a sample to a picture, as a user would (R1, R4, R7, B3).
 #include "tests/app/program.h"
+#include "tests/lacks.h"
 
 #include <QDataStream>
 #include <QFile>
@@ -119,7 +120,7 @@ private slots:
     {
         const QString data = TAN_SOURCE_DIR "/../shared/data/bluntfin/bluntfinxyz.bin";
         if (!QFileInfo::exists(data))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         QCOMPARE(tan({"build", data, "-o", "fin.tan"}).exitCode, 0);
         struct Pair {
             QStringList limits;

@@ -84,11 +84,14 @@ private slots:
     {
         const QString chapter = contentOf("docs/command-line.md").section("## tan render\n", 1).section("\n## ", 0, 0);
         const auto render = std::ranges::find(subcommands(), "render", &Subcommand::name);
-        for (const Option& option : render->syntax(*host_).options) {
+        const auto syntax = render->syntax(*host_);
+        QVERIFY(!syntax.options.empty());
+        for (const Option& option : syntax.options) {
             const QString name = "--" + QString::fromStdString(option.name);
             const bool ofTheFocus = name.startsWith("--focus-") || name == "--falloff"; // explained with `tan extract`
             QVERIFY2(ofTheFocus || name == "--output" || chapter.contains(name), qPrintable(name));
         }
+        QVERIFY(!host_->renderers().empty());
         for (const auto& renderer : host_->renderers())
             QVERIFY2(chapter.contains("`" + QString::fromStdString(renderer.id) + "`"), renderer.id.c_str());
     }

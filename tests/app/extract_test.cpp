@@ -3,6 +3,7 @@
 /// reads it.
 #include "tests/app/program.h"
 #include "tests/app/read_mesh.h"
+#include "tests/lacks.h"
 
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -83,7 +84,7 @@ private slots:
         QCOMPARE(tetrahedra(extracted({"--error", "2"}, name)), tetrahedra(level("2")));
         const VtkReader reader(path(name));
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
         const std::vector<float> points = reader.array<float>("points");
         const std::vector<std::uint32_t> corners = reader.array<std::uint32_t>("cells");
@@ -110,7 +111,7 @@ private slots:
         const QJsonObject figures = extracted({"--error", "2"});
         const VtkReader reader(path("mesh.vtu"));
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
         const ReadMesh mesh(reader);
         QCOMPARE(static_cast<qint64>(mesh.cellCount()), tetrahedra(figures));
@@ -210,7 +211,7 @@ private slots:
             QCOMPARE(figures["whole_tetrahedra"].toInteger(), tetrahedra(level("2")));
             const VtkReader reader(path("mesh.vtu"));
             if (reader.isMissing())
-                QSKIP("skipped: no python3-vtk9");
+                QSKIP_WITHOUT("python3-vtk9");
             QVERIFY2(reader.ok(), reader.messages());
             const ReadMesh mesh(reader);
             volumes[border] = mesh.volume();
@@ -242,7 +243,7 @@ private slots:
         const qint64 more = tetrahedra(extracted({"--error", "2", "--values", "100,110", "--values", "30,40"}));
         QVERIFY(more > some && more < all);
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         const ReadMesh mesh(reader);
         QCOMPARE(static_cast<qint64>(mesh.cellCount()), some);
         for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell) {
@@ -265,7 +266,7 @@ private slots:
         QCOMPARE(tetrahedra(extracted({"--range", "8,1"})), tetrahedra(figures));
         const VtkReader reader(path("mesh.vtu"));
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
         const std::vector<float> births = reader.array<float>("cell.birth_error");
         const std::vector<float> deaths = reader.array<float>("cell.death_error");
@@ -336,7 +337,7 @@ private slots:
         QVERIFY2(run.exitCode == 0, run.messages);
         const VtkReader reader(path(name));
         if (reader.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
         const std::vector<float> births = reader.array<float>("cell.birth_error");
         const std::vector<float> deaths = reader.array<float>("cell.death_error");
@@ -392,7 +393,7 @@ private slots:
         QFETCH(QStringList, options);
         const QString data = TAN_SOURCE_DIR "/../shared/data/irregular/" + file;
         if (!QFile::exists(data))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const QString model = file + ".tan";
         if (!QFile::exists(path(model)))
             QCOMPARE(tan({"build", data, "-o", model}).exitCode, 0);

@@ -3,6 +3,7 @@
 /// it is, with exit code 4, and leaves nothing.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
+#include "tests/soak.h"
 #include "tests/waiting.h"
 
 #include <QDir>
@@ -131,7 +132,7 @@ private slots:
             QSKIP("skipped: a sanitizer looks at memory through a pipe, which needs descriptors too");
         QFETCH(QStringList, words);
         int refused = 0;
-        for (rlim_t most = 4; most < 12; ++most)
+        for (rlim_t most = 4; most < 12; most += timesOf(2, 1))
             refused += isRefused(words, limited(RLIMIT_NOFILE, most), {"oo many open files"}, most);
         QVERIFY(refused > 0 || QTest::currentTestFailed());
     }
@@ -151,7 +152,7 @@ private slots:
         if (isInstrumented)
             QSKIP("skipped: a sanitizer needs more address space than any limit");
         QFETCH(QStringList, words);
-        for (rlim_t mebibytes = 70; mebibytes <= 160; mebibytes += 5)
+        for (rlim_t mebibytes = 70; mebibytes <= 160; mebibytes += timesOf(30, 5))
             isRefused(words, limited(RLIMIT_AS, mebibytes << 20), {"emory", "threads", "unavailable"}, mebibytes);
     }
 

@@ -4,6 +4,8 @@
 #include "app/server/http_server.h"
 #include "app/server/model_server.h"
 
+#include "tests/waiting.h"
+
 #include <QString>
 #include <QTest>
 
@@ -51,7 +53,7 @@ public:
     /// Waits for so many requests to be over.
     bool waitForRecords(std::size_t count) const
     {
-        return QTest::qWaitFor([&] { return records().size() >= count; }, 10'000);
+        return waitFor([&] { return records().size() >= count; });
     }
     std::string address(const std::string& name) const
     {

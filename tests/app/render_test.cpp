@@ -2,6 +2,7 @@
 /// `tan render` of volumes and hybrids: what its options do to the picture, and every wrong use.
 #include "tests/app/program.h"
 #include "tests/app/sample_files.h"
+#include "tests/lacks.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
 #include <QFile>
@@ -356,7 +357,7 @@ private slots:
         QVERIFY(figures["triangles"].toInteger() > 100);
         const VtkReader read(path("both.vtp"));
         if (read.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(read.ok(), read.messages());
         QCOMPARE(read.told()["cells"].toInteger(), figures["triangles"].toInteger());
         const std::vector<float> values = read.array<float>("point.isovalue");

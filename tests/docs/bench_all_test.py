@@ -78,6 +78,28 @@ class Running(unittest.TestCase):
         self.assertEqual(self.started(), ["tan-bench-extraction"])
         self.assertIn("is there already", run.stderr)
 
+    def git(self, *words):
+        subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *words], cwd=self.folder, check=True, capture_output=True)
+
+    def test_only_what_this_revision_has_measured_is_left_out(self):
+        def runs(*words):
+            (self.folder / "log").unlink(missing_ok=True)
+            self.assertEqual(self.run_all("--only", "threads", *words).returncode, 0)
+            return (self.folder / "log").exists()
+        source = self.folder / "core"
+        source.mkdir()
+        self.git("init", "-q")
+        for revision in ("one", "two"):
+            (source / "a.cpp").write_text(revision, encoding="utf-8")
+            self.git("add", "core")
+            self.git("commit", "-qm", revision)
+            self.assertTrue(runs("--resume"), revision)
+            self.assertFalse(runs("--resume"), revision)
+        self.assertTrue(runs())  # it was not asked for
+        (source / "a.cpp").write_text("not committed", encoding="utf-8")
+        self.assertTrue(runs("--resume"))
+        self.assertTrue(runs("--resume"))
+
     def test_it_can_be_restricted(self):
         self.assertEqual(self.run_all("--only", "surfaces,threads").returncode, 0)
         self.assertEqual(self.results(), {"surfaces", "threads"})

@@ -111,15 +111,15 @@ class Page(Making):
         self.change_case("refinement-large", "c60 18^3 uint16 to error 0, one thread", ratio=7.7777)
         self.change_case("extraction", "c60 18^3 uint8, extraction at 1 %", share_of_copy_bandwidth=0.654321)
         text = self.text()
-        self.assertIn("| 9^3, whole | 0.123 | at most 0.33 | yes |", text)
-        self.assertIn("| 18^3, whole | 7.78 | at most 0.6 | **no** |", text)
-        self.assertIn("| uint8, mesh of 1 % | 65.4 | at least 60 | yes |", text)
+        self.assertIn("| 9^3, whole | 0.123 | at most 0.4 | yes |", text)
+        self.assertIn("| 18^3, whole | 7.78 | at most 0.78 | **no** |", text)
+        self.assertIn("| uint8, mesh of 1 % | 65.4 | at least 50 | yes |", text)
         missed = next(line for line in text.splitlines() if line.startswith("| [Refinement over CGAL's"))
         self.assertIn("18^3, whole: 7.78", missed)
         self.assertNotIn(" 9^3, whole", missed)
         plot = (self.folder / "plots/refinement.svg").read_text(encoding="utf-8")
-        for words in ("9^3, whole: 0.123, asked for at most 0.33, reached", "18^3, whole: 7.78, asked for at most 0.6, missed",
-                      ">≤ 0.6, missed<", ">0.123<"):
+        for words in ("9^3, whole: 0.123, asked for at most 0.4, reached", "18^3, whole: 7.78, asked for at most 0.78, missed",
+                      ">≤ 0.78, missed<", ">0.123<"):
             self.assertIn(words, plot)
         bars = self.bars("refinement")
         self.assertAlmostEqual(bars["7.78"][0] / bars["0.123"][0], 7.7777 / 0.12345, delta=2)
@@ -175,7 +175,7 @@ class Page(Making):
         self.change("surfaces", add_vtk)
         self.assertIn("| Marschner-Lobb 6^3, 32, 1 thread | 6.50 | at least 8 | **no** |", self.text())
         self.assertIn("VTK, projected", (self.folder / "plots/frames.svg").read_text(encoding="utf-8"))
-        self.assertIn("6.50, asked for at least 12, missed", (self.folder / "plots/contour.svg").read_text(encoding="utf-8"))
+        self.assertIn("6.50, asked for at least 9, missed", (self.folder / "plots/contour.svg").read_text(encoding="utf-8"))
 
     def test_without_the_papers_data_the_step_may_be_left_out(self):
         self.change("paper", lambda result: result.update(report=None))

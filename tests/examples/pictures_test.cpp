@@ -3,6 +3,7 @@
 // OpenGL 3.3.
 #include "tests/core/render/lattice_mesh.h"
 #include "tests/examples/example_plugins.h"
+#include "tests/lacks.h"
 #include "tests/render/same_picture.h"
 
 #include <tan/render.h>
@@ -60,8 +61,10 @@ private slots:
     void initTestCase()
     {
         auto backend = makeGlBackend();
-        if (!backend)
+        if (!backend) {
+            noteLack("OpenGL");
             QSKIP(("skipped: " + backend.error().text()).c_str());
+        }
         gl_ = std::move(*backend);
         host_ = hostWithExamples();
     }

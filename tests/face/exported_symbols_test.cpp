@@ -19,7 +19,7 @@ QString contentOf(const QString& path)
 QStringList marked(const QString& folder, const QString& mark)
 {
     static const QRegularExpression declaration(
-        R"(\b(?:class|struct|enum class) %1 (\w+)|%1 [^;{}()]*?(operator[^\s(]+|\w+)\()");
+        R"(\b(?:class|struct|enum class) %1 (\w+)|(?<!#define )%1 [^;{}()]*?(operator[^\s(]+|\w+)\()");
     const QRegularExpression pattern(declaration.pattern().arg(mark));
     QSet<QString> names;
     for (QDirIterator files(folder, {"*.h"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {

@@ -21,11 +21,22 @@ check 'programs are built with the library alone' "cd /work; cp -r /usr/share/do
 check 'the examples run' "cd /work; library/build/build_from_array wells.tan; library/build/query_at_accuracy wells.tan 1
     library/build/isosurface_to_file wells.tan 1 -0.5 wells.obj; library/build/picture_to_file wells.tan 1 wells.ppm"
 check 'all of the face works' 'cd /work; mkdir survey; outsider/build/survey survey'
+# As others install programs: these have no run path, so it is the system that knows the library.
+check 'installed programs find the library' "cd /work; for folder in library outsider; do cmake --install \$folder/build; done
+    readelf -d /usr/local/bin/survey >survey.dynamic; ! grep -E 'R(UN)?PATH' survey.dynamic
+    build_from_array installed.tan; mkdir installed; PATH=/usr/local/bin:\$PATH survey installed; rm /usr/local/bin/*"
 
+# The command line, on a machine without a screen.
 seconds install /packages/tan_*.deb
 echo "install time: tan_*.deb $seconds s, all that it needs included"
+check 'no window and none of its libraries are there' "[ -z \"\$(find /usr -name 'libQt6Widgets*' -o -name libqxcb.so -o -name tan-desktop)\" ]"
+check_command_line without_window
+check 'without the window: told what to install' "cd /work; ! '$bin/tan' c60.tan 2>message; grep -F tan-desktop message"
+
+seconds install /packages/tan-desktop_*.deb
+echo "install time: tan-desktop_*.deb $seconds s, all that it needs included"
 check 'ffmpeg is suggested, and neither needed nor installed' \
-    "dpkg -s tan | grep '^Suggests:.*ffmpeg'; ! dpkg -s tan | grep -E '^(Depends|Recommends):.*ffmpeg'; ! command -v ffmpeg"
+    "dpkg -s tan-desktop | grep '^Suggests:.*ffmpeg'; ! dpkg -s tan tan-desktop | grep -E '^(Depends|Recommends):.*ffmpeg'; ! command -v ffmpeg"
 check_command_line
 check 'without the VTK readers: told what to install' \
     "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install ./tan-vtk-readers_*.deb' /work/message"
@@ -37,7 +48,7 @@ install xvfb xauth xdotool x11-apps xdg-utils libfile-mimeinfo-perl libglib2.0-b
 check 'the desktop knows models, also without their ending' "cd /work; cp c60.tan nameless
     [ \$(xdg-mime query filetype c60.tan) = application/x-tan-model ]
     gio info -a standard::content-type nameless | grep application/x-tan-model
-    [ \$(xdg-mime query default application/x-tan-model) = org.tan.TAn.desktop ]"
+    [ \$(xdg-mime query default application/x-tan-model) = org.tan.tan.desktop ]"
 check_window 'a model opens by its type (xdg-open)' 'xdg-open c60.tan'
 cp "$system/work/window.xwd" "$clean/deb-window.xwd"
 check_window 'a model opens by its type (gio)' 'gio open c60.tan'
@@ -48,8 +59,8 @@ check 'the example plugin is built with the installed headers' "cp -r /usr/share
 check 'and loaded, and reads a file' "cd /work; export TAN_PLUGIN_PATH=/work/example/build
     tan plugins | grep 'example.grid-text.*loaded'; echo '2 2 2  0 1 2 3 4 5 6 7' >cube.grid; tan build cube.grid -o cube.tan"
 
-inside 'dpkg -L tan-core tan tan-vtk-readers tan-dev' | sort -u >"$clean/owned"
-check 'purge' 'apt-get -q -y purge tan-core tan tan-vtk-readers tan-dev'
+inside 'dpkg -L tan-core tan tan-desktop tan-vtk-readers tan-dev' | sort -u >"$clean/owned"
+check 'purge' 'apt-get -q -y purge tan-core tan tan-desktop tan-vtk-readers tan-dev'
 left=$(while read -r path; do
     # Folders that others use, too, may stay.
     [ ! -e "$system$path" ] || { [ -d "$system$path" ] && inside "dpkg -S '$path'" >/dev/null 2>&1; } || echo "$path"

@@ -58,7 +58,7 @@ make_expectations
 mkdir -p "$system/packages"
 cp "$packages"/*.rpm "$system/packages/"
 # shellcheck disable=SC2046
-install $(asked_by_deb tan-core) $(asked_by_deb tan) rpm xvfb xauth xdotool x11-apps
+install $(asked_by_deb tan-core) $(asked_by_deb tan) $(asked_by_deb tan-desktop) rpm xvfb xauth xdotool x11-apps
 
 install_rpm tan-core
 check_files tan-core tan-core
@@ -67,6 +67,9 @@ seconds install_rpm tan
 echo "install time: tan-[0-9]*.rpm $seconds s, without what it needs"
 check_files tan tan
 check_requirements tan tan
+install_rpm tan-desktop
+check_files tan-desktop tan-desktop
+check_requirements tan-desktop tan-desktop
 check 'no package has a script' "[ -z \"\$(rpm -qp --scripts --triggers --filetriggers /packages/*.rpm 2>/dev/null)\" ]"
 check_command_line
 check_window 'the window starts' "$bin/tan-desktop c60.tan"
@@ -80,10 +83,10 @@ check_requirements tan-vtk-readers tan-vtk-readers
 check_vtk
 install_rpm tan-devel
 check_files tan-devel tan-dev
-check 'nothing has changed since (rpm --verify)' 'rpm --verify --nodeps tan-core tan tan-vtk-readers tan-devel'
+check 'nothing has changed since (rpm --verify)' 'rpm --verify --nodeps tan-core tan tan-desktop tan-vtk-readers tan-devel'
 
-inside 'rpm -ql tan-core tan tan-vtk-readers tan-devel' | sort -u >"$clean/owned-by-rpm"
-check 'erase' 'rpm --force-debian -e tan-devel tan-vtk-readers tan tan-core'
+inside 'rpm -ql tan-core tan tan-desktop tan-vtk-readers tan-devel' | sort -u >"$clean/owned-by-rpm"
+check 'erase' 'rpm --force-debian -e tan-devel tan-vtk-readers tan-desktop tan tan-core'
 left=$(while read -r path; do
     # Folders that others use, too, may stay.
     [ ! -e "$system$path" ] || { [ -d "$system$path" ] && inside "dpkg -S '$path'" >/dev/null 2>&1; } || echo "$path"

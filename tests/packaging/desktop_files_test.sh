@@ -5,7 +5,7 @@
 set -euo pipefail
 source=$1 build=$2 version=$3
 desktop=$source/packaging/desktop
-metainfo=$build/packaging/org.tan.TAn.metainfo.xml
+metainfo=$build/packaging/org.tan.tan.metainfo.xml
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 used=0
@@ -24,6 +24,14 @@ with()
     echo "passed: $*"
 }
 
+# Not even a remark.
+appstream_is_silent()
+{
+    local said
+    said=$(appstreamcli validate --no-net --no-color --pedantic "$1" 2>&1) && [ "$(wc -l <<<"$said")" = 1 ] ||
+        { printf '%s\n' "$said"; return 1; }
+}
+
 no_warnings_of_man() { [ -z "$(man --warnings -l -Tutf8 "$1" 2>&1 >/dev/null | tee /dev/stderr)" ]; }
 
 # kind FILE TYPE: the desktop takes FILE for TYPE.
@@ -33,7 +41,7 @@ kind() { [ "$(XDG_DATA_HOME=$scratch XDG_DATA_DIRS=/usr/share gio info -a standa
 kinds_are_recognised()
 {
     mkdir -p "$scratch/mime/packages"
-    cp "$desktop/org.tan.TAn.mime.xml" "$scratch/mime/packages/"
+    cp "$desktop/org.tan.tan.mime.xml" "$scratch/mime/packages/"
     update-mime-database "$scratch/mime" 2>/dev/null
     printf '\x89TAN\r\n\x1a\nrest' >"$scratch/no ending"
     printf '{\n    "background": [0, 0, 0],\n    "format": "tan-session"\n}' >"$scratch/session"
@@ -43,9 +51,10 @@ kinds_are_recognised()
         kind "$scratch/a.tan" application/x-tan-model && ! kind "$scratch/plain" application/x-tan-model
 }
 
-with desktop-file-validate desktop-file-validate "$desktop/org.tan.TAn.desktop"
-with appstreamcli appstreamcli validate --no-net "$metainfo"
-with xmllint xmllint --noout "$metainfo" "$desktop/org.tan.TAn.mime.xml" "$desktop/org.tan.TAn.svg"
+with desktop-file-validate desktop-file-validate "$desktop/org.tan.tan.desktop"
+with appstreamcli appstream_is_silent "$metainfo"
+with appstreamcli appstream_is_silent "$build/packaging/with_links/org.tan.tan.metainfo.xml"
+with xmllint xmllint --noout "$metainfo" "$desktop/org.tan.tan.mime.xml" "$desktop/org.tan.tan.svg"
 with man no_warnings_of_man "$build/share/tan-documents/tan.1"
 with man no_warnings_of_man "$source/packaging/man/tan-desktop.1"
 if command -v update-mime-database >/dev/null; then
@@ -56,9 +65,9 @@ fi
 for translation in "$source"/translations/tan_*.ts; do
     language=$(basename -- "$translation" .ts) language=${language#tan_}
     for key in GenericName Comment Keywords; do
-        grep -q "^$key\[$language\]=." "$desktop/org.tan.TAn.desktop" || { echo "FAIL: no $key in $language"; exit 1; }
+        grep -q "^$key\[$language\]=." "$desktop/org.tan.tan.desktop" || { echo "FAIL: no $key in $language"; exit 1; }
     done
-    for file in "$metainfo" "$desktop/org.tan.TAn.mime.xml"; do
+    for file in "$metainfo" "$desktop/org.tan.tan.mime.xml"; do
         grep -q "xml:lang=\"$language\"" "$file" || { echo "FAIL: $file does not speak $language"; exit 1; }
     done
 done

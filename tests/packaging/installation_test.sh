@@ -7,17 +7,22 @@ build=$1 scratch=$2
 rm -rf "$scratch"
 mkdir -p "$scratch"
 place="$scratch/a place"
+libraries=$(sed -n 's/^CMAKE_INSTALL_LIBDIR:[A-Z]*=//p' "$build/CMakeCache.txt")
+version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
 unset TAN_PLUGIN_PATH
 
 check() { "$@" || { echo "FAIL: $*"; exit 1; }; }
 installed() { check test -e "$place/$1"; }
 
-for component in core program development; do
+for component in core program window development; do
     cmake --install "$build" --prefix "$place" --component "$component" >"$scratch/files"
 done
-for file in bin/tan bin/tan-desktop lib/tan/libtan-ui.so.0 lib/tan/plugins include/tan/base.h \
-    include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor}.h lib/cmake/TAn/TAnConfig.cmake share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
-    share/applications/org.tan.TAn.desktop share/mime/packages/org.tan.TAn.xml share/icons/hicolor/scalable/apps/org.tan.TAn.svg; do
+# Before 1.0 a library of another minor version is another library.
+soname=so.$(cut -d. -f1,2 <<<"$version")
+for file in bin/tan bin/tan-desktop "$libraries/libtan-core.$soname" "$libraries"/tan/libtan-{ui,plugin-host,widgets}."$soname" \
+    "$libraries/tan/plugins" include/tan/base.h \
+    include/tan-plugin/plugins/api/{reader,builder,renderer,writer,editor}.h "$libraries/cmake/TAn/TAnConfig.cmake" share/man/man1/tan.1.gz share/man/man1/tan-desktop.1.gz \
+    share/applications/org.tan.tan.desktop share/mime/packages/org.tan.tan.xml share/icons/hicolor/scalable/apps/org.tan.tan.svg; do
     installed "$file"
 done
 if [ -e "$build/share/doc/tan/manual" ]; then
@@ -29,7 +34,7 @@ check test "$(ls "$place/include/tan" | tr '\n' ' ')" = \
     "base.h build.h data.h mesh.h model.h open.h packed.h query.h render.h transfer.h verify.h "
 check test "$(ls "$place/include")" = "$(printf 'tan\ntan-plugin')"
 check test ! -e "$place/include/tan-plugin/plugins/host"
-check test ! -e "$place/lib/tan/plugins/tan-read-vtk"
+check test ! -e "$place/$libraries/tan/plugins/tan-read-vtk"
 
 # Every plugin of the build is there, and is found beside the program.
 mv "$place" "$scratch/another place"
@@ -42,11 +47,12 @@ if tan plugins --json | grep '"state"' | grep -v '"loaded"'; then
     echo "FAIL: plugins that are not loaded"
     exit 1
 fi
-# None of it needs the build's own folders.
-for file in "$place"/bin/* "$place"/lib/tan/*.so.*.* "$place"/lib/tan/plugins/*.so; do
+# None of it needs the build's own folders, and none looks into whatever folder is the current one.
+for file in "$place"/bin/* "$place/$libraries"/*.so.*.* "$place/$libraries"/tan/*.so.*.* "$place/$libraries"/tan/plugins/*.so; do
     if readelf -d "$file" | grep -E 'R(UN)?PATH' | grep -F "$build"; then
         echo "FAIL: $file has a path into the build"
         exit 1
     fi
 done
+check "$(dirname -- "$0")/run_paths_test.sh" 20 "$place"
 echo "passed"

@@ -19,6 +19,11 @@ check test "$(grep -c '^f ' surface.obj)" = "$(sed 's/ .*//' messages)"
 check "$examples"/my-programs/build/picture_to_file wells.tan 1 picture.ppm
 check test "$(head -c 15 picture.ppm)" = "P6 1024 768 255"
 check test "$("$examples"/my-programs/build/query_at_accuracy none.tan 1 2>&1 | grep -c none.tan)" = 1
+# Installed, the programs find the library as well.
+cmake --install "$examples"/my-programs/build --prefix "$scratch/installed" >messages
+check test "$(ls "$scratch/installed/bin" | wc -l)" = 4
+check "$scratch/installed/bin/query_at_accuracy" wells.tan 1 >messages
+check "$(dirname -- "$0")/run_paths_test.sh" 8 "$scratch/installed" "$examples"/my-programs/build >messages
 if readelf -d "$examples"/my-programs/build/picture_to_file | grep -i qt; then
     echo "FAIL: a program of the library alone is linked with Qt"
     exit 1

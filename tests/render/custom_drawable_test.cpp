@@ -121,6 +121,7 @@ private slots:
     {
         const Scene scene = sceneWith(
             {[](const Camera&, int, int) -> std::vector<Drawable> { throw std::runtime_error("no arrows"); }}, false);
+        QVERIFY(!backends().empty());
         for (RenderBackend* backend : backends()) {
             const auto picture = backend->render(scene, {}, usual);
             QVERIFY(!picture && picture.error().text().find("no arrows") != std::string::npos);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/render/gl/egl_context.h"
+#include "tests/lacks.h"
 
 #include <tan/render.h>
 
@@ -21,8 +22,10 @@ protected:
     /// end that cannot be made has failed.
     void makeGl()
     {
-        if (const auto context = EglContext::make(); !context)
+        if (const auto context = EglContext::make(); !context) {
+            noteLack("OpenGL");
             QSKIP(("skipped: " + context.error().text()).c_str());
+        }
         auto backend = makeGlBackend();
         if (!backend)
             qFatal("%s", backend.error().text().c_str());

@@ -152,6 +152,7 @@ private slots:
         const Picture expected = rendered(scene, camera, options);
         scene.volume->model = fog({1, 0.5f, 0}, extinctionOf(0.4, 1));
         const Picture picture = rendered(scene, camera, options);
+        QVERIFY(!picture.pixels.empty());
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             QVERIFY2(difference(picture.pixels[i], expected.pixels[i]) <= 1, qPrintable(QString::number(i)));
             QVERIFY(std::abs(picture.depth[i] - expected.depth[i]) < 1e-3 || picture.depth[i] == expected.depth[i]);

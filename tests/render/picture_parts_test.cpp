@@ -173,6 +173,7 @@ private slots:
         camera.fieldOfView = 0.03; // across the shorter side
         const bool isWide = columns > rows;
         PictureOptions options{.width = columns, .height = rows};
+        QVERIFY(!backends().empty());
         for (RenderBackend* backend : backends()) {
             options.part.reset();
             const Picture whole = rendered(*backend, scene, camera, options);
@@ -219,6 +220,7 @@ private slots:
         const PictureOptions options{
             .width = width * factor, .height = height * factor, .part = PixelRectangle{12080, 8480, 40, 30}};
         const Picture small = rendered(*cpu_, scene, camera, {.width = width, .height = height, .samplesPerAxis = 1});
+        QVERIFY(!backends().empty());
         for (RenderBackend* backend : backends()) {
             const Picture part = rendered(*backend, scene, camera, options);
             QCOMPARE(part.width, 40);
@@ -241,6 +243,7 @@ private slots:
         QFETCH(int, left);
         QFETCH(int, columns);
         const PictureOptions options{.width = width, .height = height, .part = PixelRectangle{left, 0, columns, 10}};
+        QVERIFY(!backends().empty());
         for (RenderBackend* backend : backends()) {
             const auto picture = backend->render({}, {}, options);
             QVERIFY(!picture);

@@ -86,6 +86,7 @@ private slots:
     /// The same samples as the library's own call, of every mesh.
     void aloneIsAsTheLibraryDrawsIt()
     {
+        QVERIFY(!meshes().empty());
         for (const NamedMesh& named : meshes())
             for (const bool perspective : {true, false}) {
                 const SceneParts scene = volumeScene(named.mesh, functionFor(named.mesh, "ramps").function);

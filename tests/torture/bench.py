@@ -16,8 +16,6 @@ import inputs
 
 # A command of these takes a fraction of a second; on a machine with other work a few.
 HANGS_AFTER = 120
-# Runs of which the shortest tells how long a command takes: the first ones read their files from the disk.
-TIMED = 4
 DONE, USAGE, BAD_INPUT, OUT_OF_RESOURCE, CANCELLED = 0, 2, 3, 4, 130
 
 
@@ -32,7 +30,7 @@ class Ran:
     def crash(self):
         """Why this was no orderly end, or nothing."""
         if self.hung:
-            return "hung for %d s" % HANGS_AFTER
+            return "hung for %d s" % self.seconds
         if self.code < 0:
             return "ended by " + signal.Signals(-self.code).name
         if b"erminate called" in self.err or b"AddressSanitizer" in self.err or b"runtime error" in self.err:
@@ -103,8 +101,10 @@ FORMS = {"pack": ("pack", "-o", "OUT.tan"), "unpack": ("unpack", "-o", "OUT.tan"
 class Bench:
     """The programs under test, a folder to work in, and the whole datasets and models, made once."""
 
-    def __init__(self, build, source, home, with_vtk):
-        self.build, self.source, self.with_vtk = build, source, with_vtk
+    def __init__(self, build, source, home, is_short):
+        self.build, self.source, self.with_vtk = build, source, not is_short
+        # Runs of which the shortest tells how long a command takes: the first ones read their files from the disk.
+        self.timed = 2 if is_short else 4
         self.tan = build / "bin/tan"
         self.work = home / "work"
         self.whole = home / "whole"
@@ -147,10 +147,10 @@ class Bench:
         return self.finish(self.start(self.command(arguments), folder, **how))
 
     @staticmethod
-    def finish(process, began=None):
+    def finish(process, began=None, hangs_after=HANGS_AFTER):
         began = began or time.monotonic()
         try:
-            out, err = process.communicate(timeout=HANGS_AFTER)
+            out, err = process.communicate(timeout=hangs_after)
             return Ran(process.returncode, time.monotonic() - began, out or b"", err or b"")
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
@@ -184,7 +184,7 @@ class Bench:
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir(parents=True)
             self.put_sample(kind, place)
-            builds = [self.run(self.build_command(kind), place) for _ in range(TIMED)]
+            builds = [self.run(self.build_command(kind), place) for _ in range(self.timed)]
             assert all(built.code == DONE for built in builds), builds[-1].said()
             return (place / "model.tan").read_bytes(), min(built.seconds for built in builds)
         return self.once(("model", kind.name), make)
@@ -230,7 +230,7 @@ class Bench:
                 shutil.rmtree(old, ignore_errors=True)
             place.mkdir(parents=True)
             (place / "model.tan").write_bytes(self.model(kind)[0])
-            asked = [self.ask(kind, name, place) for _ in range(TIMED)]
+            asked = [self.ask(kind, name, place) for _ in range(self.timed)]
             for ran, told in asked:
                 assert ran.code == DONE and told == asked[0][1] is not None, "%s of %s: %s" % (name, kind.name, ran.said())
             return asked[0][1], min(ran.seconds for ran, told in asked)

@@ -12,6 +12,8 @@ import zlib
 from dataclasses import dataclass
 from typing import Callable
 
+import mutants
+import repeated
 import serving
 from bench import BAD_INPUT, CANCELLED, DONE, FORMS, KINDS, OUT_OF_RESOURCE, QUERIES, USAGE, content
 
@@ -29,8 +31,15 @@ class Part:
     def most(self, bench):
         return self.counted(bench) if self.counted else 10 ** 9
 
-    def count_for(self, bench, short):
-        return min(self.short if short else self.count, self.most(bench))
+    def numbers(self, bench, count):
+        """Of all attempts, or of so many."""
+        return range(min(self.count if count is None else count, self.most(bench)))
+
+    def some_numbers(self, bench):
+        """Far from each other: neighbours do similar things."""
+        if self.counted:
+            return [self.most(bench) * i // self.short for i in range(self.short)]
+        return range(0, 11 * self.short, 11)
 
 
 def unexpected(ran, allowed):
@@ -725,24 +734,32 @@ def hard_mesh(bench, folder, chance, number):
 
 
 PARTS = (
-    Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 1000, 40),
-    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 150),
-    Part("cuts", "a dataset cut anywhere, in every format that can be written here", cut_file, 3000, 100),
-    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 10_000, 150),
-    Part("writes", "each call that writes fails once, as on a full disk", failed_write, 10 ** 9, 60, counted=lambda bench: len(write_failures(bench))),
-    Part("allocations", "each allocation of small builds fails once", failed_allocation, 10 ** 9, 120,
+    Part("latency", "tests that judge how soon something is seen, with the machine to themselves", repeated.latency, 10 ** 9, 0,
+         in_parallel=False, counted=lambda bench: len(repeated.tests_of(bench, "latency"))),
+    Part("tests", "tests that do more than in ./dev test, each thrice with other chances, and those that are too long for it",
+         repeated.repeated, 10 ** 9, 0, counted=lambda bench: len(repeated.repetitions(bench))),
+    Part("kills", "kill -9 of builds, of other commands that write, and of what writes sessions and settings", kill, 1000, 8),
+    Part("damage", "a model with flipped bits, zeroed or exchanged pages, or a part of it; three queries each", damaged_model, 10_000, 14),
+    Part("cuts", "a dataset cut anywhere, in every format that can be written here", cut_file, 3000, 20),
+    Part("mutations", "a dataset with random changes; a model built of it is proved", mutated_file, 10_000, 20),
+    Part("writes", "each call that writes fails once, as on a full disk", failed_write, 10 ** 9, 12, counted=lambda bench: len(write_failures(bench))),
+    Part("allocations", "each allocation of small builds fails once", failed_allocation, 10 ** 9, 24,
          counted=lambda bench: len(allocations(bench))),
-    Part("limits", "little memory, small files, few descriptors", tight_limit, 1000, 60),
-    Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 500, 40),
-    Part("races", "two programs write one file", race, 300, 24),
-    Part("changes", "a model is changed while it is in use", change_in_use, 500, 40),
+    Part("limits", "little memory, small files, few descriptors", tight_limit, 1000, 9),
+    Part("signals", "SIGINT, SIGTERM, SIGHUP at random moments", interrupt, 500, 6),
+    Part("races", "two programs write one file", race, 300, 6),
+    Part("changes", "a model is changed while it is in use", change_in_use, 500, 10),
     Part("packed", "packed models damaged in 50 ways: bits, ends, chunks exchanged, doubled or left out, also with right checksums",
-         damaged_packed, 200, 3),
+         damaged_packed, 200, 1),
+    Part("mutants", "models of intent, with right checksums: numbers that cannot be, histories that go round, sections of others; "
+         "shown, extracted, proved, drawn, packed and unpacked", mutants.attempt_explicit, 3000, 2),
+    Part("packed-mutants", "the same of packed models: chunks flipped, doubled, exchanged, spliced; facts, levels, texts",
+         mutants.attempt_packed, 3000, 2),
     Part("cache", "queries through the cache of unpacked models and of files from servers: killed, interrupted, three at once, a damaged "
-         "or full cache, a limit", cached, 840, 42),
-    Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 8),
+         "or full cache, a limit", cached, 840, 12),
+    Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 4),
     Part("grids", "a curvilinear grid, even, folded, wrapped or collapsed, some with holes: built by both builders and in blocks, proved at "
-         "eight accuracies, drawn", hard_grid, 100, 6),
+         "eight accuracies, drawn", hard_grid, 100, 2),
     Part("meshes", "a mesh with overlaps, flips, slivers, doubles, parts that only touch, NaN: built, proved at eight accuracies, drawn",
-         hard_mesh, 200, 4),
+         hard_mesh, 200, 1),
 )

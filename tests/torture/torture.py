@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repeats what went wrong with programs of this kind, thousands of times: kills, damage, cut and mutated files, full disks, failed
-allocations and writes, tight limits, signals, races, data of hard shapes. Nothing may crash, hang, be wrong with exit code 0, be
-lost, or be left behind.
+"""./dev soak: repeats what went wrong with programs of this kind, thousands of times: kills, damage, cut and mutated files, full disks,
+failed allocations and writes, tight limits, signals, races, data of hard shapes, and the tests that do more here than in ./dev test.
+Nothing may crash, hang, be wrong with exit code 0, be lost, or be left behind.
 
-    torture.py BUILD [--only PART,...] [--seed S] [--count N] [--number I] [--short] [--report FILE]
+    torture.py BUILD [--only PART,...] [--seed S] [--count N] [--number I] [--minutes M] [--short] [--report FILE]
 
 Attempt I of a part depends on the seed and I alone (and, where a program is killed, on the moment that the machine gives it):
---only PART --seed S --number I repeats it and keeps its folder. What is done is kept in BUILD/torture, so that a run that was
-stopped goes on where it was; another seed or another program begins anew."""
+--only PART --seed S --number I repeats it and keeps its folder. What is done is kept in BUILD/torture: a run that was stopped goes on
+where it was, with its seed; when it is done, and for another program, another one begins, with another seed."""
 import argparse
 import collections
 import concurrent.futures
@@ -26,13 +26,14 @@ import parts  # noqa: E402
 from bench import Bench  # noqa: E402
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-DEFAULT_SEED = 1
+SHORT_SEED = 1
+DONE, FAILED, UNFINISHED = 0, 1, 2  # exit codes
 
 
 def fingerprint(build):
-    """Of the program: what another one did tells nothing of this one."""
+    """Of the program and of the tests: what another one did tells nothing of this one."""
     found = hashlib.sha256()
-    for path in sorted(build.glob("bin/tan")) + sorted(build.glob("lib/**/*.so*")):
+    for path in sorted(build.glob("bin/tan")) + sorted(build.glob("lib/**/*.so*")) + sorted(build.glob("tests/tests-*")):
         if path.is_file():
             found.update(path.read_bytes())
     return found.hexdigest()[:16]
@@ -77,20 +78,27 @@ def attempt(bench, part, seed, number, keep_folder=False):
     return {"number": number, "outcome": outcome, "failures": failures, "counts": counts[0] if counts else {}}
 
 
-def run_part(bench, part, seed, count, journal):
-    waiting = [number for number in range(count) if number not in journal.done]
+def run_part(bench, part, seed, numbers, journal, end):
+    """Those of the attempts that are done; none begins after the moment `end`."""
+    waiting = [number for number in numbers if number not in journal.done]
     began = time.monotonic()
+
+    def attempt_in_time(number):
+        return attempt(bench, part, seed, number) if time.monotonic() < end else None
+
     with concurrent.futures.ThreadPoolExecutor(bench.at_once if part.in_parallel else 1) as pool:
-        running = [pool.submit(attempt, bench, part, seed, number) for number in waiting]
+        running = [pool.submit(attempt_in_time, number) for number in waiting]
         for finished, future in enumerate(concurrent.futures.as_completed(running), 1):
             entry = future.result()
+            if entry is None:
+                continue
             journal.add(entry)
             for failure in entry["failures"]:
                 print("FAILED %s --seed %d --number %d: %s" % (part.name, seed, entry["number"], failure), flush=True)
             if finished % 200 == 0:
                 left = (time.monotonic() - began) / finished * (len(running) - finished)
                 print("%s: %d of %d, %d s left" % (part.name, finished, len(running), left), file=sys.stderr, flush=True)
-    return [journal.done[number] for number in range(count)]
+    return [journal.done[number] for number in numbers if number in journal.done]
 
 
 def row(part, entries):
@@ -121,27 +129,49 @@ def arguments():
     reader = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     reader.add_argument("build", type=pathlib.Path, help="the folder of the build")
     reader.add_argument("--only", default="", help="these parts alone: " + ", ".join(part.name for part in parts.PARTS))
-    reader.add_argument("--seed", type=int, default=DEFAULT_SEED)
+    reader.add_argument("--seed", type=int, help="that of the chances; one that was not used yet without it")
     reader.add_argument("--count", type=int, help="so many attempts in place of each part's own number")
     reader.add_argument("--number", type=int, help="this attempt alone, and keep its folder")
-    reader.add_argument("--short", action="store_true", help="a few of everything, in about three minutes")
+    reader.add_argument("--minutes", type=float, default=90, help="no attempt begins after so many (90)")
+    reader.add_argument("--short", action="store_true", help="one or two of everything, in less than a minute")
     reader.add_argument("--report", type=pathlib.Path, help="write the table into this page")
     return reader.parse_args()
 
 
+def seed_of(asked, home, same_program):
+    """That which was asked for, that of the run that was stopped, or a new one; kept in the file `seed`."""
+    if asked.short:
+        return SHORT_SEED if asked.seed is None else asked.seed
+    kept = home / "seed"
+    seed = asked.seed
+    if seed is None and same_program and kept.is_file():
+        seed = int(kept.read_text())
+        print("Going on with the run of seed %d." % seed, flush=True)
+    if seed is None:
+        seed = int.from_bytes(os.urandom(4), "little")
+    kept.write_text(str(seed))
+    print("Seed %d." % seed, flush=True)
+    return seed
+
+
 def main():
     asked = arguments()
+    end = time.monotonic() + 60 * asked.minutes
     names = [name for name in asked.only.split(",") if name]
     chosen = [part for part in parts.PARTS if not names or part.name in names]
     unknown = set(names) - {part.name for part in chosen}
+    if asked.short:
+        chosen = [part for part in chosen if part.short]
     if unknown:
         sys.exit("There is no part '%s'." % "', '".join(sorted(unknown)))
     build = asked.build.resolve()
     home = build / ("torture-short" if asked.short else "torture")
     home.mkdir(parents=True, exist_ok=True)
-    bench = Bench(build, SOURCE, home, with_vtk=not asked.short)
+    bench = Bench(build, SOURCE, home, asked.short)
 
     if asked.number is not None:
+        if asked.seed is None:
+            sys.exit("--number needs --seed: which run is it that an attempt is repeated of?")
         bad = 0
         for part in chosen:
             entry = attempt(bench, part, asked.seed, asked.number, keep_folder=True)
@@ -155,17 +185,27 @@ def main():
     if not same:
         for journal in home.glob("*.jsonl"):
             journal.unlink()
-    rows, failures = [], 0
+    seed = seed_of(asked, home, same)
+    rows, failures, missing = [], 0, 0
     for part in chosen:
-        count = part.count_for(bench, asked.short) if asked.count is None else min(asked.count, part.most(bench))
+        if time.monotonic() >= end:
+            missing += 1
+            continue
+        numbers = part.some_numbers(bench) if asked.short else part.numbers(bench, asked.count)
         began = time.monotonic()
-        entries = run_part(bench, part, asked.seed, count, Journal(home / ("%s-%d.jsonl" % (part.name, asked.seed)), same))
+        entries = run_part(bench, part, seed, numbers, Journal(home / ("%s-%d.jsonl" % (part.name, seed)), same), end)
+        missing += len(entries) < len(numbers)
         rows.append(row(part, entries))
         failures += sum(1 for entry in entries if entry["failures"])
         print("%s  [%.0f s]" % (rows[-1], time.monotonic() - began), flush=True)
+    if missing:
+        print("The %g minutes are over, and %d parts are not done: the same command goes on from here." % (asked.minutes, missing))
+        sys.exit(FAILED if failures else UNFINISHED)
+    if not names and not asked.short:
+        (home / "seed").unlink()  # the next run takes another one
     if asked.report and not names:
-        write_report(asked.report, rows, asked.seed, bench.machine())
-    sys.exit(1 if failures else 0)
+        write_report(asked.report, rows, seed, bench.machine())
+    sys.exit(FAILED if failures else DONE)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 // Annotations by values: round ticks, and places that never overlap or leave the picture.
 #include "ui/annotations/annotation_layout.h"
 #include "ui/annotations/annotation_painter.h"
+#include "ui/annotations/annotation_parts.h"
 #include "ui/annotations/axis_ticks.h"
 #include "ui/annotations/picture_projection.h"
 
@@ -86,6 +87,7 @@ private slots:
     void tickTextsTellTicksApart();
     void anIsovalueIsMorePreciseThanTheTicks();
     void oneUnitIsNotMany();
+    void longTextsAreCutAtOnce();
     void lengthsAreRound();
     void everythingFitsInALargePicture();
     void nothingOverlapsOrLeavesThePicture();
@@ -93,7 +95,6 @@ private slots:
     void theScaleBarIsAsLongAsItSays();
     void theBarTellsWhatThePictureFollows();
     void axesTurnWithTheCamera();
-    void paintingStaysInItsPlaces();
 };
 
 void AnnotationsTest::ticksAreRoundAndFew()
@@ -168,6 +169,25 @@ void AnnotationsTest::tickTextsTellTicksApart()
         texts.erase(std::ranges::unique(texts).begin(), texts.end());
         QCOMPARE(texts.size(), before);
     }
+}
+
+/// Each measure takes as long as the text: there are few, and the ends of the text stay.
+void AnnotationsTest::longTextsAreCutAtOnce()
+{
+    qsizetype measured = 0;
+    const TextMeasure counting{[&](const QString& text) {
+                                   measured += text.size();
+                                   return measure.width(text);
+                               },
+                               {},
+                               16};
+    const QString text = "begin" + QString(100'000, u'x') + "end";
+    const PlacedText fitted = fittedText(text, 210, counting);
+    QCOMPARE(fitted.text.size(), 30);
+    QVERIFY(fitted.text.startsWith("begin") && fitted.text.endsWith("end") && fitted.text.contains(u'…'));
+    QVERIFY2(measured < 200'000, qPrintable(QString::number(measured)));
+    QCOMPARE(fittedText("short", 210, counting).text, QString("short"));
+    QCOMPARE(fittedText("abcdef", 28, counting).text, QString("ab…f"));
 }
 
 void AnnotationsTest::lengthsAreRound()
@@ -299,40 +319,6 @@ void AnnotationsTest::axesTurnWithTheCamera()
     content.camera.azimuth = 90;
     axes = layOutAnnotations(content, {800, 600}, measure).axes->axes;
     QVERIFY(axes[1].tip.x() > 20 && axes[0].depth > 0.99);
-}
-
-/// Pixels change where annotations are, and nowhere else; on light and dark grounds.
-void AnnotationsTest::paintingStaysInItsPlaces()
-{
-    for (const float ground : {1.0F, 0.1F}) {
-        AnnotationContent content = fullContent();
-        content.background = {ground, ground, ground};
-        QImage image(900, 600, QImage::Format_ARGB32_Premultiplied);
-        const QColor empty(QColor::fromRgbF(ground, ground, ground).rgb());
-        image.fill(empty);
-        paintAnnotations(image, content, 1);
-        const auto changedOf = [&empty](const QImage& painted, const QRect& part) {
-            int pixels = 0;
-            for (int y = part.top(); y <= part.bottom(); ++y)
-                for (int x = part.left(); x <= part.right(); ++x)
-                    pixels += painted.pixelColor(x, y) != empty ? 1 : 0;
-            return pixels;
-        };
-        const auto changed = [&](const QRect& part) { return changedOf(image, part); };
-        QVERIFY(changed({0, 0, 200, 80}) > 50);      // title and accuracy
-        QVERIFY(changed({760, 0, 140, 300}) > 3000); // colour bar
-        QVERIFY(changed({0, 480, 130, 120}) > 100);  // axes
-        QVERIFY(changed({650, 540, 250, 60}) > 100); // scale bar
-        QCOMPARE(changed({220, 100, 400, 360}), 0);
-        QCOMPARE(changed({0, 0, 900, 4}) + changed({0, 596, 900, 4}), 0);
-        QImage large(1800, 1200, QImage::Format_ARGB32_Premultiplied);
-        large.fill(empty);
-        paintAnnotations(large, content, 2);
-        // Twice as wide and as high, in the same places; rims of letters are thinner against that.
-        const double ratio = double(changedOf(large, {1520, 0, 280, 600})) / changed({760, 0, 140, 300});
-        QVERIFY2(ratio > 3 && ratio < 4.5, qPrintable(QString::number(ratio)));
-        QCOMPARE(changedOf(large, {440, 200, 800, 720}), 0);
-    }
 }
 
 QTEST_MAIN(AnnotationsTest)

@@ -12,6 +12,7 @@
 #include <QPointer>
 #include <QPushButton>
 
+#include <algorithm>
 #include <map>
 
 using namespace tetra;
@@ -190,7 +191,9 @@ void ControlsTest::panelsDoNotTakeTheKeysOfTheMenus()
     std::map<QString, QString> taken;
     for (const QAction* action : window_->window.menuBar()->actions())
         taken.emplace(QKeySequence::mnemonic(action->text()).toString(), action->text());
-    for (const QDockWidget* dock : window_->window.findChildren<QDockWidget*>()) {
+    const auto docks = window_->window.findChildren<QDockWidget*>();
+    QVERIFY(!docks.empty());
+    for (const QDockWidget* dock : docks) {
         std::map<QString, QString> ofPanel = taken;
         const auto take = [&](const QString& text) {
             const QString key = QKeySequence::mnemonic(text).toString();
@@ -236,7 +239,9 @@ void ControlsTest::everyControlHasANameAndAnExplanation()
 void ControlsTest::dialogsAreEnteredAndLeftByKeys()
 {
     open("en");
-    for (const OpenableDialog& dialog : everyDialog(volume_, raw_)) {
+    const auto dialogs = everyDialog(volume_, raw_);
+    QVERIFY(!dialogs.empty());
+    for (const OpenableDialog& dialog : dialogs) {
         dialog.open(*window_);
         auto& widget = window_->find<QWidget>(dialog.name);
         QTRY_VERIFY2(widget.isVisible(), dialog.name);
@@ -261,17 +266,20 @@ void ControlsTest::enterDoesWhatTheDialogIsFor()
 {
     QFETCH(QString, button);
     open("en");
-    for (const OpenableDialog& dialog : everyDialog(volume_, raw_))
-        if (QString(dialog.name) == QTest::currentDataTag()) {
-            dialog.open(*window_);
-            QVERIFY(window_->find<QPushButton>(button).isDefault());
-        }
+    const auto dialogs = everyDialog(volume_, raw_);
+    const auto isMeant = [](const OpenableDialog& dialog) { return QString(dialog.name) == QTest::currentDataTag(); };
+    const auto dialog = std::ranges::find_if(dialogs, isMeant);
+    QVERIFY(dialog != dialogs.end());
+    dialog->open(*window_);
+    QVERIFY(window_->find<QPushButton>(button).isDefault());
 }
 
 void ControlsTest::everyPanelSaysWhatItIs()
 {
     open("en");
-    for (const QDockWidget* dock : window_->window.findChildren<QDockWidget*>()) {
+    const auto docks = window_->window.findChildren<QDockWidget*>();
+    QVERIFY(!docks.empty());
+    for (const QDockWidget* dock : docks) {
         QVERIFY2(!dock->whatsThis().isEmpty(), qPrintable(dock->objectName()));
         QVERIFY(HelpTexts::textFor(dock->widget()).size() > 20);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An hour of transfer-function editing (R18, R27): the memory stays as it is, pictures follow, all can be undone, and
-// what a killed program was at is there again. The hour is that of a clock that the test drives: nobody waits for it.
+// An hour of transfer-function editing (R18, R27), a few minutes of it in ./dev test: the memory stays as it is,
+// pictures follow, how soon is for ./dev soak to judge, all can be undone, and what a killed program was at is there
+// again. The hour is that of a clock that the test drives: nobody waits for it.
+#include "tests/soak.h"
 #include "tests/ui/random_edits.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
@@ -26,8 +28,11 @@ using namespace tetra;
 
 namespace {
 
-constexpr double theHour = 3600; // seconds
-constexpr double warmUp = theHour / 4;
+/// Seconds.
+double theHour()
+{
+    return timesOf(400., 3600.);
+}
 constexpr double betweenMoves = 0.05; ///< of a drag
 constexpr int mostMoves = 20;
 constexpr double leastPause = 5; ///< of somebody who looks at what came of it
@@ -189,13 +194,13 @@ void EditingSessionTest::anHourOfEditing()
     QUndoStack& stack = session.undoStack();
     const ViewValue start = session.view();
     session.setMode("volume");
-    RandomEdits some(session, modesOf(*window), 7);
+    RandomEdits some(session, modesOf(*window), seedOf(7));
     Latencies latencies(*window);
-    std::mt19937 random(7);
+    std::mt19937 random(seedOf(7));
     int edits = 0;
     int gestures = 0;
     std::optional<double> warm;
-    for (double now = 0; now < theHour; now += leastPause + static_cast<double>(random() % 10)) {
+    for (double now = 0; now < theHour(); now += leastPause + static_cast<double>(random() % 10)) {
         const bool isMeasured = gestures % gesturesBetweenMeasured == 0;
         if (isMeasured)
             QVERIFY(waitFor([&] { return !window->workbench.scenes().sceneBuilder().busy(); }));
@@ -215,19 +220,20 @@ void EditingSessionTest::anHourOfEditing()
         session.setMode("volume");
         if (gestures % gesturesBetweenRests == 0)
             waitForRest(*window);
-        if (!warm && now >= warmUp)
+        if (!warm && now >= theHour() / 4)
             warm = megabytesAtRest(*window);
     }
     const double grown = megabytesAtRest(*window) - warm.value_or(0);
     const std::vector<double> seconds = latencies.sorted();
     QVERIFY(seconds.size() > std::size_t(edits / gesturesBetweenMeasured) / 2);
     const double slow = seconds[seconds.size() * 99 / 100];
-    qInfo("%d edits in an hour, %d steps: %.1f MB more than after a quarter of it; from edit to picture %.3f s in the "
+    qInfo("%d edits in %g s, %d steps: %.1f MB more than after a quarter of it; from edit to picture %.3f s in the "
           "middle, %.3f s for the slowest hundredth, %.3f s at most",
-          edits, stack.count(), grown, seconds[seconds.size() / 2], slow, seconds.back());
+          edits, theHour(), stack.count(), grown, seconds[seconds.size() / 2], slow, seconds.back());
     if (megabytesHeld())
         QVERIFY2(grown <= allowedMegabytes, qPrintable(QString("%1 MB more").arg(grown)));
-    QVERIFY2(slow <= allowedSeconds, qPrintable(QString("%1 s from edit to picture").arg(slow)));
+    if (isSoak()) // which leaves the machine to this test
+        QVERIFY2(slow <= allowedSeconds, qPrintable(QString("%1 s from edit to picture").arg(slow)));
 
     const ViewValue end = session.view();
     const int steps = stack.count();

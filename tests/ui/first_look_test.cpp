@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/dataset_opening.h"
+#include "tests/lacks.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/widgets/motion.h"
 #include "ui/workbench/picture_file.h"
@@ -148,7 +149,7 @@ void FirstLookTest::theIsovalueOfRealData()
     QFETCH(double, largest);
     const QString path = TAN_SOURCE_DIR "/../shared/data/" + file;
     if (!QFile::exists(path))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     const auto dataset = openDataset(*window_->host, path.toStdString());
     QVERIFY(dataset.ok());
     open(*dataset, error);

@@ -22,7 +22,7 @@ QImage GlViewportTest::pictureOf(BackendChoice backend, const QString& backendNa
     WindowFixture window(backend);
     const auto model = buildSampleModel(*window.host, sampleDataset(24), window.folderPath());
     window.window.show();
-    if (!QTest::qWaitForWindowExposed(&window.window))
+    if (!QTest::qWaitForWindowExposed(&window.window, patiently(5000)))
         qFatal("the window does not appear");
     window.window.open(QString::fromStdString(model));
     const auto settled = [&] { return window.workbench.session().model() && window.settled(); };

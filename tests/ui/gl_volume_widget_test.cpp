@@ -105,7 +105,7 @@ private slots:
         SceneWidget widget(scene, camera);
         widget.resize(160, 120);
         widget.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&widget));
+        QVERIFY(QTest::qWaitForWindowExposed(&widget, tetra::patiently(5000)));
         QTRY_VERIFY(widget.painted() > 0);
         const Picture gl = pictureOf(widget.grabFramebuffer());
         const Picture again = pictureOf(widget.grabFramebuffer());

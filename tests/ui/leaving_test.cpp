@@ -545,6 +545,7 @@ void LeavingTest::everyFailedSaveIsTold()
     session().setError(7); // another mesh is on its way
     workbench.exporting().saveMesh(bad("h.vtu"));
     workbench.opening().closeModel();
+    QVERIFY(!files.empty());
     for (const QString& file : files)
         QTRY_VERIFY2_WITH_TIMEOUT(window_->messages().join('\n').contains(file), qPrintable(file), 30'000);
 }

@@ -118,7 +118,7 @@ void StartPageTest::samplesAreDescribedForPeople()
     const QString usual = description.text();
     QVERIFY(!usual.isEmpty());
     window_->window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window_->window));
+    QVERIFY(QTest::qWaitForWindowActive(&window_->window, patiently(5000)));
     for (const SampleKind& kind : sampleKinds()) {
         const QString name = QString::fromStdString(std::string(kind.name));
         auto& button = window_->find<QToolButton>("empty.sample." + name);

@@ -2,6 +2,7 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/samples/samples.h"
 #include "tests/core/render/scene_parts.h"
+#include "tests/lacks.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/window_fixture.h"
 
@@ -129,7 +130,7 @@ void StoryTest::theBuckyBall()
 {
     const QString file = TAN_SOURCE_DIR "/../shared/data/buckyball/bucky_32x32x32_uint8.nhdr";
     if (!QFile::exists(file))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     WindowFixture window;
     window.window.show();
     buildThere(window, file);

@@ -137,7 +137,9 @@ void TranslationTest::theFilesAreThoseOfTheSources()
 void TranslationTest::everyTextIsTranslated()
 {
     QFETCH(QString, language);
-    for (const TranslatedText& message : messagesOf(tsFile(language))) {
+    const auto messages = messagesOf(tsFile(language));
+    QVERIFY(!messages.empty());
+    for (const TranslatedText& message : messages) {
         QVERIFY2(!message.unfinished && !message.translation.isEmpty(), qPrintable(message.source));
         QVERIFY2(placeholders(message.source) == placeholders(message.translation), qPrintable(message.source));
     }
@@ -152,8 +154,11 @@ void TranslationTest::everyTextOfAPluginIsTranslated()
         if (message.context == "tetra::Message")
             known.insert(message.source);
     const auto host = hostOfThisBuild();
-    for (const std::string& text : textsOf(*host))
+    const auto texts = textsOf(*host);
+    QVERIFY(!texts.empty());
+    for (const std::string& text : texts)
         QVERIFY2(known.contains(QString::fromStdString(text)), ("not marked by Message::marked(): " + text).c_str());
+    QVERIFY(!host->plugins().empty());
     for (const PluginStatus& plugin : host->plugins()) {
         const PluginMetadata& metadata = plugin.metadata;
         QVERIFY2(metadata.names.contains(language.toStdString()), metadata.id.c_str());
@@ -164,7 +169,9 @@ void TranslationTest::everyTextOfAPluginIsTranslated()
 /// Where words are left out; without one it would say that letters are.
 void TranslationTest::germanHasASpaceBeforeAnEllipsis()
 {
-    for (const TranslatedText& message : messagesOf(tsFile("de"))) {
+    const auto messages = messagesOf(tsFile("de"));
+    QVERIFY(!messages.empty());
+    for (const TranslatedText& message : messages) {
         const qsizetype place = message.translation.indexOf(QChar(0x2026));
         QVERIFY2(place <= 0 || message.translation[place - 1].isSpace(), qPrintable(message.translation));
     }

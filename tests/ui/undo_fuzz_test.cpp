@@ -2,6 +2,7 @@
 // Undo over the whole view (R18, R27): whatever was edited, undoing all ends where it began, with every step in between
 // as it was, and redoing all ends where it was left, while workers prepare what is seen; and what is left is what a
 // session that is saved then shows when it is opened again.
+#include "tests/soak.h"
 #include "tests/ui/random_edits.h"
 #include "tests/ui/sample_files.h"
 #include "ui/workbench/workbench.h"
@@ -98,8 +99,8 @@ void UndoFuzzTest::undoingAllEndsWhereItBegan()
         modes.push_back(mode.id);
     QVERIFY(modes.size() > 2);
 
-    std::mt19937 random(seed);
-    RandomEdits some(session(), modes, seed);
+    std::mt19937 random(seedOf(seed));
+    RandomEdits some(session(), modes, seedOf(seed));
     QUndoStack& stack = session().undoStack();
     states_ = {session().view()};
     for (int done = 0; done < edits; ++done) {

@@ -25,6 +25,7 @@
 #include <QSet>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QUrl>
 
 #include <algorithm>
 #include <atomic>
@@ -53,6 +54,7 @@ private slots:
     void emptyInvites();
     void droppedFilesAreOpened();
     void theFirstOfSeveralFilesIsOpened();
+    void filesThatADesktopNamesAreOpened();
     void whatCannotBeOpenedIsToldAndStays_data();
     void whatCannotBeOpenedIsToldAndStays();
     void messagesAreNeverLost();
@@ -180,6 +182,16 @@ void WindowTest::theFirstOfSeveralFilesIsOpened()
     QCOMPARE(pathText(window_->workbench.session().model()->path()), model);
     QCOMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("Only one file"), qPrintable(window_->messages().first()));
+}
+
+void WindowTest::filesThatADesktopNamesAreOpened()
+{
+    const auto path = writeNrrd(sampleDataset(8), window_->folderPath());
+    const auto place = path.parent_path() / "100 % of Ü.nrrd";
+    std::filesystem::rename(path, place);
+    window_->window.open(QString::fromLatin1(QUrl::fromLocalFile(QString::fromStdString(place)).toEncoded()));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->workbench.opening().dataset()->source.path, place);
 }
 
 void WindowTest::droppedFilesAreOpened()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/annotations/field_name.h"
 
+#include "ui/session/message_text.h"
+
 #include <tan/model.h>
 
 #include <QCoreApplication>
@@ -27,9 +29,9 @@ QString fieldName(const ModelDescription& description)
 {
     for (const auto& [name, text] : description.parameters)
         if (name.ends_with(".array") && !text.empty())
-            return QString::fromStdString(text);
+            return shownText(text);
     // "file.bin, array" where readers know more than the file's name.
-    QStringList source = QString::fromStdString(description.sourceName).split(", ");
+    QStringList source = shownText(description.sourceName).split(", ");
     source.erase(std::remove_if(source.begin() + 1, source.end(), isPart), source.end());
     const QString name = source.size() > 1 ? source.last() : QFileInfo(source.first()).completeBaseName();
     return name.isEmpty() ? FieldTexts::tr("Value") : name;

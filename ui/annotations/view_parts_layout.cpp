@@ -108,9 +108,17 @@ ScaleBarLayout layOutScaleBar(const AnnotationContent& content, QSizeF picture, 
 
 PlacedText fittedText(const QString& text, double most, const TextMeasure& measure)
 {
+    constexpr qsizetype mostKept = 4096; // wider than any picture
+    const auto shortened = [&](qsizetype kept) { return text.left((kept + 1) / 2) + u'…' + text.right(kept / 2); };
     QString fitted = text;
-    for (qsizetype kept = text.size() - 1; kept > 0 && measure.width(fitted) > most; --kept)
-        fitted = text.left((kept + 1) / 2) + u'…' + text.right(kept / 2);
+    if (text.size() > mostKept || measure.width(text) > most) {
+        qsizetype fits = 1, tooLong = std::min(text.size(), mostKept);
+        while (tooLong - fits > 1) {
+            const qsizetype kept = (fits + tooLong) / 2;
+            (measure.width(shortened(kept)) > most ? tooLong : fits) = kept;
+        }
+        fitted = shortened(fits);
+    }
     return {fitted, QRectF(0, 0, std::ceil(measure.width(fitted)), measure.height)};
 }
 

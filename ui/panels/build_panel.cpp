@@ -334,7 +334,7 @@ void BuildPanel::connectWorkbench()
 void BuildPanel::showDataset()
 {
     const Dataset& dataset = *workbench_.opening().dataset();
-    name_->setText(QString::fromStdString(dataset.source.name));
+    name_->setText(shownText(dataset.source.name));
     QStringList facts = {factsOf(dataset)};
     for (const Message& remark : dataset.remarks)
         facts << translatedMessage(remark);
@@ -357,7 +357,10 @@ void BuildPanel::showDataset()
     }
     {
         const QSignalBlocker withoutBuilder(target_);
-        target_->setText(proposedModelPath(dataset.source.path));
+        const ParameterValues& imported = workbench_.opening().importOptions().values;
+        const auto array = imported.find("array"); // a model of another array gets a name of its own
+        const std::string* const name = array != imported.end() ? std::get_if<std::string>(&array->second) : nullptr;
+        target_->setText(proposedModelPath(dataset.source.path, name != nullptr ? *name : std::string()));
     }
     showBuilder(firstDetail(dataset));
     beginLook(true);

@@ -5,6 +5,7 @@
 #include "plugins/widgets/number_text.h"
 #include "ui/session/accuracy_scale.h"
 #include "ui/session/files.h"
+#include "ui/session/message_text.h"
 #include "ui/session/shown_mesh.h"
 
 #include <tan/query.h>
@@ -79,7 +80,7 @@ QStringList levelTexts(const LevelStatistics& level)
 std::vector<StatisticsFact> modelFacts(const Model& model)
 {
     const ValueRange range = model.description().range;
-    std::vector<StatisticsFact> facts{{Statistics::tr("Model"), QFileInfo(pathText(model.path())).fileName()},
+    std::vector<StatisticsFact> facts{{Statistics::tr("Model"), shownText(model.path().filename().string())},
                                       {Statistics::tr("Values"), Statistics::tr("%1 to %2")
                                                                      .arg(valueText(range.minimum, range.extent()),
                                                                           valueText(range.maximum, range.extent()))},

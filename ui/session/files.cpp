@@ -2,7 +2,9 @@
 #include "ui/session/files.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/mapped_file.h"
 #include "core/remote/remote_file.h"
+#include "ui/session/message_text.h"
 
 #include <tan/open.h>
 
@@ -22,7 +24,8 @@ class PlaceTexts {
     Q_DECLARE_TR_FUNCTIONS(Places)
 };
 
-constexpr qint64 largestFile = 64 << 20; // a session with a long film has some megabytes
+constexpr qsizetype longestArrayName = 60;
+constexpr std::size_t largestFile = 64 << 20; // a session with a long film has some megabytes
 
 } // namespace
 
@@ -39,7 +42,7 @@ QString pathText(const std::filesystem::path& path)
 QString shownPlace(const std::filesystem::path& place)
 {
     const std::string text = place.string();
-    return isAddress(text) ? QString::fromStdString(shownAddress(placeOf(text, false))) : pathText(place);
+    return isAddress(text) ? QString::fromStdString(shownAddress(placeOf(text, false))) : shownText(text);
 }
 
 QString shownName(const std::filesystem::path& place)
@@ -59,27 +62,26 @@ QString documentFolder()
     return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
-QString proposedModelPath(const std::filesystem::path& dataset)
+QString proposedModelPath(const std::filesystem::path& dataset, const std::string& array)
 {
     const QFileInfo file(pathText(dataset));
     const QString folder = QFileInfo(file.absolutePath()).isWritable() ? file.absolutePath() : documentFolder();
     const QString name = file.completeBaseName().isEmpty() ? QString("model") : file.completeBaseName();
-    return folder + "/" + name + ".tan";
+    QString ofArray = array.empty() ? QString() : "-" + shownText(array);
+    for (QChar& character : ofArray)
+        if (!character.isLetterOrNumber() && !QString("-_.+()").contains(character))
+            character = '_';
+    return folder + "/" + name + ofArray.left(longestArrayName) + ".tan";
 }
 
 Result<std::string> readTextFile(const std::filesystem::path& path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{
-            file.error() == QFileDevice::ResourceError ? ErrorKind::OutOfResource : ErrorKind::BadInput,
-            Message::say("The file '%1' cannot be read: %2.", path.string(), file.errorString().toStdString())};
-    const QByteArray bytes = file.read(largestFile + 1);
-    if (bytes.size() > largestFile)
+    std::error_code problem;
+    if (std::filesystem::is_regular_file(path, problem) && std::filesystem::file_size(path, problem) > largestFile)
         return Error{ErrorKind::BadInput,
                      Message::say("The file '%1' is larger than 64 MiB. Choose a session, camera or transfer function.",
                                   path.string())};
-    return bytes.toStdString();
+    return wholeText(path, largestFile);
 }
 
 Status writeTextFile(const std::filesystem::path& path, std::string_view text)

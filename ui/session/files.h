@@ -17,7 +17,7 @@ QString documentFolder();
 
 /// Where the model of a dataset goes unless the user says otherwise: beside it, or into the user's documents if that
 /// folder cannot be written to.
-QString proposedModelPath(const std::filesystem::path& dataset);
+QString proposedModelPath(const std::filesystem::path& dataset, const std::string& array = {});
 
 std::filesystem::path filePath(const QString& path);
 QString pathText(const std::filesystem::path& path);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/message_text.h"
 
+#include "core/base/text.h"
+
 #include <QCoreApplication>
 
 namespace tetra {
@@ -24,7 +26,7 @@ QString translated(const std::string& sentence)
 QString translatedMessage(const Message& message)
 {
     if (message.sentence().empty())
-        return QString::fromStdString(message.text());
+        return shownText(message.text());
     const QString sentence = translated(message.sentence());
     const auto& arguments = message.arguments();
     QString result;
@@ -42,6 +44,11 @@ QString translatedMessage(const Message& message)
     return result;
 }
 
+QString shownText(const std::string& text)
+{
+    return QString::fromStdString(visibleText(text));
+}
+
 QString translatedText(std::string_view text)
 {
     return text.empty() ? QString() : translated(std::string(text));
@@ -51,7 +58,7 @@ QString inUsersLanguage(const std::string& english, const std::map<std::string, 
 {
     const QString code = QCoreApplication::translate("Language", "en"); // translated by that of the language
     const auto found = others.find(code.toStdString());
-    return QString::fromStdString(found == others.end() || found->second.empty() ? english : found->second);
+    return shownText(found == others.end() || found->second.empty() ? english : found->second);
 }
 
 } // namespace tetra

@@ -15,6 +15,9 @@ namespace tetra {
 /// sentence (a name, a number, what another program said) stays as it is, and so does what has no translation.
 QString translatedMessage(const Message& message);
 
+/// visibleText(): what a file says, such as the name of an array, or its own name.
+QString shownText(const std::string& text);
+
 /// A text that core or a plugin marked by Message::marked(), such as a parameter's label, in the user's language.
 QString translatedText(std::string_view text);
 

@@ -163,10 +163,10 @@ void ImportDialog::ask(const ImportQuestion& question)
     contents_ = question.contents;
     fileBytes_ = static_cast<std::uint64_t>(QFileInfo(pathText(question.samples)).size());
     withLayout_ = needsLayout(question.reader.plugin->parameters(), contents_);
-    const QString name = QFileInfo(pathText(question.path)).fileName();
+    const QString name = shownText(question.path.filename().string());
     setWindowTitle(tr("Import %1").arg(name));
     file_->setText(tr("%1, %2 bytes").arg(name, countText(fileBytes_)));
-    file_->setToolTip(pathText(question.path));
+    file_->setToolTip(shownText(question.path.string()));
     showReading(false);
     showReaders();
     showReason(true, {});

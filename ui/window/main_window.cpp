@@ -56,6 +56,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -195,15 +196,15 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::open(const QString& path)
 {
-    workbench_.opening().open(path);
+    const QUrl address(path); // desktops name a file that a user has chosen as file:///...
+    workbench_.opening().open(address.isLocalFile() ? address.toLocalFile() : path);
 }
 
 void MainWindow::openFirst(const QStringList& files)
 {
     if (files.isEmpty())
         return;
-    const QUrl url(files.first());
-    open(url.isLocalFile() ? url.toLocalFile() : files.first());
+    open(files.first());
     if (files.size() > 1)
         messages_->add(tr("Only one file can be open at a time; of these, %1 was opened.").arg(files.first()));
 }
@@ -556,7 +557,7 @@ void MainWindow::showFile()
     const QString place = model ? shownPlace(model->path()) : QString();
     const QFileInfo file(place);
     const std::filesystem::path& session = workbench_.opening().sessionFile();
-    const QString name = session.empty() ? file.fileName() : pathText(session.filename());
+    const QString name = session.empty() ? file.fileName() : shownText(session.filename().string());
     const bool isRemote = model && isAddress(model->path().string());
     status_->setFile(model ? shownName(model->path()) : QString(), isRemote ? place : file.absoluteFilePath(),
                      model && model->elsewhere() != nullptr);
@@ -648,7 +649,7 @@ void MainWindow::showNotice()
     const auto& dataset = workbench_.opening().dataset();
     if (model && dataset && isBesideDataset_)
         notice_->tell(tr("%1 is not built yet. The picture still shows %2.")
-                          .arg(QString::fromStdString(dataset->source.name), shownName(model->path())));
+                          .arg(shownText(dataset->source.name), shownName(model->path())));
     else
         notice_->tell(isOutdated_ ? tr("The picture does not show the current settings, which could not be drawn.")
                                   : QString());
@@ -698,7 +699,7 @@ void MainWindow::showNothing()
         empty_->tell(workbench_.building().buildName(),
                      tr("Its model is being built. The panel on the left shows the progress."));
     else
-        empty_->tell(QString::fromStdString(dataset->source.name),
+        empty_->tell(shownText(dataset->source.name),
                      tr("Dataset loaded. Choose options on the left and press Build to view it."));
 }
 
@@ -711,6 +712,7 @@ void MainWindow::showAbout()
                                     .arg(QCoreApplication::applicationVersion()),
                                 QMessageBox::Close, this);
     box->setObjectName("aboutBox");
+    box->setTextFormat(Qt::RichText);
     box->setIconPixmap(programIcon().pixmap(64));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();

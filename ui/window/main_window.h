@@ -38,7 +38,7 @@ public:
     Viewport& viewport() noexcept { return *viewport_; }
     /// A file, or an address.
     void open(const QString& path);
-    /// The first of them, and says so if there are more. Local files may be URLs, too, as a desktop gives them.
+    /// The first of them, and says so if there are more.
     void openFirst(const QStringList& files);
 
 protected:

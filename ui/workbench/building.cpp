@@ -42,7 +42,7 @@ void Building::build(const BuildOrder& order)
     resumes_ = order.resume;
     look_.reset();
     turnedAway_ = false;
-    buildName_ = QString::fromStdString(dataset->source.name);
+    buildName_ = shownText(dataset->source.name);
     buildTarget_ = order.target;
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     task_.start([this, order, dataset, imported = opening_.importOptions(), live = live_,

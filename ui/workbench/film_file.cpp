@@ -2,6 +2,7 @@
 #include "ui/workbench/film_file.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/finished_file.h"
 #include "core/base/folder.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
@@ -72,21 +73,11 @@ Status drawFrames(const FilmOrder& order, const std::filesystem::path& folder, c
     return {};
 }
 
-Status moveTo(const std::filesystem::path& from, const std::filesystem::path& target)
-{
-    std::error_code error;
-    std::filesystem::rename(from, target, error);
-    if (!error)
-        return {};
-    return Error{ErrorKind::CannotWrite, Message::say("'%1' cannot be written: %2. Choose another place.",
-                                                      target.string(), systemErrorText(error.value()))};
-}
-
 Status nameFrames(const FilmOrder& order, const std::filesystem::path& folder)
 {
     const int count = frameCount(order.view.animation);
     for (int i = 0; i < count; ++i)
-        if (const Status moved = moveTo(numbered(folder, i), framePath(order.target, i, count)); !moved)
+        if (const Status moved = replaceFile(numbered(folder, i), framePath(order.target, i, count)); !moved)
             return moved;
     return {};
 }
@@ -99,7 +90,7 @@ Status encode(const FilmOrder& order, const std::filesystem::path& folder, const
     progress.report(0, {});
     if (const Status encoded = encodeVideo(order.encoder, arguments, folder, progress); !encoded)
         return encoded;
-    return moveTo(folder / film, behindLinks(order.target));
+    return replaceFile(folder / film, order.target);
 }
 
 constexpr int askEncoderEvery = 100; // milliseconds

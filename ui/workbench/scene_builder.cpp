@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/scene_builder.h"
 
+#include "core/history/whole_elsewhere.h"
+
 #include <tan/query.h>
 
 #include <algorithm>
@@ -35,6 +37,13 @@ bool haveSameMesh(const SceneRequest& first, const SceneRequest& second)
     return first.model == second.model && first.query == second.query;
 }
 
+/// The tetrahedra of the coarsest mesh that there is, wherever the model lies.
+std::uint64_t coarsestMesh(const Model& model)
+{
+    return model.elsewhere() != nullptr ? model.elsewhere()->sizes().meshes.front().tetrahedra
+                                        : meshSizeAt(model, {anyError, anyWarping}).tetrahedra;
+}
+
 /// Closed sets are found at once, whatever the field; a draft need not be the smallest mesh.
 MeshQuery coarserQuery(MeshQuery query, std::uint64_t budget)
 {
@@ -44,8 +53,10 @@ MeshQuery coarserQuery(MeshQuery query, std::uint64_t budget)
 }
 
 /// Of the meshes to prepare, the finest first: before window and values each has a quarter of the last one, or there is
-/// only the one that is chosen. A mesh that is no coarser is left out.
-std::vector<MeshQuery> coarserQueries(const MeshQuery& query, const ShownMesh& shown, const MovingQuality& quality)
+/// only the one that is chosen. A mesh that is no coarser is left out; none is asked for with fewer tetrahedra than the
+/// coarsest mesh of the model has, which would be refused.
+std::vector<MeshQuery> coarserQueries(const MeshQuery& query, const ShownMesh& shown, const MovingQuality& quality,
+                                      std::uint64_t coarsest)
 {
     std::vector<MeshQuery> queries;
     if (query.range)
@@ -72,6 +83,11 @@ std::vector<MeshQuery> coarserQueries(const MeshQuery& query, const ShownMesh& s
         break;
     case MovingQuality::Kind::Full: break;
     }
+    for (MeshQuery& one : queries)
+        if (one.budget)
+            one.budget = std::max(*one.budget, coarsest);
+    const auto again = std::ranges::unique(queries);
+    queries.erase(again.begin(), again.end());
     return queries;
 }
 
@@ -161,7 +177,7 @@ try {
         pipelines.clear();
         made = 0;
         quality = wanted;
-        queries = coarserQueries(request.query, shown, quality);
+        queries = coarserQueries(request.query, shown, quality, coarsestMesh(*request.model));
     }
     present = request;
     std::vector<DraftScene> drafts;

@@ -181,7 +181,10 @@ std::uint64_t fileSize(int descriptor)
 /// Closes a file at the end of a block of code.
 class RunFiles::OpenFile {
 public:
-    explicit OpenFile(const std::filesystem::path& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    explicit OpenFile(const std::filesystem::path& path)
+        : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+    {
+    }
     ~OpenFile()
     {
         if (descriptor_ >= 0)

@@ -89,7 +89,7 @@ Status MergedNumbers::fill(const RunFiles& runs, const Progress& progress)
     std::uint64_t reported = 0;
     for (;;) {
         const Result<bool> more = merge.next();
-        if (!more)
+        if (!more.ok())
             return more.error();
         if (!*more)
             break;
@@ -238,7 +238,7 @@ Result<MergedChunk> ChunkMaker::next()
     chunk.firstSite = sites_;
     while (chunk.tetrahedronCount < tetrahedraInChunk) {
         const Result<bool> found = findGroup();
-        if (!found)
+        if (!found.ok())
             return found.error();
         if (!*found)
             break;
@@ -260,7 +260,7 @@ Result<bool> ChunkMaker::findGroup()
         return true;
     if (!inBatch_) {
         const Result<bool> more = merge_.next();
-        if (!more || !*more)
+        if (!more.ok() || !*more)
             return more;
         place_ = 0;
         part_ = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/boundary_repair.h"
 
-#include "core/base/disjoint_sets.h"
 #include "core/base/sort_unique.h"
 #include "core/history/walk.h"
 #include "core/mesh/boundary.h"
@@ -148,7 +147,9 @@ private:
     std::vector<EntryTime> lastBirth_;
 };
 
-/// Collects what destroys the tetrahedra at fault.
+/// Collects what destroys the tetrahedra at fault. No part can lie inside of tetrahedra of another without meeting its
+/// boundary: each piece of the boundary has a vertex among the initial sites, since collapses keep the pieces, and
+/// every tetrahedron belongs to some prefix, which has this vertex, too, and nothing over it.
 class BoundaryTest {
 public:
     BoundaryTest(const LivingBoundary& boundary, std::uint32_t known) : boundary_(boundary), known_(known) {}
@@ -160,8 +161,6 @@ public:
         findBreachesOfManifold();
         if (repair_.isSound)
             findMeetings(progress);
-        if (repair_.isSound && !progress.cancelled())
-            findBuriedParts(progress);
         sortUnique(repair_.sites);
         return std::move(repair_);
     }
@@ -242,41 +241,6 @@ private:
         for (const std::vector<std::uint32_t>& some : found)
             for (const std::uint32_t triangle : some)
                 destroy(triangle);
-    }
-
-    /// Whether all hangs together, so that nothing can lie inside of something else.
-    bool isOnePart() const
-    {
-        DisjointSets parts(boundary_.positions.size());
-        for (const auto& [a, b, c] : boundary_.triangles) {
-            parts.join(a, b);
-            parts.join(a, c);
-        }
-        for (std::uint32_t vertex = 1; vertex < boundary_.positions.size(); ++vertex)
-            if (parts.root(vertex) != 0)
-                return false;
-        return true;
-    }
-
-    /// Where something lies inside of other tetrahedra, all that reaches near it is refined.
-    void findBuriedParts(const Progress& progress)
-    {
-        if (isOnePart())
-            return;
-        const std::vector<std::uint32_t> buried = findBuried(boundary_.positions, boundary_.triangles, {}, progress);
-        if (buried.empty())
-            return;
-        repair_.isSound = false;
-        const std::vector<std::uint32_t> components = surfacePieces(boundary_.triangles);
-        for (const std::uint32_t part : buried) {
-            Eigen::AlignedBox3d box;
-            for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
-                if (components[t] == components[part])
-                    box.extend(TriangleBoxes::boxOf(boundary_.positions, boundary_.triangles[t]));
-            for (std::uint32_t t = 0; t < boundary_.triangles.size(); ++t)
-                if (TriangleBoxes::boxOf(boundary_.positions, boundary_.triangles[t]).intersects(box))
-                    destroy(t);
-        }
     }
 
     const LivingBoundary& boundary_;

@@ -12,7 +12,7 @@ namespace tetra {
 
 /// What to do about the boundary of a closed set's mesh of irregular data.
 struct BoundaryRepair {
-    bool isSound = true;              ///< a manifold that does not meet itself, and that nothing lies inside of
+    bool isSound = true;              ///< a manifold that does not meet itself
     std::vector<std::uint32_t> sites; ///< else to be added, with all that they need; empty if none are known to help
 };
 

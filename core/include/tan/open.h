@@ -5,7 +5,10 @@
 ///
 /// Model::open() maps a `.tan` file of this disk, whole. What is packed or lies on a server is first unpacked or
 /// fetched into a cache folder, as far as it is wanted: a model that keeps an accuracy is the beginning of the file,
-/// and takes a small part of it. What is there from before is used again.
+/// and takes a small part of it. What is there from before is used again as long as the file is the same: a file of
+/// this disk by device, inode, size and times, one on a server by the address and what the server says of its state
+/// (ETag or Last-Modified). What has no such mark is kept for nobody. Where the cache folder cannot be used, what is
+/// unpacked or fetched lies among the system's temporary files for as long as it is open.
 ///
 /// ~~~{.cpp}
 /// /// The mesh of an error, % of the value range, of a model that lies anywhere.
@@ -91,6 +94,9 @@ struct OpenOptions {
     /// in it take no more than that, by default $TAN_CACHE_MB megabytes or else 8 GiB.
     std::filesystem::path cacheFolder{};
     std::uint64_t cacheBytes = 0;
+    /// Reads the file that is named, and nothing that the cache has of it; nor is anything left there. For whoever is
+    /// to say something of the file itself: a proof, a copy.
+    bool afresh = false;
     /// For a server that answers only those who have it: sent to the server of the address, and to no other. It is
     /// written nowhere; a model that is left at its server keeps it in memory.
     std::string token{};

@@ -5,9 +5,9 @@
 /// form").
 ///
 /// A packed model takes 1 to 4 bytes a site in place of 300 if its history follows from its samples or sites, else 12
-/// to 30, and gives the model back byte for byte. It is made to be read from its front: it has *levels*, each a
-/// conforming mesh of a stated error, the coarse ones first, and whoever has the file's first PackedLevel::bytes can
-/// make that mesh.
+/// to 50, the most where positions and values are doubles of which all bits tell something; and gives the model back
+/// byte for byte. It is made to be read from its front: it has *levels*, each a conforming mesh of a stated error, the
+/// coarse ones first, and whoever has the file's first PackedLevel::bytes can make that mesh.
 ///
 /// ~~~{.cpp}
 /// /// Packs a model, and says what it takes of the room.

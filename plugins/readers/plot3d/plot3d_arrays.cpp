@@ -137,6 +137,18 @@ Result<bool> varies(const SolutionArray& source, Blanked blanked, const Progress
     return differ;
 }
 
+/// Whether any value is a finite number.
+bool hasNumbers(const SolutionArray& source, Blanked blanked)
+{
+    bool any = false;
+    (void)forValues(source, {}, [&](std::uint64_t first, std::span<const double> values) {
+        for (std::size_t i = 0; i < values.size() && !any; ++i)
+            any = counts(blanked, first + i) && std::isfinite(values[i]);
+        return any ? Status(Error{ErrorKind::Cancelled, {}}) : Status(); // enough was seen
+    });
+    return any;
+}
+
 /// Arrays that can be taken, for messages.
 Message usableNames(const SolutionArray& source, Blanked blanked)
 {
@@ -198,14 +210,18 @@ Result<Plot3dArray> readPlot3dArray(const Plot3dFile& solution, std::size_t grid
         if (name != "automatic" && name != candidate)
             continue;
         const Result<bool> usable = varies(source, blanked, progress.withCallback([](double, const Message&) {}));
-        if (!usable)
+        if (!usable.ok())
             return usable.error();
         if (*usable)
             return arrayOf(source, progress);
         if (name != "automatic")
             return inPlot3dFile(
                 solution.path(),
-                Message::say("the array '%1' has one value everywhere. %2", name, usableNames(source, blanked)),
+                hasNumbers(source, blanked)
+                    ? Message::say("the array '%1' has one value everywhere. %2", name, usableNames(source, blanked))
+                    : Message::say("the array '%1' has no number anywhere: it cannot be computed from this solution. "
+                                   "%2",
+                                   name, usableNames(source, blanked)),
                 ErrorKind::WrongUsage);
     }
     return inPlot3dFile(solution.path(), Message::say("none of its arrays varies, so there is nothing to see."));

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 namespace tetra {
@@ -206,11 +205,14 @@ std::uint64_t bytesOf(fs::path path)
     const std::uint64_t bytes = fs::file_size(path, problem);
     if (!problem)
         return bytes;
-    std::array<unsigned char, 4> size{};
-    std::ifstream packed(path += ".gz", std::ios::binary);
-    packed.seekg(-static_cast<std::streamoff>(size.size()), std::ios::end);
-    packed.read(reinterpret_cast<char*>(size.data()), size.size());
-    return packed ? size[0] | size[1] << 8 | size[2] << 16 | std::uint64_t(size[3]) << 24 : 0;
+    const auto packed = MappedFile::open(path += ".gz");
+    constexpr std::size_t sizeBytes = 4; // the last ones, the lowest first
+    if (!packed || (*packed)->bytes().size() < sizeBytes)
+        return 0;
+    std::uint64_t size = 0;
+    for (std::size_t place = 0; place < sizeBytes; ++place)
+        size |= std::uint64_t((*packed)->bytes().last(sizeBytes)[place]) << 8 * place;
+    return size;
 }
 
 } // namespace

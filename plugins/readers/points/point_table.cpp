@@ -25,10 +25,7 @@ Message lineText(std::uint64_t number)
 std::string shown(std::string_view field)
 {
     constexpr std::size_t most = 40;
-    std::string text;
-    for (const char character : field.substr(0, most))
-        text += static_cast<unsigned char>(character) < ' ' ? '?' : character;
-    return "'" + text + (field.size() > most ? "...'" : "'");
+    return "'" + printable(field.substr(0, most)) + (field.size() > most ? "...'" : "'");
 }
 
 /// A line of names has no number at all where data have four.

@@ -36,7 +36,7 @@ def contours():
         for threads in ("1 thread", "2 threads"):
             figures.append(Figure(f"{scene}, {threads}, as it comes", surface(scene, threads, "yardstick_seconds"), 8, least=True,
                                   over=surface(scene, threads, "without_index_seconds")))
-            figures.append(Figure(f"{scene}, {threads}, with an index", surface(scene, threads, "times_faster"), 12, least=True))
+            figures.append(Figure(f"{scene}, {threads}, with an index", surface(scene, threads, "times_faster"), 9, least=True))
     return tuple(figures)
 
 
@@ -54,7 +54,7 @@ VOLUMES = Section(
                 tuple((f"{scene}, {size}, {threads}",
                        (frame(scene, size, threads, "seconds"), frame(scene, size, threads, "yardstick_seconds"),
                         frame(scene, size, threads, "yardstick_seconds", CASTER))) for scene, size, threads in SCENES)),
-     AskedPlot("projected", "Times faster than VTK's projected tetrahedra", f"{PROJECTED}; larger is better.", "times faster", faster(PROJECTED, 8, 5)),
+     AskedPlot("projected", "Times faster than VTK's projected tetrahedra", f"{PROJECTED}; larger is better.", "times faster", faster(PROJECTED, 6.5, 4)),
      AskedPlot("caster", "Times faster than VTK's ray caster", f"{CASTER}; larger is better.", "times faster", faster(CASTER, 9, 9)),
      AskedPlot("hybrid", "What comes with a volume", "One thread; time over that of the volume alone. Nothing was asked for.",
                "seconds / seconds of the volume alone",

@@ -2,6 +2,8 @@
 // A file appears whole or not at all, and every failure says what, why and what to do.
 #include "core/base/file_writer.h"
 
+#include "core/base/finished_file.h"
+
 #include "tests/core/base/small_disk.h"
 
 #include <QTemporaryDir>
@@ -76,6 +78,39 @@ class FileWriterTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What another program made, or a writer that has to look at it first, is put in place as what is written here.
+    void aFinishedFileReplacesAsAWriterDoes()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path folder = place.path().toStdString();
+        const std::filesystem::path made = folder / "made", target = folder / "target";
+        const auto make = [&] { return writeWholeFile(made, someBytes(100)).ok(); };
+        const auto modeOf = [](const std::filesystem::path& path) {
+            struct stat status {};
+            return ::lstat(path.c_str(), &status) == 0 ? status.st_mode : 0;
+        };
+        QVERIFY(make());
+        QVERIFY(replaceFile(made, target).ok());
+        QCOMPARE(contentOf(target), someBytes(100));
+        QVERIFY(!std::filesystem::exists(made));
+        QCOMPARE(::chmod(target.c_str(), 0640), 0);
+        QVERIFY(make() && replaceFile(made, target).ok());
+        QCOMPARE(modeOf(target) & 0777, mode_t(0640));
+        QCOMPARE(::chmod(target.c_str(), 0444), 0);
+        QVERIFY(make());
+        for (const auto& refused : {replaceFile(made, target), replaceFile(made, folder),
+                                    replaceFile(made, "/dev/null"), replaceFile(made, folder / "none" / "target")})
+            QVERIFY(!refused.ok() && refused.error().kind == ErrorKind::CannotWrite);
+        QVERIFY(!checkTarget(target).ok() && !checkTarget("/dev/null").ok() && checkTarget(folder / "new").ok());
+        QVERIFY(S_ISCHR(modeOf("/dev/null")));
+        QCOMPARE(contentOf(made), someBytes(100));
+        // A link stays, and leads to the file.
+        const std::filesystem::path link = folder / "link", behind = folder / "behind";
+        std::filesystem::create_symlink("behind", link);
+        QVERIFY(replaceFile(made, link).ok());
+        QVERIFY(S_ISLNK(modeOf(link)) && S_ISREG(modeOf(behind)));
+    }
+
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
     void writesWhatItIsGiven_data()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 
+#include "tests/lacks.h"
+
 #include <QTest>
 
 #include <bit>
@@ -68,7 +70,7 @@ void NumberTextTest::refusesWholeNumbersThatDoNotFit()
 void NumberTextTest::knowsTheLocaleNot()
 {
     if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
-        QSKIP("skipped: no de_DE.UTF-8 locale on this machine");
+        QSKIP_WITHOUT("locale de_DE.UTF-8");
     const auto number = parseNumber<double>("1.5");
     const std::string text = formatNumber(1234.5);
     std::setlocale(LC_ALL, "C");

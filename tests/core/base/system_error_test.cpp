@@ -5,6 +5,7 @@
 #include "core/base/scratch_file.h"
 #include "core/base/system_error.h"
 #include "core/base/work_folder.h"
+#include "tests/lacks.h"
 
 #include <tan/base.h>
 
@@ -70,7 +71,7 @@ private slots:
         std::filesystem::create_directories(catalogues / "de" / "LC_MESSAGES");
         std::ofstream(catalogues / "de" / "LC_MESSAGES" / "libc.mo", std::ios::binary) << germanCatalogue();
         if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
-            QSKIP("skipped: no de_DE.UTF-8 locale on this machine");
+            QSKIP_WITHOUT("locale de_DE.UTF-8");
         ::unsetenv("LANGUAGE");
         ::bindtextdomain("libc", catalogues.c_str());
         QCOMPARE(std::strerror(ENOENT), germanNoSuchFile); // or nothing below could fail

@@ -2,6 +2,7 @@
 /// A build that is not in blocks and is interrupted any number of times hands over the very history of one that is not;
 /// what it left is refused where it is damaged or of something else (B6).
 #include "tests/core/refine/recorded_history.h"
+#include "tests/soak.h"
 
 #include <tan/build.h>
 
@@ -121,9 +122,9 @@ private slots:
         const Case chosen = caseOf(QTest::currentDataTag());
         RecordedHistory expected;
         QVERIFY(build(chosen, expected, false).ok());
-        for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+        for (std::uint32_t seed = 1; seed <= timesOf(1u, 4u); ++seed) {
             init();
-            std::mt19937 random(seed);
+            std::mt19937 random(seedOf(seed));
             int interruptions = 0;
             for (;; ++interruptions) {
                 QVERIFY(interruptions < 1000);
@@ -168,11 +169,11 @@ private slots:
         const Case chosen = caseOf(QTest::currentDataTag());
         RecordedHistory history;
         QVERIFY(!build(chosen, history, true, 6).ok());
-        std::mt19937 random(5);
+        std::mt19937 random(seedOf(5));
         for (const char* name : {"state", "journal"}) {
             const Bytes whole = bytesOf(file(name));
             QVERIFY(whole.size() > 100);
-            for (int round = 0; round < 30; ++round) {
+            for (int round = 0; round < timesOf(6, 30); ++round) {
                 Bytes damaged = whole;
                 if (round % 3 == 0)
                     damaged.resize(round == 0 ? 0 : random() % whole.size());

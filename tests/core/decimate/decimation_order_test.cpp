@@ -189,6 +189,101 @@ std::vector<std::uint32_t> plainOrder(const TestMesh& input, const DecimationOpt
     }
 }
 
+using Simplex = std::vector<std::uint32_t>; // sorted
+
+/// Dey and others' link condition by its definition, in the mesh and the cone of its boundary with a dummy vertex; and
+/// what collapses on a boundary need besides.
+class ClosedComplex {
+public:
+    explicit ClosedComplex(const TestTetrahedra& tetrahedra) : boundary_(boundaryOf(tetrahedra))
+    {
+        for (const auto& tetrahedron : tetrahedra)
+            add({tetrahedron.begin(), tetrahedron.end()});
+        for (const auto& [a, b, c] : boundary_)
+            add({a, b, c, dummy});
+        tetrahedra_ = tetrahedra;
+        for (const Simplex& simplex : simplices_)
+            for (const std::uint32_t vertex : simplex) {
+                Simplex others = simplex;
+                std::erase(others, vertex);
+                links_[vertex].push_back(std::move(others));
+            }
+    }
+
+    bool allows(std::uint32_t vertex, std::uint32_t target) const
+    {
+        const auto both = std::ranges::count_if(
+            boundary_, [&](const auto& triangle) { return has(triangle, vertex) && has(triangle, target); });
+        if (both != 2)
+            return false;
+        // A tetrahedron that vanishes has its face opposite to the target inside.
+        for (const auto& tetrahedron : tetrahedra_)
+            if (has(tetrahedron, vertex) && has(tetrahedron, target)) {
+                std::array<std::uint32_t, 3> face{};
+                std::ranges::remove_copy(tetrahedron, face.begin(), target);
+                std::ranges::sort(face);
+                if (std::ranges::find(boundary_, face) != boundary_.end())
+                    return false;
+            }
+        return violation(vertex, target).empty();
+    }
+    /// A simplex of both links that the edge's does not have.
+    Simplex violation(std::uint32_t vertex, std::uint32_t target) const
+    {
+        for (const Simplex& one : links_.at(vertex))
+            if (!one.empty() && !has(one, target) && simplices_.contains(with(one, {target})) &&
+                !simplices_.contains(with(one, {vertex, target})))
+                return one;
+        return {};
+    }
+    bool isOnBoundary(std::uint32_t vertex) const
+    {
+        return std::ranges::any_of(boundary_, [&](const auto& triangle) { return has(triangle, vertex); });
+    }
+
+private:
+    static constexpr std::uint32_t dummy = 0xffffffff;
+
+    static bool has(const auto& simplex, std::uint32_t vertex)
+    {
+        return std::ranges::find(simplex, vertex) != simplex.end();
+    }
+    static Simplex with(Simplex simplex, std::initializer_list<std::uint32_t> more)
+    {
+        simplex.insert(simplex.end(), more);
+        std::ranges::sort(simplex);
+        return simplex;
+    }
+    void add(Simplex simplex)
+    {
+        std::ranges::sort(simplex);
+        for (unsigned mask = 1; mask < 16; ++mask) {
+            Simplex part;
+            for (unsigned corner = 0; corner < 4; ++corner)
+                if ((mask >> corner & 1) != 0)
+                    part.push_back(simplex[corner]);
+            simplices_.insert(part);
+        }
+    }
+
+    std::vector<std::array<std::uint32_t, 3>> boundary_;
+    TestTetrahedra tetrahedra_;
+    std::set<Simplex> simplices_;
+    std::map<std::uint32_t, std::vector<Simplex>> links_;
+};
+
+/// A vertex and a target on the boundary whose links share an edge that belongs to no tetrahedron with both of them,
+/// and else nothing but what they may: two tetrahedra around the edge from 0 to 1, what closes the fan behind them, and
+/// one on each side of what the ends of the fan have with either of the two.
+TestMesh sharedEdgeMesh()
+{
+    TestMesh mesh;
+    mesh.positions = {{0, 0, 1}, {0, 0, -1}, {2, -1, 0}, {2, 1, 0}, {1, 0, 0}, {3, 0, 3}, {3, 0, -3}};
+    mesh.values.assign(mesh.positions.size(), 0);
+    mesh.tetrahedra = {{0, 1, 2, 4}, {0, 1, 4, 3}, {0, 2, 3, 4}, {1, 2, 4, 3}, {0, 2, 3, 5}, {1, 2, 3, 6}};
+    return mesh;
+}
+
 } // namespace
 
 /// What exact order is made of, each against the plainest way to do the same.
@@ -201,6 +296,8 @@ private slots:
     void theLargestKeyIsKnown();
     void theEstimatesAreThePapers();
     void theOrderIsThePapers();
+    void ofEqualKeysTheSimplestTargetIsTaken();
+    void theLinkConditionIsThatOfTheClosedComplex();
 };
 
 /// Keys rise on the whole, as in a decimation, but smaller ones than the last come in, too; many are equal.
@@ -323,6 +420,115 @@ void DecimationOrderTest::theOrderIsThePapers()
                 QCOMPARE(order, expected);
             }
     QVERIFY(collapses > 800); // of one target each many are not legal
+}
+
+/// Where nothing tells targets apart by keys, as in a constant field: the one that leaves the fewest tetrahedra, then
+/// the nearest, then the first.
+void DecimationOrderTest::ofEqualKeysTheSimplestTargetIsTaken()
+{
+    std::size_t compared = 0;
+    for (const LatticeCut cut : {LatticeCut::Five, LatticeCut::Six}) {
+        TestMesh input = latticeMesh({5, 4, 4}, cut, 1);
+        std::ranges::fill(input.values, 3.0);
+        const DecimationMesh view = input.view();
+        DecimatedMesh mesh(view, {});
+        std::mt19937 random(5);
+        for (int step = 0; step < 40; ++step) {
+            const TestTetrahedra tetrahedra = tetrahedraOf(mesh);
+            std::vector<DecimatedMesh::Candidate> chosen(mesh.vertexCount());
+            for (std::uint32_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+                std::map<std::uint32_t, std::int64_t> shared; // tetrahedra that a collapse onto each takes away
+                for (const auto& tetrahedron : tetrahedra)
+                    if (std::ranges::find(tetrahedron, vertex) != tetrahedron.end())
+                        for (const std::uint32_t other : tetrahedron)
+                            shared[other] += other == vertex ? 0 : 1;
+                std::optional<std::tuple<std::int64_t, double, std::uint32_t>> first;
+                for (const auto& [target, count] : shared) {
+                    if (target == vertex || !mesh.judge(vertex, target).exists())
+                        continue;
+                    const double distance = (input.positions[target] - input.positions[vertex]).squaredNorm();
+                    const std::tuple rank(-count, distance, target);
+                    first = first ? std::min(*first, rank) : rank;
+                    ++compared;
+                }
+                chosen[vertex] = mesh.best(vertex);
+                QCOMPARE(chosen[vertex].target, first ? std::get<2>(*first) : DecimatedMesh::none);
+            }
+            std::vector<std::uint32_t> movable;
+            for (std::uint32_t vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+                if (chosen[vertex].exists())
+                    movable.push_back(vertex);
+            if (movable.empty())
+                break;
+            const std::uint32_t vertex = movable[random() % movable.size()];
+            QVERIFY(mesh.collapse(vertex, mesh.best(vertex)));
+        }
+    }
+    QVERIFY(compared > 1000);
+}
+
+/// On boundaries of any shape, and those that collapses leave, wherever their vertices lie.
+void DecimationOrderTest::theLinkConditionIsThatOfTheClosedComplex()
+{
+    std::vector<TestMesh> meshes{sharedEdgeMesh()};
+    for (std::uint32_t seed = 0; seed < 6; ++seed)
+        meshes.push_back(nonconvexMesh(seed, .15));
+    std::map<std::size_t, int> violations; // by the simplex's vertices
+    int allowed = 0;
+    for (const TestMesh& input : meshes) {
+        std::vector<PlacedValue> points(input.positions.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i].place = {input.positions[i].x(), input.positions[i].y(), input.positions[i].z()};
+        CollapsibleMesh mesh(static_cast<std::uint32_t>(points.size()), input.tetrahedra, true);
+        std::mt19937 random(6);
+        for (int step = 0; step < 12; ++step) {
+            TestTetrahedra tetrahedra;
+            for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot)
+                if (mesh.alive(slot))
+                    tetrahedra.push_back(mesh.vertices(slot));
+            const ClosedComplex complex(tetrahedra);
+            std::vector<std::pair<std::uint32_t, std::uint32_t>> legal;
+            VertexStar star(points, false);
+            LinkCondition condition;
+            std::vector<std::uint32_t> asked; // some vertices: the definition takes its time
+            for (std::uint32_t vertex = 0; vertex < points.size(); ++vertex)
+                if (complex.isOnBoundary(vertex) && (points.size() < 20 || random() % 8 == 0))
+                    asked.push_back(vertex);
+            for (const std::uint32_t vertex : asked) {
+                star.set(mesh, vertex, true);
+                if (!star.rimIsOneCycle())
+                    continue;
+                condition.set(star);
+                for (std::uint32_t place = 0; place < star.link().size(); ++place) {
+                    const std::uint32_t target = star.link()[place];
+                    const bool expected = complex.allows(vertex, target);
+                    QCOMPARE(condition.allows(mesh, star, place), expected);
+                    if (expected)
+                        legal.emplace_back(vertex, target);
+                    else
+                        ++violations[complex.violation(vertex, target).size()];
+                }
+            }
+            allowed += int(legal.size());
+            for (int attempt = 0; attempt < 6 && !legal.empty(); ++attempt) {
+                const auto [vertex, target] = legal[random() % legal.size()];
+                star.forget();
+                star.set(mesh, vertex, true);
+                if (star.tetrahedra().empty() || !star.rimIsOneCycle())
+                    continue;
+                const auto place = std::ranges::find(star.link(), target) - star.link().begin();
+                condition.set(star);
+                if (std::size_t(place) < star.link().size() &&
+                    condition.allows(mesh, star, static_cast<std::uint32_t>(place)))
+                    mesh.collapse(vertex, target);
+            }
+        }
+    }
+    QVERIFY(allowed > 100 && violations[1] > 20 && violations[2] > 20);
+    // The edge alone forbids it.
+    const ClosedComplex complex(sharedEdgeMesh().tetrahedra);
+    QCOMPARE(complex.violation(0, 1), (Simplex{2, 3}));
+    QVERIFY(!complex.allows(0, 1));
 }
 
 QTEST_APPLESS_MAIN(DecimationOrderTest)

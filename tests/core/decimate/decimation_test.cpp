@@ -3,11 +3,14 @@
 #include "core/decimate/decimation.h"
 
 #include "tests/core/decimate/decimation_check.h"
+#include "tests/lacks.h"
 
 #include <QFile>
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
+#include <ranges>
 #include <stop_token>
 
 using namespace tetra;
@@ -57,6 +60,7 @@ private slots:
     void everyOrderIsSound();
     void theSameInputGivesTheSameHistory();
     void stopsAtTheKey();
+    void aKeyThatOccursIsReached();
     void isCancelled();
     void refusesBadInput();
     void refusesMoreTetrahedraThanCanBeNumbered();
@@ -145,6 +149,33 @@ void DecimationTest::stopsAtTheKey()
         QVERIFY(tetrahedron.error <= .25f);
 }
 
+/// What is as large as the limit is within it: the first error that a decimation comes to is that of its mesh.
+void DecimationTest::aKeyThatOccursIsReached()
+{
+    TestMesh mesh = latticeMesh({6, 6, 6}, LatticeCut::Five, 3);
+    for (double& value : mesh.values)
+        value = std::round(2 * value);
+    for (const DecimationOrder order :
+         {DecimationOrder::ExactError, DecimationOrder::PaperEstimates, DecimationOrder::IndependentRounds}) {
+        DecimationOptions options;
+        options.order = order;
+        RecordedHistory whole;
+        QVERIFY(decimate(mesh.view(), options, whole));
+        // The last sites come first in a decimation; the finest mesh has no error.
+        const auto first = std::ranges::find_if(whole.runningKeys.rbegin(), whole.runningKeys.rend(),
+                                                [](float key) { return key > 0; });
+        QVERIFY(first != whole.runningKeys.rend() && std::isfinite(*first));
+        options.stopKey = static_cast<double>(*first);
+        RecordedHistory stopped;
+        const auto result = decimate(mesh.view(), options, stopped);
+        QVERIFY(result);
+        float largest = 0;
+        for (const RecordedHistory::Tetrahedron& tetrahedron : stopped.tetrahedra)
+            largest = std::max(largest, tetrahedron.error);
+        QCOMPARE(largest, *first);
+    }
+}
+
 void DecimationTest::isCancelled()
 {
     const TestMesh mesh = latticeMesh({16, 16, 16}, LatticeCut::Five, 3);
@@ -227,7 +258,7 @@ void DecimationTest::buckyballNeedsFewSites()
 {
     QFile file(TAN_SOURCE_DIR "/../shared/data/buckyball/bucky_32x32x32_uint8.raw");
     if (!file.open(QIODevice::ReadOnly))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     const QByteArray samples = file.readAll();
     TestMesh mesh = latticeMesh({32, 32, 32}, LatticeCut::Six, 0);
     QCOMPARE(static_cast<std::size_t>(samples.size()), mesh.positions.size());

@@ -5,6 +5,7 @@
 #include "core/history/model_writer.h"
 #include "core/refine/lattice/lattice_refinement.h"
 #include "tests/core/history/model_fixture.h"
+#include "tests/lacks.h"
 
 #include <tan/verify.h>
 
@@ -21,7 +22,7 @@ private slots:
     {
         const std::filesystem::path source = TAN_SOURCE_DIR "/../shared/data/buckyball/bucky_32x32x32_uint8.raw";
         if (!std::filesystem::exists(source))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto bytes = std::make_shared<const std::vector<std::byte>>(readBytes(source));
         QCOMPARE(bytes->size(), std::size_t(32 * 32 * 32));
         dataset_.lattice.size = {32, 32, 32};

@@ -2,6 +2,7 @@
 // Models that were damaged at random, with checksums that say all is well: opening, extracting and verifying may give
 // errors or failures, never a crash. Meant to be run with sanitizers, too.
 #include "tests/core/history/irregular/irregular_models.h"
+#include "tests/soak.h"
 
 #include <tan/query.h>
 #include <tan/verify.h>
@@ -54,7 +55,7 @@ private:
 
 struct Subject {
     Dataset dataset;
-    int rounds = 3000;
+    int rounds = timesOf(700, 3000);
 };
 
 /// Writes the model of a dataset of a kind.
@@ -63,7 +64,7 @@ Subject write(const QString& kind, const std::filesystem::path& path)
     if (kind == "irregular") {
         const Dataset dataset = randomIrregular(4);
         modelOf(path, dataset, decimated(dataset));
-        return {dataset, 1500};
+        return {dataset, timesOf(350, 1500)};
     }
     const std::array types = {SampleType::UInt8, SampleType::Int32, SampleType::Float32};
     const auto type = *std::ranges::find(types, kind.toStdString(), sampleTypeName);
@@ -99,7 +100,7 @@ private slots:
         int notRight = 0;
         for (int round = 0; round < rounds; ++round) {
             FileParts parts(bytes);
-            Damager(static_cast<std::uint32_t>(round) + 1, sectionCount).damage(parts.content);
+            Damager(seedOf(static_cast<std::uint32_t>(round) + 1), sectionCount).damage(parts.content);
             if (parts.header().sectionCount <=
                 sectionCount) // else the table reaches into the sections, or beyond the file
                 parts.repairChecksums();

@@ -63,6 +63,7 @@ private slots:
     void theScanFindsWhatIsAlive()
     {
         const std::span<const std::uint64_t> offsets = model_->starOffsets();
+        QVERIFY(!simdLevels().empty());
         for (const SimdLevel level : simdLevels())
             for (std::uint32_t first = 0; first < model_->siteCount(); first += 3)
                 for (std::uint32_t end = first; end <= model_->siteCount(); end += 5) {
@@ -86,6 +87,7 @@ private slots:
     void theScanSeesAWrongSite()
     {
         constexpr std::uint32_t creator = 0x80000005;
+        QVERIFY(!simdLevels().empty());
         for (const SimdLevel level : simdLevels())
             for (std::size_t count = 1; count < 10; ++count)
                 for (std::size_t wrong = 0; wrong <= 3 * count; ++wrong) {

@@ -114,6 +114,7 @@ private slots:
     {
         writeModel(path(), bumps(SampleType::UInt8, {4, 3, 5}));
         const std::vector<std::byte> bytes = readBytes(path());
+        QVERIFY(!bytes.empty());
         for (std::size_t size = 0; size < bytes.size(); size += size < 1000 ? 1 : 37) {
             writeBytes(path(), std::span(bytes).first(size));
             const auto model = Model::open(path());

@@ -115,6 +115,7 @@ class PrefixCopyTest : public QObject {
 private slots:
     void initTestCase()
     {
+        QVERIFY(!kinds().empty());
         for (const Kind& kind : kinds()) {
             if (kind.dataset.domain == DomainClass::Irregular) {
                 modelOf(path(kind.name), kind.dataset, decimated(kind.dataset, {}, kind.twoSided),

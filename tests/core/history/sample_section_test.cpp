@@ -19,6 +19,7 @@ private slots:
     {
         const Dataset dataset = bumps(SampleType::Float64, {7, 6, 8});
         const RecordedHistory& history = historyOf(dataset);
+        QVERIFY(!history.steps.empty());
         for (std::uint32_t sites = 9; sites < history.steps.size(); sites += 7) {
             auto writer = ModelWriter::create(path(), dataset, {});
             for (std::uint32_t site = 0; site < sites; ++site) {

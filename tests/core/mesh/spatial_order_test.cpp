@@ -131,6 +131,7 @@ private slots:
         Buffer<KeyedIndex> keys = spatialKeys(points);
         keys.pop_back();
         std::ranges::sort(keys, {}, &KeyedIndex::key);
+        QVERIFY(!keys.empty());
         for (std::size_t i = 1; i < keys.size(); ++i)
             QCOMPARE((points[keys[i].index] - points[keys[i - 1].index]).lpNorm<1>(), 1.0f);
     }

@@ -71,7 +71,11 @@ class PackedMeshTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { models_ = someModels(folder_.path().toStdString()); }
+    void initTestCase()
+    {
+        models_ = someModels(folder_.path().toStdString());
+        QVERIFY(!models_.empty());
+    }
 
     /// Every query of every kind of data; and a conforming mesh takes a small part of its arrays.
     void meshesOfModelsComeBack()

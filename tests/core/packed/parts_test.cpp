@@ -24,6 +24,8 @@
 #include <functional>
 #include <random>
 
+#include <sys/stat.h>
+
 using namespace tetra;
 using format::SectionId;
 
@@ -130,7 +132,7 @@ bool holdsSitesAlone(const PackedModel& packed)
     PackedChunkReader chunks(packed.file(), packed.file().chunks().size);
     for (;;) {
         const Result<bool> more = chunks.next({});
-        if (!more || !*more)
+        if (!more.ok() || !*more)
             return false;
         if (chunks.kind() == sites)
             return true;
@@ -480,7 +482,162 @@ private slots:
         }
     }
 
+    /// Whatever somebody wrote into a model's arrays, with right checksums: it is refused, or comes back byte for byte.
+    /// Never does packing follow a number to where there is nothing.
+    void inconsistentModelsAreRefusedOrComeBack_data()
+    {
+        QTest::addColumn<int>("kind");
+        for (const char* name : {"lattice", "lattice of doubles by collapses", "grid with faults", "scattered points",
+                                 "irregular, two parts"})
+            QTest::newRow(name) << static_cast<int>(std::ranges::find(kinds(), std::string_view(name), &Kind::name) -
+                                                    kinds().begin());
+    }
+    void inconsistentModelsAreRefusedOrComeBack() // C16, R16
+    {
+        QFETCH(int, kind);
+        const Kind& made = kinds()[static_cast<std::size_t>(kind)];
+        QVERIFY(buildModel(made.dataset(), path("whole"), made.method).ok());
+        const std::vector<std::byte> whole = readBytes(path("whole"));
+        std::mt19937 random(11);
+        int refused = 0, back = 0;
+        for (int round = 0; round < 12; ++round) {
+            FileParts parts(whole);
+            for (int change = 0; change <= round % 3; ++change)
+                contradict(parts, random);
+            parts.repairChecksums();
+            writeBytes(path("model"), parts.content);
+            const auto model = Model::open(path("model"));
+            const auto report = model ? packByParts(**model, path("packed")) : model.error();
+            if (!report) {
+                QCOMPARE(report.error().kind, ErrorKind::BadInput);
+                ++refused;
+                continue;
+            }
+            comesBack(path("model"));
+            if (QTest::currentTestFailed())
+                return;
+            ++back;
+        }
+        QVERIFY2(refused > 0 && back > 0, qPrintable(QString("%1 %2").arg(refused).arg(back)));
+    }
+
+    /// A tetrahedron whose destroyer is not later than its creator: no mesh has it, and no walk comes to it.
+    void destroyersThatComeFirstAreRefused() // C16
+    {
+        QVERIFY(buildModel(bumps(SampleType::Float32, {8, 7, 6}), path("whole"), Decimation{}).ok());
+        for (const std::uint32_t destroyer : {0u, 5u, 100u}) {
+            FileParts parts(readBytes(path("whole")));
+            const auto offsets = parts.elements<std::uint64_t>(SectionId::StarOffsets);
+            for (std::uint64_t t = offsets[100]; t < offsets[101]; ++t)
+                parts.elements<std::uint32_t>(SectionId::Destroyers)[t] = destroyer;
+            parts.repairChecksums();
+            writeBytes(path("model"), parts.content);
+            const auto report = packByParts(**Model::open(path("model")), path("packed"));
+            QVERIFY(!report.ok());
+            QCOMPARE(report.error().kind, ErrorKind::BadInput);
+        }
+    }
+
+    /// All samples, where they are not those of the sites.
+    void samplesThatAreNotTheSitesComeBack() // C16
+    {
+        QVERIFY(buildModel(bumps(SampleType::UInt8, {9, 8, 7}), path("model"), Decimation{}).ok());
+        FileParts parts(readBytes(path("model")));
+        const auto samples = parts.elements<std::uint8_t>(SectionId::Samples);
+        QVERIFY(samples.size() == 9 * 8 * 7);
+        std::ranges::reverse(samples);
+        parts.repairChecksums();
+        writeBytes(path("model"), parts.content);
+        comesBack(path("model"));
+    }
+
+    /// One step between faults of cells has no code: to the number before, from the last folded cell to the first
+    /// without volume.
+    void faultsOfAnyNumbersComeBack() // C16
+    {
+        QVERIFY(buildModel(faultyGrid(), path("model"), Refinement{.block = 0}).ok());
+        FileParts parts(readBytes(path("model")));
+        const auto faults = parts.elements<format::Fault>(SectionId::Faults);
+        const auto flat =
+            std::ranges::find(faults, std::uint32_t(format::FaultKind::CellWithoutVolume), &format::Fault::kind);
+        QVERIFY(flat != faults.end() && flat != faults.begin());
+        flat->number = std::prev(flat)->number - 1;
+        parts.repairChecksums();
+        writeBytes(path("model"), parts.content);
+        comesBack(path("model"));
+    }
+
+    /// What lies between sections comes back as zeros, so there has to be nothing else; and the table tells the truth.
+    void whatWouldNotComeBackIsRefused() // C16
+    {
+        QVERIFY(buildModel(bumps(SampleType::UInt8, {9, 8, 7}), path("model"), Decimation{}).ok());
+        const std::vector<std::byte> whole = readBytes(path("model"));
+        FileParts parts(whole);
+        const std::size_t gap = parts.section(SectionId::Text).offset + parts.section(SectionId::Text).bytes;
+        QVERIFY(whole[gap] == std::byte(0));
+        parts.content[gap] = std::byte(1);
+        writeBytes(path("changed"), parts.content);
+        QVERIFY(!packByParts(**Model::open(path("changed")), path("packed")).ok());
+        FileParts other(whole);
+        other.section(SectionId::Destroyers).checksum ^= 1;
+        other.repairHeader();
+        writeBytes(path("changed"), other.content);
+        QVERIFY(!packByParts(**Model::open(path("changed")), path("packed")).ok());
+    }
+
+    /// As every file: a read-only one stays, permissions are kept, and what is not a file is left alone.
+    void theOutputIsReplacedAsEveryFileIs() // C16, N8
+    {
+        QVERIFY(buildModel(bumps(SampleType::UInt8, {9, 8, 7}), path("model"), Decimation{}).ok());
+        comesBack(path("model"));
+        const auto packed = PackedModel::open(path("packed"));
+        const auto modeOf = [](const std::filesystem::path& file) {
+            struct stat status {};
+            return ::lstat(file.c_str(), &status) == 0 ? status.st_mode : 0;
+        };
+        QCOMPARE(::chmod(path("back").c_str(), 0600), 0);
+        QVERIFY(unpackModel(**packed, path("back")).ok());
+        QCOMPARE(modeOf(path("back")) & 0777, mode_t(0600));
+        QCOMPARE(::chmod(path("back").c_str(), 0444), 0);
+        const auto before = std::filesystem::last_write_time(path("back"));
+        const auto refused = unpackModel(**packed, path("back"));
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.error().kind, ErrorKind::CannotWrite);
+        QVERIFY(std::filesystem::last_write_time(path("back")) == before);
+        QCOMPARE(::mkfifo(path("pipe").c_str(), 0600), 0);
+        QCOMPARE(unpackModel(**packed, path("pipe")).error().kind, ErrorKind::CannotWrite);
+        QVERIFY(S_ISFIFO(modeOf(path("pipe"))));
+        std::filesystem::create_symlink(path("behind"), path("link"));
+        QVERIFY(unpackModel(**packed, path("link")).ok());
+        QVERIFY(S_ISLNK(modeOf(path("link"))) && S_ISREG(modeOf(path("behind"))));
+        QVERIFY(readBytes(path("behind")) == readBytes(path("model")));
+    }
+
 private:
+    /// Changes one number of a history, so that arrays contradict each other.
+    static void contradict(FileParts& parts, std::mt19937& random)
+    {
+        constexpr std::array arrays = {SectionId::SitePoints, SectionId::SiteGroups, SectionId::StarOffsets,
+                                       SectionId::OtherSites, SectionId::Destroyers, SectionId::MeshSizes};
+        const SectionId id = arrays[random() % arrays.size()];
+        const auto changed = [&](auto elements) {
+            auto& one = elements[random() % elements.size()];
+            const auto& another = elements[random() % elements.size()];
+            switch (random() % 4) {
+            case 0: one = another; break;
+            case 1: ++one; break;
+            case 2: --one; break;
+            default: one = 0;
+            }
+        };
+        if (id == SectionId::SiteGroups)
+            parts.elements<std::uint8_t>(id)[random() % parts.elements<std::uint8_t>(id).size()] ^= 1;
+        else if (id == SectionId::StarOffsets)
+            changed(parts.elements<std::uint64_t>(id));
+        else
+            changed(parts.elements<std::uint32_t>(id));
+    }
+
     std::filesystem::path path(const char* name) const
     {
         return std::filesystem::path(folder_.path().toStdString()) / (std::string(name) + ".tan");

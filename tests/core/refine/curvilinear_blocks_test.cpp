@@ -5,6 +5,7 @@
 #include "tests/core/refine/bent_grids.h"
 #include "tests/core/refine/plot3d_data.h"
 #include "tests/core/refine/recorded_history.h"
+#include "tests/lacks.h"
 
 #include <QTest>
 
@@ -201,7 +202,7 @@ private slots:
         QFETCH(quint32, edge);
         const auto data = readPlot3d(name);
         if (!data)
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const BentGrid grid = gridOf(*data);
         const Blocks blocks = refineBlocks(grid, edge, 0);
         QVERIFY(!blocks.histories.empty());

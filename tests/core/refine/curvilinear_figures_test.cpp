@@ -4,6 +4,7 @@
 
 #include "tests/core/refine/plot3d_data.h"
 #include "tests/core/refine/recorded_history.h"
+#include "tests/lacks.h"
 
 #include <QTest>
 
@@ -97,7 +98,7 @@ private slots:
         QFETCH(QString, name);
         const auto data = readPlot3d(name);
         if (!data)
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         RecordedHistory history;
         const auto result = refine(*data, CurvilinearSelection::Normalised, history);
         QVERIFY(result.ok());
@@ -140,7 +141,7 @@ private slots:
         QFETCH(double, most);
         const auto data = readPlot3d(name);
         if (!data)
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         RecordedHistory history;
         QVERIFY(refine(*data, CurvilinearSelection::Paper, history).ok());
         for (const Level& level : name == "post" ? postLevels : bluntFinLevels) {

@@ -2,6 +2,7 @@
 #include "core/refine/lattice/lattice_refinement.h"
 
 #include "tests/core/refine/recorded_history.h"
+#include "tests/lacks.h"
 
 #include <QFile>
 #include <QTest>
@@ -220,7 +221,7 @@ private slots:
     {
         QFile file(TAN_SOURCE_DIR "/../shared/data/buckyball/bucky_32x32x32_uint8.raw");
         if (!file.open(QIODevice::ReadOnly))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const QByteArray bytes = file.readAll();
         QCOMPARE(bytes.size(), 32768);
         const std::vector<std::uint8_t> values(bytes.begin(), bytes.end());

@@ -157,6 +157,88 @@ private slots:
         compare(made, LatticeSamples{std::span<const float>(values)}, 200, limits, ScannedPart::All);
     }
 
+    /// Of two samples of one tetrahedron that are as far off the first in the lattice, whichever lanes of the vectors
+    /// they are in.
+    void ofEqualErrorsTheFirstIsTaken()
+    {
+        for (const std::uint32_t side : {12u, 6u}) { // in vectors, and in a lattice too narrow for them
+            const std::array<std::uint32_t, 3> size{side, 12, 12};
+            std::mt19937 random(1);
+            Meshed made;
+            makeMesh(size, 0, random, made);
+            const auto last = static_cast<std::int32_t>(side) - 1;
+            int ties = 0;
+            for (const auto& [one, other] : {std::pair(1, last - 1), std::pair(last - 1, 1), std::pair(2, 3)}) {
+                const auto index = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+                    return (std::size_t(z) * size[1] + std::size_t(y)) * size[0] + std::size_t(x);
+                };
+                const std::size_t first = index(one, 5, 5), second = index(other, 6, 5);
+                std::vector<float> values(std::size_t(size[0]) * size[1] * size[2]);
+                values[first] = values[second] = 10;
+                BoxLimits limits;
+                limits.least = limits.most = 1;
+                const LatticeSamples samples{std::span<const float>(values)};
+                const auto worstOf = [&](std::size_t alone) {
+                    std::vector<float> single(values.size());
+                    single[alone] = 10;
+                    std::vector<WorstSample> found;
+                    scanSamples(made.mesh, made.alive, LatticeSamples{std::span<const float>(single)}, limits,
+                                ScannedPart::All, found);
+                    return found;
+                };
+                const auto ofFirst = worstOf(first), ofSecond = worstOf(second);
+                std::vector<WorstSample> found;
+                scanSamples(made.mesh, made.alive, samples, limits, ScannedPart::All, found);
+                const auto in = [](const std::vector<WorstSample>& some, std::uint32_t slot) {
+                    return std::ranges::find(some, slot, &WorstSample::slot) != some.end();
+                };
+                for (const WorstSample& worst : found) {
+                    const bool hasFirst = in(ofFirst, worst.slot);
+                    ties += hasFirst && in(ofSecond, worst.slot) ? 1 : 0;
+                    QCOMPARE(worst.point,
+                             made.mesh.lattice().pointAt(static_cast<std::uint32_t>(hasFirst ? first : second)));
+                }
+            }
+            QVERIFY(ties > 0);
+        }
+    }
+
+    /// A tetrahedron that reaches one sample out of what is settled is looked at.
+    void settledPartsEndWhereTheyDo()
+    {
+        const std::array<std::uint32_t, 3> size{20, 18, 16};
+        std::mt19937 random(1);
+        Meshed made;
+        makeMesh(size, 0, random, made); // each tetrahedron reaches from side to side
+        std::vector<float> values(std::size_t(size[0]) * size[1] * size[2]);
+        values[(std::size_t(7) * size[1] + 8) * size[0] + 9] = 100;
+        BoxLimits limits;
+        limits.least = 1;
+        limits.most = 1000;
+        limits.twoValued = true;
+        const std::array<std::int32_t, 3> last{19, 17, 15};
+        limits.last = last;
+        const auto findsWith = [&](const std::array<std::int32_t, 3>& from, const std::array<std::int32_t, 3>& to) {
+            limits.settle(from, to);
+            const LatticeSamples samples{std::span<const float>(values)};
+            std::vector<WorstSample> found;
+            scanSamples(made.mesh, made.alive, samples, limits, ScannedPart::Limited, found);
+            FilteredTetrahedra filtered;
+            filterTetrahedra(made.mesh, made.alive, samples, 100, limits, ScannedPart::Limited, filtered);
+            return std::pair(!found.empty(), !filtered.suspects.empty());
+        };
+        QCOMPARE(findsWith({0, 0, 0}, {-1, -1, -1}), std::pair(true, true));
+        const bool filters = simdLevel() == SimdLevel::Sixteen; // else all are suspects
+        QCOMPARE(findsWith({0, 0, 0}, last), std::pair(false, !filters));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            std::array<std::int32_t, 3> from{0, 0, 0}, to = last;
+            from[axis] = 1;
+            QCOMPARE(findsWith(from, last), std::pair(true, true));
+            --to[axis];
+            QCOMPARE(findsWith({0, 0, 0}, to), std::pair(true, true));
+        }
+    }
+
     void whatIsGoodEnoughIsLeftOut()
     {
         if (simdLevel() != SimdLevel::Sixteen)

@@ -157,19 +157,104 @@ private slots:
         QVERIFY(unlimited.find("kept"));
     }
 
-    /// Others leave room for what is still to come.
+    /// What a file claims of itself removes nothing; what it takes does.
+    void aClaimRemovesNothing()
+    {
+        const QTemporaryDir home;
+        const CacheFolder folder = folderIn(home, 100 * kibibyte);
+        QVERIFY(folder.take("kept", 64 * kibibyte, writing(64 * kibibyte)).ok());
+        QVERIFY(folder.take("claims much", 99 * kibibyte, writing(12 * kibibyte)).ok());
+        QVERIFY(folder.find("kept"));
+        const auto failed = folder.take("claims and fails", 99 * kibibyte, [](const auto&, const Progress&) {
+            return Status(Error{ErrorKind::BadInput, "no model"});
+        });
+        QVERIFY(!failed.ok());
+        QVERIFY(folder.find("kept"));
+        QVERIFY(folder.take("claims little", kibibyte, writing(80 * kibibyte)).ok());
+        QVERIFY(!folder.find("kept"));
+        QVERIFY(folder.bytes() <= folder.limit());
+    }
+
+    /// Nor does a file that turns out to be larger than the folder may be.
+    void whatIsTooLargeIsRefusedInTheEnd()
+    {
+        const QTemporaryDir home;
+        const CacheFolder folder = folderIn(home, 100 * kibibyte);
+        QVERIFY(folder.take("kept", 64 * kibibyte, writing(64 * kibibyte)).ok());
+        const auto large = folder.take("claims little", kibibyte, writing(200 * kibibyte));
+        QVERIFY(!large.ok());
+        QCOMPARE(large.error().kind, ErrorKind::CannotWrite);
+        QVERIFY(folder.find("kept"));
+        QCOMPARE(filesIn(folder), std::size_t(1));
+    }
+
+    /// Of a file that is being made as much counts as is written.
     void whatIsBeingMadeCounts()
     {
         const QTemporaryDir home;
         const CacheFolder folder = folderIn(home, 100 * kibibyte);
         const auto file = folder.take("first", 64 * kibibyte, [&](const auto& path, const Progress& progress) {
-            const bool hadRoom = folder.makeRoom(64 * kibibyte).ok();
             const Status written = writing(48 * kibibyte)(path, progress);
+            const bool hasRoom = folder.makeRoom(64 * kibibyte).ok();
             const std::uint64_t counted = folder.bytes();
-            return hadRoom || counted != 64 * kibibyte ? Status(Error{ErrorKind::BadInput, "not counted"}) : written;
+            return hasRoom || counted != 48 * kibibyte ? Status(Error{ErrorKind::BadInput, "not counted"}) : written;
         });
         QVERIFY2(file.ok(), file ? "" : file.error().text().c_str());
         QCOMPARE(folder.bytes(), 48 * kibibyte);
+    }
+
+    /// What lies in the folder is taken for what this user put there.
+    void aFolderThatOthersCanChangeIsNotUsed()
+    {
+        const QTemporaryDir home;
+        const std::filesystem::path above = std::filesystem::path(home.path().toStdString()) / "cache";
+        const std::filesystem::path path = above / "tan";
+        const auto refused = [&](const char* why) {
+            const auto opened = CacheFolder::open(path);
+            return !opened && opened.error().kind == ErrorKind::CannotWrite &&
+                   opened.error().text().find(why) != std::string::npos;
+        };
+        QVERIFY(CacheFolder::open(path).ok());
+        for (const mode_t mode : {0770, 0702, 0777}) {
+            QCOMPARE(::chmod(path.c_str(), mode), 0);
+            QVERIFY(refused("others can write in it"));
+        }
+        QCOMPARE(::chmod(path.c_str(), 0755), 0);
+        QVERIFY(CacheFolder::open(path).ok());
+        // Whoever can write above it can put another one there, unless that is as /tmp is.
+        QCOMPARE(::chmod(above.c_str(), 0777), 0);
+        QVERIFY(refused("everybody can write in"));
+        QCOMPARE(::chmod(above.c_str(), 01777), 0);
+        QVERIFY(CacheFolder::open(path).ok());
+        if (::geteuid() != 0)
+            return; // giving files away takes a superuser
+        constexpr uid_t another = 65533;
+        QCOMPARE(::chown(path.c_str(), another, another), 0);
+        QVERIFY(refused("it belongs to another user"));
+        QCOMPARE(::chown(path.c_str(), 0, 0), 0);
+        QCOMPARE(::chown(above.c_str(), another, another), 0);
+        QVERIFY(refused("belongs to another user"));
+        // Through a link, too.
+        const std::filesystem::path link = std::filesystem::path(home.path().toStdString()) / "link";
+        std::filesystem::create_directory_symlink(path, link);
+        QVERIFY(!CacheFolder::open(link).ok());
+    }
+
+    void aFileOfAnotherUserIsNotFound()
+    {
+        if (::geteuid() != 0)
+            QSKIP("giving files away takes a superuser");
+        const QTemporaryDir home;
+        const CacheFolder folder = folderIn(home);
+        std::filesystem::path path;
+        {
+            const auto file = folder.take("key", 10, writing(10));
+            QVERIFY(file.ok());
+            path = file->path();
+        }
+        QVERIFY(folder.find("key"));
+        QCOMPARE(::chown(path.c_str(), 65533, 65533), 0);
+        QVERIFY(!folder.find("key"));
     }
 
     void whatIsInUseStays()

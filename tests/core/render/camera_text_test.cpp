@@ -98,7 +98,7 @@ private slots:
         row("four numbers", R"({"target": [1, 2, 3, 4]})", "list of three numbers");
         row("a text in the list", R"({"target": [1, 2, "3"]})", "list of three numbers");
         row("too deep", QString(100000, '['), "levels");
-        row("a key that controls terminals", "{\"\\u001b[2J\": 1}", "\"?[2J\" of the camera is not known");
+        row("a key that controls terminals", "{\"\\u001b[2J\": 1}", "\"\\x1b[2J\" of the camera is not known");
         QTest::newRow("no distance") << R"({"distance": 0})"
                                      << "\"distance\" of the camera is not a number";
     }

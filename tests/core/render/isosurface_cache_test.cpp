@@ -130,6 +130,7 @@ private slots:
         bad[0].value = std::nan("");
         bad[1].opacity = 1.5f;
         bad[2].opacity = std::nanf("");
+        QVERIFY(!bad.empty());
         for (const Isovalue& isovalue : bad) {
             const auto surfaces = set.update(std::vector{at(0.4), isovalue});
             QVERIFY(!surfaces.ok());

@@ -152,6 +152,7 @@ private slots:
     {
         const auto mesh = latticeMesh(9, 9, Split::Six, randomField(7, 3));
         const TriangleMesh surface = extracted(mesh, 1);
+        QVERIFY(!surface.triangles.empty());
         for (std::size_t t = 0; t < surface.triangles.size(); ++t)
             QVERIFY(areaVector(surface, t).norm() > 0);
     }
@@ -184,6 +185,7 @@ private slots:
         for (auto& position : mesh.positions)
             position.array() += 1e6f;
         const TriangleMesh surface = extracted(mesh, 0);
+        QVERIFY(!surface.triangles.empty());
         for (const auto& [edge, use] : edgesOf(surface)) {
             const Eigen::Vector3f a = surface.positions[edge.first].array() - 1e6f;
             const Eigen::Vector3f b = surface.positions[edge.second].array() - 1e6f;

@@ -77,6 +77,7 @@ private slots:
     void equallyFrequentValuesRise()
     {
         const TransferFunction function = fittedTransferFunction({0, 1, std::vector<std::uint64_t>(parts, 9)}, 1);
+        QVERIFY(!function.opacities.empty());
         for (std::size_t point = 1; point < function.opacities.size(); ++point)
             QVERIFY(function.opacities[point].opacity > function.opacities[point - 1].opacity);
     }

@@ -102,7 +102,7 @@ private slots:
             "three numbers");
         row("not in order", start + "\"points\": [" + point + "0}, " + QByteArray(point).replace("1,", "0,") + "0}]}",
             "ascending");
-        row("an unknown member that controls terminals", start + "\"\\u001b[2J\": 1, \"points\": []}", "\"?[2J\"");
+        row("an unknown member that controls terminals", start + "\"\\u001b[2J\": 1, \"points\": []}", "\"\\x1b[2J\"");
         row("twice, and long", start + "\"" + QByteArray(90, 'a') + "\": 1, \"" + QByteArray(90, 'a') + "\": 1}",
             "\"" + QByteArray(80, 'a') + "...\"");
         row("too deep", QByteArray(100000, '['), "levels");

@@ -6,6 +6,7 @@
 #include "tests/core/history/model_fixture.h"
 #include "tests/core/history/reference_refinement.h"
 #include "tests/core/refine/plot3d_data.h"
+#include "tests/lacks.h"
 
 #include <tan/build.h>
 #include <tan/query.h>
@@ -293,7 +294,7 @@ private slots:
     {
         auto data = readPlot3d("bluntfin");
         if (!data)
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto dataset =
             curvilinearDataset(data->size, std::move(data->positions), ScalarField::of(std::move(data->values)), "fin");
         QVERIFY(dataset.ok());

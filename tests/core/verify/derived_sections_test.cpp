@@ -46,6 +46,7 @@ class DerivedSectionsTest : public QObject {
 private slots:
     void initTestCase()
     {
+        QVERIFY(!kinds().empty());
         for (const Kind& kind : kinds()) {
             const auto report = buildModel(kind.dataset, path(kind.name), Refinement{.block = kind.block});
             QVERIFY2(report.ok(), report.ok() ? "" : report.error().text().c_str());

@@ -141,7 +141,7 @@ private slots:
     }
 
     /// C10: meshes damaged at random in up to a thousandth of their cells, and with parts that only touch, are opened,
-    /// built, verified at eight accuracies, and pictured. `./dev torture --only meshes` does so with many, and larger
+    /// built, verified at eight accuracies, and pictured. `./dev soak --only meshes` does so with many, and larger
     /// ones.
     void damagedMeshesAreProved()
     {

@@ -209,6 +209,14 @@ void VerificationTest::findsWhatIsWrong_data()
         },
         "0 %: The cells fill ");
     row(
+        "tetrahedron too many in the mesh",
+        [](FileParts& f) {
+            const auto destroyers = f.elements<std::uint32_t>(SectionId::Destroyers);
+            *std::ranges::find_if(destroyers, [](std::uint32_t site) { return site != Model::never; }) = Model::never;
+            ++f.elements<std::uint32_t>(SectionId::MeshSizes).back();
+        },
+        "0 %: The cells fill ");
+    row(
         "hole",
         [](FileParts& f) {
             f.elements<std::uint32_t>(SectionId::Destroyers)[livingTetrahedron(f)] = f.header().siteCount - 1;

@@ -141,6 +141,20 @@ private slots:
         QVERIFY(!haveOneType(OwnValue{"a", "1"}, OwnValue{"b", "1"}));
     }
 
+    /// Several without a colour are told apart; one that is given stays.
+    void isovaluesHaveColoursOfTheirOwn()
+    {
+        const auto parsed = parseParameter(described(std::vector<Isovalue>{}), "1,2,3:#ff0000,4");
+        QVERIFY(parsed);
+        const auto& values = std::get<std::vector<Isovalue>>(*parsed);
+        QCOMPARE(values.size(), std::size_t(4));
+        QVERIFY(values[0] == Isovalue{.value = 1});
+        QCOMPARE(values[1].blue, distinctColour(1).blue);
+        QCOMPARE(values[2].red, 1.0f);
+        QCOMPARE(values[2].blue, 0.0f);
+        QCOMPARE(values[3].green, distinctColour(3).green);
+    }
+
     void isovaluesKeepDefaults()
     {
         const auto plain = parseIsovalue("128");

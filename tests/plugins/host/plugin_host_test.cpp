@@ -14,6 +14,8 @@
 #include <latch>
 #include <thread>
 
+#include <unistd.h>
+
 namespace tetra {
 namespace {
 
@@ -66,6 +68,67 @@ private slots:
         QCOMPARE(readers[0].id, std::string("good"));
         QCOMPARE(readers[0].plugin->score("a.fixture", {}), 1.0);
         COMPARE_STATE(host, "good", "loaded");
+    }
+
+    void ofTheUsersFolderNothingOfOthersIsLoaded_data()
+    {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<bool>("isForeign");
+        for (const char* place : {"tan", "tan/plugins", "tan/plugins/good.so"}) {
+            QTest::addRow("everyone may write to %s", place) << QString(place) << false;
+            QTest::addRow("%s belongs to another user", place) << QString(place) << true;
+        }
+    }
+    void ofTheUsersFolderNothingOfOthersIsLoaded()
+    {
+        QFETCH(QString, place);
+        QFETCH(bool, isForeign);
+        if (isForeign && ::geteuid() != 0)
+            QSKIP("skipped: only root can give files away");
+        const QTemporaryDir data;
+        const fs::path plugins = fs::path(data.path().toStdString()) / "tan/plugins";
+        fs::create_directories(plugins);
+        fs::copy_file(fs::path(TAN_FIXTURES) / "good.so", plugins / "good.so");
+        const auto host = [&] {
+            return std::make_unique<PluginHost>(PluginHostOptions{.folders = {plugins}, .ownFolder = plugins});
+        };
+        COMPARE_STATE(*host(), "good", "found");
+        const fs::path changed = fs::path(data.path().toStdString()) / place.toStdString();
+        if (isForeign)
+            QCOMPARE(::chown(changed.c_str(), 65534, 65534), 0);
+        else
+            fs::permissions(changed, fs::perms::others_write, fs::perm_options::add);
+        const auto refused = host();
+        COMPARE_STATE(*refused, "good", "refused");
+        const std::string error = statusOf(*refused, "good").error.text();
+        QVERIFY2(error.find("could put any program there") != std::string::npos, error.c_str());
+        QVERIFY2(error.find(changed.string()) != std::string::npos, error.c_str());
+        QVERIFY(refused->readers().empty());
+        // Where somebody asks for a folder by name it is that user's own affair.
+        COMPARE_STATE(PluginHost({.folders = {plugins}}), "good", "found");
+    }
+
+    void relativeFoldersAreIgnored()
+    {
+        const QByteArray data = qgetenv("XDG_DATA_HOME"), home = qgetenv("HOME"), dirs = qgetenv("XDG_DATA_DIRS");
+        qputenv("XDG_DATA_HOME", "relative");
+        qputenv("HOME", "/home/somebody");
+        qputenv("XDG_DATA_DIRS", "/one:two:/three");
+        const fs::path own = userPluginFolder();
+        ignoreRelativeFolders();
+        const bool isGone = qEnvironmentVariableIsEmpty("XDG_DATA_HOME");
+        const QByteArray kept = qgetenv("XDG_DATA_DIRS");
+        qunsetenv("HOME");
+        const fs::path homeless = userPluginFolder();
+        qputenv("XDG_DATA_HOME", "/data");
+        const fs::path absolute = userPluginFolder();
+        for (const auto& [name, value] : {std::pair("XDG_DATA_HOME", data), {"HOME", home}, {"XDG_DATA_DIRS", dirs}})
+            value.isNull() ? (void)qunsetenv(name) : (void)qputenv(name, value);
+        QCOMPARE(own, fs::path("/home/somebody/.local/share/tan/plugins"));
+        QVERIFY(isGone);
+        QCOMPARE(kept, QByteArray("/one:/three"));
+        QCOMPARE(homeless, fs::path());
+        QCOMPARE(absolute, fs::path("/data/tan/plugins"));
     }
 
     void loadsWhatIsNeededBefore()

@@ -185,6 +185,7 @@ private slots:
                     longer.push_back((tag.empty() ? "" : tag + "/") + choice);
             tags = longer;
         }
+        QCOMPARE(tags.size(), std::size_t(3 * 4 * 2 * 4));
         auto plugin = *parsePluginMetadata(whole(own()));
         for (const std::string& offered : tags)
             for (const std::string& built : tags) {

@@ -35,6 +35,7 @@ private slots:
 
     void fitsOnlyTheSameMajorAndNoEarlierMinorAndBefore1TheSameMinor()
     {
+        QVERIFY(!grid().empty());
         for (const Version& wanted : grid())
             for (const Version& offered : grid()) {
                 bool expected = true;
@@ -50,6 +51,7 @@ private slots:
 
     void fittingBothWaysMeansNoInterfaceBetween()
     {
+        QVERIFY(!grid().empty());
         for (const Version& a : grid())
             for (const Version& b : grid())
                 QCOMPARE(fits(a, b) && fits(b, a), a.major == b.major && a.minor == b.minor);
@@ -57,6 +59,7 @@ private slots:
 
     void fittingIsTransitive()
     {
+        QVERIFY(!grid().empty());
         for (const Version& a : grid())
             for (const Version& b : grid())
                 for (const Version& c : grid())

@@ -3,6 +3,7 @@
 #include "core/mesh/topology.h"
 #include "plugins/host/file_saving.h"
 #include "tests/core/base/small_disk.h"
+#include "tests/lacks.h"
 #include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/writers/vtk_reader.h"
 
@@ -112,7 +113,7 @@ private slots:
         QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(read.ok(), read.messages());
         QCOMPARE(read.told()["points"].toInt(), vertices);
         QCOMPARE(read.told()["cells"].toInt(), cells);

@@ -3,6 +3,7 @@
 #include "core/mesh/boundary.h"
 #include "plugins/host/file_saving.h"
 #include "tests/core/base/small_disk.h"
+#include "tests/lacks.h"
 #include "tests/plugins/plugins_of_this_build.h"
 #include "tests/plugins/writers/random_surfaces.h"
 #include "tests/plugins/writers/vtk_reader.h"
@@ -110,7 +111,7 @@ private slots:
         QVERIFY2(written, written ? "" : written.error().text().c_str());
         const VtkReader read(path);
         if (read.isMissing())
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(read.ok(), read.messages());
         compare(read, Expected(content), ending, valued);
     }
@@ -133,7 +134,7 @@ private slots:
             QVERIFY(writeSurface(path.toStdString(), content));
             const VtkReader read(path);
             if (read.isMissing())
-                QSKIP("skipped: no python3-vtk9");
+                QSKIP_WITHOUT("python3-vtk9");
             QCOMPARE(read.told()["cells"].toInt(-1), only ? 0 : 1);
         }
     }
@@ -179,13 +180,15 @@ private slots:
             const QJsonObject indices = accessor(primitive["indices"]);
             QCOMPARE(indices["count"].toInteger(), static_cast<qint64>(3 * surface.triangles.size()));
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                float least = surface.positions[0][long(axis)];
+                float least = surface.positions[0][long(axis)], most = least;
                 for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
                     const auto number = numberAt<float>(bytes, offset(positions) + qsizetype(12 * vertex + 4 * axis));
                     QCOMPARE(number, surface.positions[vertex][long(axis)]);
                     least = std::min(least, number);
+                    most = std::max(most, number);
                 }
                 QCOMPARE(static_cast<float>(positions["min"].toArray()[qsizetype(axis)].toDouble()), least);
+                QCOMPARE(static_cast<float>(positions["max"].toArray()[qsizetype(axis)].toDouble()), most);
             }
             QCOMPARE(numberAt<std::uint32_t>(bytes, offset(indices) + 8), surface.triangles[0][2]);
         }
@@ -232,7 +235,7 @@ private slots:
         } else {
             const VtkReader read(path);
             if (read.isMissing())
-                QSKIP("skipped: no python3-vtk9");
+                QSKIP_WITHOUT("python3-vtk9");
             QVERIFY2(read.ok(), read.messages());
             QCOMPARE(read.array<std::uint8_t>("point.colour"), expectedBytes(content));
             QCOMPARE(read.told()["active point"].toString(), QString("isovalue"));
@@ -271,6 +274,13 @@ private slots:
         const auto corner = [&](int i) { return one.positions[one.triangles[0][std::size_t(i)]]; };
         QVERIFY(std::abs(normal.norm() - 1) < 1e-6F);
         QVERIFY((corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(normal) > 0);
+        for (qsizetype triangle = 0; triangle < 4; ++triangle) { // both parts have the same two
+            const qsizetype at = 84 + 50 * triangle;
+            for (qsizetype i = 0; i < 9; ++i)
+                QCOMPARE(numberAt<float>(bytes, at + 12 + 4 * i),
+                         one.positions[one.triangles[std::size_t(triangle % 2)][std::size_t(i / 3)]][i % 3]);
+            QCOMPARE(numberAt<std::uint16_t>(bytes, at + 48), std::uint16_t(0)); // programs take others for colours
+        }
     }
 
     void wrongUseIsRefused()
@@ -334,6 +344,7 @@ private slots:
         if (!disk.ok())
             QSKIP("skipped: no right to mount a small disk");
         const RandomSurface small(4, 1, 1), large(5000, 20000, 2);
+        QVERIFY(!endings.empty());
         for (const QString& ending : endings) {
             const std::filesystem::path path = disk.folder() / ("surface." + ending.toStdString());
             QVERIFY(writeSurface(path, contentOf(small.part("a"), small.part("b"))));
@@ -351,6 +362,7 @@ private slots:
     {
         const RandomSurface one(50'000, 100'000, 1);
         const SurfaceContent content = contentOf(one.part("a"), one.part("b"));
+        QVERIFY(!endings.empty());
         for (const QString& ending : endings) {
             const QTemporaryDir folder;
             const std::filesystem::path path = folder.filePath("surface." + ending).toStdString();

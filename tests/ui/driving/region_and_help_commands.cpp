@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the actions of the menus Region and Help are driven.
 #include "tests/ui/driving/driver.h"
+#include "tests/waiting.h"
 
 #include <QDesktopServices>
 #include <QLabel>
@@ -52,7 +53,7 @@ Drivers regionAndHelpCommands()
             },
             [](DrivenWindow& window) {
                 window.window.activateWindow();
-                if (!QTest::qWaitForWindowActive(&window.window))
+                if (!QTest::qWaitForWindowActive(&window.window, patiently(5000)))
                     qFatal("the window does not get the keys");
                 window.find<QWidget>("accuracy.byBudget").setFocus();
             }),

@@ -148,7 +148,7 @@ Result<MetaLayout> layoutOf(const MetaHeader& header)
     if (!channels || *channels < 1 || *channels > 1'000'000)
         return wrongHeader(Message::say("its ElementNumberOfChannels is '%1'.", printable(channelsText)));
     layout.sampleBytes = *bytes * static_cast<std::uint64_t>(*channels);
-    layout.isText = !header.isTrue("BinaryData");
+    layout.isText = !header.text("BinaryData").empty() && !header.isTrue("BinaryData"); // MetaIO: binary without it
     layout.isPacked = header.isTrue("CompressedData") && !layout.isText;
     if (layout.isText && *channels > 1)
         return Error{ErrorKind::BadInput, Message::say("its samples are a text with several channels, of which VTK "

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
 
 namespace tetra {
@@ -294,10 +293,12 @@ private:
 
 std::string xmlType(const fs::path& path)
 {
-    std::string start(4096, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    start.resize(static_cast<std::size_t>(file.gcount()));
+    constexpr std::size_t mostBytes = 4096;
+    const auto file = MappedFile::open(path);
+    if (!file)
+        return {};
+    const std::span<const std::byte> bytes = (*file)->bytes();
+    const std::string start(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), mostBytes));
     const auto element = start.find("<VTKFile");
     return element == std::string::npos ? "" : std::string(xmlAttribute(start.substr(element), "type"));
 }

@@ -98,6 +98,7 @@ private slots:
             const Dataset bent = bentBumps(type, {5, 4, 5}, type == SampleType::Float32, type == SampleType::Int16);
             add(bent, decimatedGrid(bent));
         }
+        QVERIFY(!cases_.empty());
     }
 
     void levelsAreProved()

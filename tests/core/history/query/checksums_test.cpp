@@ -8,6 +8,7 @@
 #include "tests/core/history/query/lattice_models.h"
 #include "tests/core/history/query/questions.h"
 #include "tests/core/history/query/some_models.h"
+#include "tests/soak.h"
 
 #include <tan/verify.h>
 
@@ -197,8 +198,8 @@ void ChecksumsTest::damageGivesTheRightAnswerOrNone()
     }
     QVERIFY(answers.size() >= 12); // what is built by others allows no insertion
 
-    constexpr int rounds = 8;
-    std::mt19937 random(static_cast<unsigned>(100 * number + guard + 1));
+    const int rounds = timesOf(8, 24);
+    std::mt19937 random(seedOf(static_cast<unsigned>(100 * number + guard + 1)));
     const std::size_t sections = FileParts(whole).sections().size();
     int right = 0;
     for (std::size_t section = 0; section < sections; ++section) {

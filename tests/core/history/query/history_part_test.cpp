@@ -59,7 +59,11 @@ class HistoryPartTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { models_ = someModels(folder_.path().toStdString()); }
+    void initTestCase()
+    {
+        models_ = someModels(folder_.path().toStdString());
+        QVERIFY(!models_.empty());
+    }
 
     /// Against the meshes of all accuracies, extracted one by one.
     void everyLifeIsWholeAndNothingElseIsThere()
@@ -216,6 +220,41 @@ private slots:
             query.range->other = both(4);
             QVERIFY(extractor.extract(query, progress).ok() && extracts);
         }
+    }
+
+    /// Limits that are errors of births or deaths: a birth is beyond the least, the others may be equal.
+    void limitsThatOccurChoose()
+    {
+        std::size_t compared = 0;
+        for (const auto& [name, model] : models_) {
+            const auto all = extractHistory(*model, {30}, {1});
+            QVERIFY(all.ok());
+            const auto chosenBy = [&](const LifeRange& range) {
+                const auto part = chooseLives(*all, {.range = range});
+                return part.ok() ? part->mesh.tetrahedra.size() : std::size_t(-1);
+            };
+            const auto count = [](const auto& errors, auto keeps) {
+                return static_cast<std::size_t>(std::ranges::count_if(errors, keeps));
+            };
+            const std::size_t whole = all->birthErrors.size();
+            for (std::size_t t = 0; t < whole; t += std::max<std::size_t>(1, whole / 7)) {
+                const float birth = all->birthErrors[t], death = all->deathErrors[t];
+                LifeRange range{{30}, {1}};
+                range.births.minimum = birth;
+                QCOMPARE(chosenBy(range), count(all->birthErrors, [&](float one) { return one > birth; }));
+                range = {{30}, {1}};
+                range.births.maximum = birth;
+                QCOMPARE(chosenBy(range), count(all->birthErrors, [&](float one) { return one <= birth; }));
+                range = {{30}, {1}};
+                range.deaths.minimum = death;
+                QCOMPARE(chosenBy(range), count(all->deathErrors, [&](float one) { return one >= death; }));
+                range = {{30}, {1}};
+                range.deaths.maximum = death;
+                QCOMPARE(chosenBy(range), count(all->deathErrors, [&](float one) { return one <= death; }));
+                ++compared;
+            }
+        }
+        QVERIFY(compared > 20);
     }
 
     void emptyWindowsHoldNothing()

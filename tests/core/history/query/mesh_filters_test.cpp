@@ -98,6 +98,7 @@ private slots:
                 const MeshSize size = meshSizeAt(*model, {error});
                 meshes_.push_back({name, name == "lattice" || name == "bytes", *extractPrefix(*model, size.sites)});
             }
+        QVERIFY(!meshes_.empty());
     }
 
     void valuesAreKeptByTheirRanges()

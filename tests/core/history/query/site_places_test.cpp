@@ -14,7 +14,11 @@ class SitePlacesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { models_ = someModels(folder_.path().toStdString()); }
+    void initTestCase()
+    {
+        models_ = someModels(folder_.path().toStdString());
+        QVERIFY(!models_.empty());
+    }
 
     void aPrefixIsWhereItsSitesAre()
     {

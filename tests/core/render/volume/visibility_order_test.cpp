@@ -98,6 +98,7 @@ void VisibilityOrderTest::facesAreMatched()
 {
     std::mt19937 random(2);
     std::vector<NamedMesh> meshes = volumeMeshes();
+    QVERIFY(!meshes.empty());
     meshes.push_back({"several blocks", latticeMesh(23, 1, Split::Six, [](const Vector3d&) { return 0; })});
     for (const NamedMesh& named : meshes) {
         TetrahedralMesh mesh = named.mesh;
@@ -134,7 +135,9 @@ void VisibilityOrderTest::everyFaceIsRight()
 {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> angle(-90, 90), share(0.05, 3);
-    for (const NamedMesh& named : volumeMeshes()) {
+    const std::vector<NamedMesh> meshes = volumeMeshes();
+    QVERIFY(!meshes.empty());
+    for (const NamedMesh& named : meshes) {
         const VolumeMesh volume = volumeOf(named.mesh);
         for (int round = 0; round < 12; ++round) {
             Camera camera = fitted({}, volume.bounds);
@@ -159,7 +162,9 @@ void VisibilityOrderTest::everyFaceIsRight()
 void VisibilityOrderTest::everyFaceIsExactlyRight()
 {
     std::mt19937 random(16);
-    for (const NamedMesh& named : delaunayMeshes())
+    const std::vector<NamedMesh> meshes = delaunayMeshes();
+    QVERIFY(!meshes.empty());
+    for (const NamedMesh& named : meshes)
         for (const bool spatial : {false, true}) {
             const VolumeMesh volume = volumeOf(spatial ? inSpatialOrder(named.mesh).value() : named.mesh);
             for (const EyePoint& eye : eyesAround(volume.bounds, 40, random)) {
@@ -190,6 +195,7 @@ void VisibilityOrderTest::nearlyInPlanesOfFaces()
     const VolumeMesh volume = volumeOf(mesh);
     std::mt19937 random(17);
     std::vector<EyePoint> eyes = eyesAtFaces(mesh, 300, random);
+    QVERIFY(!eyes.empty());
     eyes.push_back({{-9, 5 + 1e-9, 1e-9}, true});
     for (const double tilt : {1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16}) {
         eyes.push_back({Vector3d(1, 0, 0) + tilt * Vector3d(1, 0.7, -0.4), false});

@@ -191,7 +191,9 @@ void VolumePictureTest::behindTheEyeIsNothing()
     const TetrahedralMesh& mesh = meshNamed("refined lattice");
     Camera camera = cameraFor(mesh, true);
     camera = withEyeAt(camera, eyePosition(camera) + 2.5 * (camera.target - eyePosition(camera)));
-    for (const auto& sample : drawn(mesh, functionNamed(mesh, "ramps").function, camera).samples)
+    const auto picture = drawn(mesh, functionNamed(mesh, "ramps").function, camera);
+    QVERIFY(!picture.samples.empty());
+    for (const auto& sample : picture.samples)
         QCOMPARE(sample[3], 0.0f);
 }
 
@@ -266,7 +268,9 @@ void VolumePictureTest::constantFields()
         verifyNear(compare(picture, RayIntegrator(mesh, function, camera, width, height)), false);
     }
     // The value on the step belongs to the upper side (S16).
-    for (const auto& sample : drawn(mesh, step, cameraFor(mesh, true)).samples)
+    const auto picture = drawn(mesh, step, cameraFor(mesh, true));
+    QVERIFY(!picture.samples.empty());
+    for (const auto& sample : picture.samples)
         QCOMPARE(sample[0], 0.0f);
 }
 
@@ -289,6 +293,7 @@ void VolumePictureTest::emptyFunctions()
 void VolumePictureTest::cellsInAnyOrderOfStorage()
 {
     std::mt19937 random(9);
+    QVERIFY(!meshes().empty());
     for (const NamedMesh& named : meshes()) {
         const TransferFunction function = functionNamed(named.mesh, "steps").function;
         const Camera camera = cameraFor(named.mesh, true);

@@ -112,6 +112,7 @@ void ParaviewTest::functionsLookTheSameInParaview()
     const auto theirs = askParaview("looks", requests);
     if (!theirs)
         QSKIP("skipped: no pvpython");
+    QVERIFY(!functions.empty());
     for (std::size_t round = 0; round < functions.size(); ++round) {
         const double worst = worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray());
         QVERIFY2(worst <= withinByte, qPrintable(QString("round %1: %2 of 255").arg(round).arg(255 * worst)));

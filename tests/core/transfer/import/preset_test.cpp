@@ -4,6 +4,7 @@
 #include "core/base/json.h"
 #include "core/transfer/import/presets.h"
 #include "tests/core/transfer/import/looks.h"
+#include "tests/lacks.h"
 
 #include <tan/transfer.h>
 
@@ -84,7 +85,7 @@ void PresetTest::presetsLookAsInVtk()
     const auto theirs =
         looksIn("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/core/transfer/import/looks_in_vtk.py"}, requests);
     if (!theirs)
-        QSKIP("skipped: no python3-vtk9");
+        QSKIP_WITHOUT("python3-vtk9");
     for (std::size_t round = 0; round < functions.size(); ++round) {
         const double worst = worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray());
         QVERIFY2(worst <= withinByte, qPrintable(QString("round %1: %2 of 255").arg(round).arg(255 * worst)));
@@ -107,7 +108,7 @@ void PresetTest::functionsLookTheSameInVtk()
     const auto theirs =
         looksIn("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/core/transfer/import/looks_in_vtk.py"}, requests);
     if (!theirs)
-        QSKIP("skipped: no python3-vtk9");
+        QSKIP_WITHOUT("python3-vtk9");
     for (std::size_t round = 0; round < functions.size(); ++round) {
         const double worst = worstDifference(functions[round], values[round], (*theirs)[qsizetype(round)].toArray());
         QVERIFY2(worst <= withinByte, qPrintable(QString("round %1: %2 of 255").arg(round).arg(255 * worst)));

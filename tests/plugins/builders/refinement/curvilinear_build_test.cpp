@@ -65,9 +65,13 @@ private slots:
     void isAccepted()
     {
         Dataset dataset = pipe(false);
-        QVERIFY(RefinementBuilder().accepts(dataset).score > 0.5);
+        const Acceptance grid = RefinementBuilder().accepts(dataset);
+        QCOMPARE(grid.score, 1.0); // the first choice
+        QVERIFY(!grid.reason.text().empty());
         dataset.lattice.size = {4000, 4000, 4000};
-        QCOMPARE(RefinementBuilder().accepts(dataset).score, 0.0);
+        const Acceptance tooLarge = RefinementBuilder().accepts(dataset);
+        QCOMPARE(tooLarge.score, 0.0);
+        QVERIFY(!tooLarge.reason.text().empty() && tooLarge.reason.text() != grid.reason.text());
     }
 
     /// R12, C8: one threshold alone means the same in every builder (decimation_builder_test.cpp).

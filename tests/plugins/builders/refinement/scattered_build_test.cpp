@@ -5,6 +5,7 @@
 #include "core/history/model_writer.h"
 #include "plugins/readers/points/point_reader.h"
 #include "tests/core/history/model_fixture.h"
+#include "tests/lacks.h"
 #include "tests/verdict_text.h"
 
 #include <tan/verify.h>
@@ -113,7 +114,7 @@ private slots:
         QFETCH(QString, file);
         const QString table = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
         if (!QFile::exists(table))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto dataset = PointReader().read(table.toStdString(), {}, {});
         const auto model = build(*dataset);
         QVERIFY(model != nullptr);

@@ -178,6 +178,7 @@ void TransferFilesTest::aFileForParaviewLooksTheSame()
 void TransferFilesTest::aColourMapChangesTheColoursAlone()
 {
     const TransferFunction before = function();
+    QVERIFY(!colourMaps().empty());
     for (const ColourMap& map : colourMaps()) {
         auto& action = window_->find<QAction>(("transfer.colours." + map.id).c_str());
         QVERIFY(!action.icon().isNull());

@@ -42,44 +42,64 @@ const std::vector<std::int64_t> corners = {0, 1, 2, 3, 4, 1, 5, 2, 4};
 const std::vector<std::int64_t> ends = {5, 9};
 const std::vector<std::uint8_t> types = {14, 10};
 
-/// A block of an array with its header.
-std::string block(const std::string& bytes, bool zip, bool encoded)
-{
-    const std::vector<std::uint32_t> plain = {static_cast<std::uint32_t>(bytes.size())};
-    if (!zip)
-        return encoded ? base64(bytesOf(plain) + bytes) : bytesOf(plain) + bytes;
-    // In two blocks, the second one shorter.
-    const std::size_t first = bytes.size() * 2 / 3;
-    const std::string a = packed(bytes.substr(0, first)), b = packed(bytes.substr(first));
-    const std::vector<std::uint32_t> head = {
-        2, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(bytes.size() - first),
-        static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size())};
-    return encoded ? base64(bytesOf(head)) + base64(a + b) : bytesOf(head) + a + b;
-}
+/// A way to write the numbers of arrays.
+struct Encoding {
+    bool zip, appended, encoded, bigEndian, wideHeaders;
+
+    template <class Number> std::string bytes(const std::vector<Number>& numbers) const
+    {
+        std::string result = bytesOf(numbers);
+        if (bigEndian)
+            for (auto at = result.begin(); at != result.end(); at += std::ptrdiff_t(sizeof(Number)))
+                std::reverse(at, at + std::ptrdiff_t(sizeof(Number)));
+        return result;
+    }
+    std::string header(const std::vector<std::uint64_t>& numbers) const
+    {
+        return wideHeaders ? bytes(numbers) : bytes(std::vector<std::uint32_t>(numbers.begin(), numbers.end()));
+    }
+    /// A block of an array with its header.
+    std::string block(const std::string& content) const
+    {
+        if (!zip) {
+            const std::string whole = header({content.size()}) + content;
+            return encoded ? base64(whole) : whole;
+        }
+        // In two blocks, the second one shorter.
+        const std::size_t first = content.size() * 2 / 3;
+        const std::string a = packed(content.substr(0, first)), b = packed(content.substr(first));
+        const std::string head = header({2, first, content.size() - first, a.size(), b.size()});
+        return encoded ? base64(head) + base64(a + b) : head + a + b;
+    }
+};
 
 /// The same mesh with its arrays in another way.
-std::string encodedText(bool zip, bool appended, bool encoded)
+std::string encodedText(const Encoding& way)
 {
     VtuText file;
-    if (zip)
+    file.fileAttributes = R"(type="UnstructuredGrid" version="1.0")";
+    file.fileAttributes += way.bigEndian ? R"( byte_order="BigEndian")" : R"( byte_order="LittleEndian")";
+    if (way.wideHeaders)
+        file.fileAttributes += R"( header_type="UInt64")";
+    if (way.zip)
         file.fileAttributes += " compressor=\"vtkZLibDataCompressor\"";
     std::string data;
     const auto array = [&](const std::string& attributes, const std::string& bytes) {
-        const std::string content = block(bytes, zip, encoded);
-        if (!appended)
+        const std::string content = way.block(bytes);
+        if (!way.appended)
             return "<DataArray " + attributes + " format=\"binary\">\n  " + content + "\n</DataArray>";
         const std::string tag =
             "<DataArray " + attributes + " format=\"appended\" offset=\"" + std::to_string(data.size()) + "\"/>";
         data += content;
         return tag;
     };
-    file.pointData = array("type=\"Float32\" Name=\"heat\"", bytesOf(heat));
-    file.positions = array("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", bytesOf(places));
-    file.connectivity = array("type=\"Int64\" Name=\"connectivity\"", bytesOf(corners));
-    file.offsets = array("type=\"Int64\" Name=\"offsets\"", bytesOf(ends));
-    file.types = array("type=\"UInt8\" Name=\"types\"", bytesOf(types));
-    if (appended)
-        file.after = std::string("<AppendedData encoding=\"") + (encoded ? "base64" : "raw") + "\">\n_" + data +
+    file.pointData = array("type=\"Float32\" Name=\"heat\"", way.bytes(heat));
+    file.positions = array("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", way.bytes(places));
+    file.connectivity = array("type=\"Int64\" Name=\"connectivity\"", way.bytes(corners));
+    file.offsets = array("type=\"Int64\" Name=\"offsets\"", way.bytes(ends));
+    file.types = array("type=\"UInt8\" Name=\"types\"", way.bytes(types));
+    if (way.appended)
+        file.after = std::string("<AppendedData encoding=\"") + (way.encoded ? "base64" : "raw") + "\">\n_" + data +
                      "</AppendedData>\n";
     return file.text();
 }
@@ -119,14 +139,48 @@ private slots:
 
     void text() { expectMesh(reader_.read(file("text.vtu", VtuText().text()), {}, {})); }
 
-    /// R1: each way in which VTK writes arrays.
+    /// R1: each way in which VTK writes arrays, on machines of either byte order, with headers of either width.
     void encodings()
     {
-        for (const bool zip : {false, true})
-            for (const bool appended : {false, true})
-                for (const bool encoded : {false, true})
-                    if (appended || encoded)
-                        expectMesh(reader_.read(file("encoded.vtu", encodedText(zip, appended, encoded)), {}, {}));
+        for (int way = 0; way < 32; ++way) {
+            const Encoding encoding{.zip = (way & 1) != 0,
+                                    .appended = (way & 2) != 0,
+                                    .encoded = (way & 4) != 0,
+                                    .bigEndian = (way & 8) != 0,
+                                    .wideHeaders = (way & 16) != 0};
+            if (encoding.appended || encoding.encoded)
+                expectMesh(reader_.read(file("encoded.vtu", encodedText(encoding)), {}, {}));
+            QVERIFY2(!QTest::currentTestFailed(), qPrintable(QString("way %1").arg(way)));
+        }
+    }
+
+    /// A prism has two orders, of which neither is turned over.
+    void prismsOfEitherOrder()
+    {
+        VtuText text;
+        text.counts = R"(NumberOfPoints="6" NumberOfCells="1")";
+        text.positions = R"(<DataArray type="Float32" NumberOfComponents="3" format="ascii">
+            0 0 0 1 0 0 0 1 0 0 0 1 1 0 1 0 1 1</DataArray>)";
+        text.offsets = R"(<DataArray type="Int32" Name="offsets" format="ascii">6</DataArray>)";
+        text.types = R"(<DataArray type="UInt8" Name="types" format="ascii">13</DataArray>)";
+        for (const char* corners : {"0 1 2 3 4 5", "0 2 1 3 5 4"}) {
+            text.connectivity = std::string(R"(<DataArray type="Int32" Name="connectivity" format="ascii">)") +
+                                corners + "</DataArray>";
+            const auto dataset = reader_.read(file("prism.vtu", text.text()), {}, {});
+            QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+            QCOMPARE(dataset->tetrahedra->size(), 3);
+            for (const Message& remark : dataset->remarks)
+                QVERIFY2(remark.text().find("orientation") == std::string::npos, remark.text().c_str());
+        }
+        // Of other cells it is told.
+        text.connectivity = R"(<DataArray type="Int32" Name="connectivity" format="ascii">0 2 1 3</DataArray>)";
+        text.offsets = R"(<DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>)";
+        text.types = R"(<DataArray type="UInt8" Name="types" format="ascii">10</DataArray>)";
+        const auto turned = reader_.read(file("turned.vtu", text.text()), {}, {});
+        QVERIFY2(turned.ok(), turned ? "" : turned.error().text().c_str());
+        QVERIFY(std::ranges::any_of(turned->remarks, [](const Message& remark) {
+            return remark.text().find("orientation") != std::string::npos;
+        }));
     }
 
     void arraysAndComponents()

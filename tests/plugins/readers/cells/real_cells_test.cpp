@@ -2,6 +2,7 @@
 // The real irregular datasets are read as their description says (R1, S6). Skipped without them.
 #include "core/mesh/topology.h"
 #include "plugins/readers/cells/cells_reader.h"
+#include "tests/lacks.h"
 #include "tests/plugins/as_loaded.h"
 
 #include <QElapsedTimer>
@@ -83,7 +84,7 @@ private slots:
         QFETCH(const int, euler);
         const std::filesystem::path path = data / file.toStdString();
         if (!std::filesystem::exists(path))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         QElapsedTimer timer;
         timer.start();
         const auto dataset = asLoaded<CellsReader>().read(path, {}, {});
@@ -105,7 +106,7 @@ private slots:
     {
         const std::filesystem::path path = data / "irregular/spx.inp";
         if (!std::filesystem::exists(path))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto dataset = asLoaded<CellsReader>().read(path, {}, {});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->remarks.size(), 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The literature's volumes, with the sizes, types and ranges that ../shared/data/README.md states.
 #include "plugins/readers/lattice/lattice_reader.h"
+#include "tests/lacks.h"
 #include "tests/plugins/as_loaded.h"
 
 #include <QTest>
@@ -60,7 +61,7 @@ void RealVolumesTest::areRead()
     QFETCH(QList<double>, spacing);
     const fs::path path = dataFolder / file.toStdString();
     if (!fs::exists(path))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     const Result<Dataset> dataset = asLoaded<LatticeReader>().read(path, {}, {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     for (int axis = 0; axis < 3; ++axis) {
@@ -82,7 +83,7 @@ void RealVolumesTest::areReadAsRawFiles()
 {
     const fs::path path = dataFolder / "sod" / "Molecule_U8_X100_Y100_Z120.binary";
     if (!fs::exists(path))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     const Result<Dataset> raw = asLoaded<LatticeReader>().read(path, {{"size", std::string("100x100x120")}}, {});
     QVERIFY2(raw.ok(), raw.ok() ? "" : raw.error().text().c_str());
     const Result<Dataset> cropped =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real PLOT3D datasets are read as their description says (R1, S6). Skipped without them.
 #include "plugins/readers/plot3d/plot3d_reader.h"
+#include "tests/lacks.h"
 #include "tests/plugins/as_loaded.h"
 
 #include <QTest>
@@ -60,7 +61,7 @@ private slots:
         QFETCH(double, largest);
         const std::filesystem::path path = data / file.toStdString();
         if (!std::filesystem::exists(path))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto dataset = asLoaded<Plot3dReader>().read(path, {{"array", array.toStdString()}}, {});
         QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
         QVERIFY(std::abs(dataset->values.range().minimum - smallest) < 6e-4);
@@ -72,7 +73,7 @@ private slots:
     {
         if (!std::filesystem::exists(data / "bluntfin/bluntfinxyz.bin") ||
             !std::filesystem::exists(data / "post/postxyz.bin"))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto fin = asLoaded<Plot3dReader>().read(data / "bluntfin/bluntfinxyz.bin", {}, {});
         QVERIFY(fin.ok());
         QCOMPARE(fin->lattice.size, (std::array<std::uint32_t, 3>{40, 32, 32}));
@@ -89,7 +90,7 @@ private slots:
     void thePostHasNoUsableDensity()
     {
         if (!std::filesystem::exists(data / "post/postxyz.bin"))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto dataset =
             asLoaded<Plot3dReader>().read(data / "post/postxyz.bin", {{"array", std::string("density")}}, {});
         QVERIFY(!dataset.ok());

@@ -3,6 +3,7 @@
 #include "plugins/host/file_saving.h"
 #include "plugins/readers/points/point_reader.h"
 #include "plugins/readers/points/point_table.h"
+#include "tests/lacks.h"
 #include "tests/plugins/as_loaded.h"
 #include "tests/plugins/plugins_of_this_build.h"
 
@@ -194,7 +195,7 @@ private slots:
         const auto dataset = read("1.5,2,3,4.25\n");
         std::setlocale(LC_ALL, "C");
         if (before == nullptr)
-            QSKIP("there is no locale de_DE.UTF-8");
+            QSKIP_WITHOUT("locale de_DE.UTF-8");
         QCOMPARE(dataset->position(0), Eigen::Vector3d(1.5, 2, 3));
         QCOMPARE(dataset->values.at(0), 4.25);
     }
@@ -279,7 +280,7 @@ private slots:
         QFETCH(int, points);
         const QString path = TAN_SOURCE_DIR "/../shared/data/scattered/" + file;
         if (!QFile::exists(path))
-            QSKIP("skipped: no data");
+            QSKIP_WITHOUT("data");
         const auto dataset = asLoaded<PointReader>().read(path.toStdString(), {}, {});
         QVERIFY(dataset.ok());
         QCOMPARE(dataset->pointCount(), std::uint64_t(points));

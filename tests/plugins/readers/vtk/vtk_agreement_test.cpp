@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of each format, written by VTK from Python, hold for TAn what they hold for VTK there: positions and values,
 // bit for bit (S6), whether VTK reads them for TAn or a reader of our own. Skipped without python3-vtk9.
+#include "tests/lacks.h"
 #include "tests/plugins/as_loaded.h"
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
@@ -61,7 +62,7 @@ private slots:
         python.start("/usr/bin/python3", {TAN_SOURCE_DIR "/tests/plugins/readers/vtk/make_vtk_files.py",
                                           QString::fromStdString(folder_.path().string())});
         if (!python.waitForFinished(120'000) || python.exitCode() == 77)
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(python.exitCode() == 0, python.readAllStandardError().constData());
     }
 

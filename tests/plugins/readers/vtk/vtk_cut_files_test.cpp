@@ -3,8 +3,10 @@
 // as from the whole. For each format that VTK reads: those that VTK or its libraries look through by
 // themselves stay so.
 #include "plugins/readers/vtk/checks/file_check.h"
+#include "tests/lacks.h"
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 #include "tests/plugins/readers/vtk/written_files.h"
+#include "tests/soak.h"
 
 #include <QProcess>
 #include <QTest>
@@ -149,7 +151,7 @@ private slots:
             QCOMPARE(values[i], double(i));
     }
 
-    /// At every single place, by the checks alone, which is quick; what they let pass is read, at up to 8 places.
+    /// At every single place, by the checks alone, which is quick; what they let pass is read, at a few places.
     void cutFilesAreRefused_data() { eachFormat(); }
     void cutFilesAreRefused()
     {
@@ -167,7 +169,7 @@ private slots:
             for (qsizetype place = content.size() - 1; place >= 0; place -= place > 200 ? step : 1) {
                 std::filesystem::resize_file(file, std::uintmax_t(place));
                 ++tried;
-                if (!checkBeforeVtk(request) || ++passed > 8)
+                if (!checkBeforeVtk(request) || ++passed > timesOf(2, 8))
                     continue;
                 const auto read = builtVtkReader().read(files.opened, {}, {});
                 if (read && !isSameOrTold(*read, *whole))
@@ -181,7 +183,7 @@ private slots:
         QVERIFY2(tried >= 50, "too few places");
     }
 
-    /// The reader itself: few places of each. The bench of reliability tries thousands.
+    /// The reader itself: few places of each. ./dev soak tries thousands.
     void theReaderRefusesThem_data() { eachFormat(); }
     void theReaderRefusesThem()
     {
@@ -193,7 +195,7 @@ private slots:
             if (!every && file != files.data.back())
                 continue;
             int same = 0;
-            const QStringList wrong = wronglyAccepted(files.opened, *whole, file, 6, &same);
+            const QStringList wrong = wronglyAccepted(files.opened, *whole, file, timesOf(0, 6), &same);
             QVERIFY2(wrong.isEmpty(),
                      qPrintable(QString::fromStdString(file.filename().string()) + ": " + wrong.join("; ")));
             QVERIFY2(same < 8, "most cuts lose something"); // half of a file of two times
@@ -207,7 +209,7 @@ private slots:
         int same = 0;
         const Dataset* whole = wholeOf(path, readerOf(path));
         QVERIFY(whole != nullptr);
-        const QStringList wrong = wronglyAccepted(path, *whole, path, 60, &same);
+        const QStringList wrong = wronglyAccepted(path, *whole, path, timesOf(8, 60), &same);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("; ")));
         QVERIFY2(same < 3, "most cuts lose something"); // but the last end of line
     }
@@ -245,12 +247,12 @@ private slots:
             hasVtk_ = python.waitForFinished(120'000) && python.exitCode() == 0;
         }
         if (!hasVtk_)
-            QSKIP("skipped: no python3-vtk9");
+            QSKIP_WITHOUT("python3-vtk9");
         int same = 0;
         const std::filesystem::path path = folder / opened.toStdString();
         const Dataset* whole = wholeOf(path, readerOf(path));
         QVERIFY(whole != nullptr);
-        const QStringList wrong = wronglyAccepted(path, *whole, folder / cut.toStdString(), 12, &same);
+        const QStringList wrong = wronglyAccepted(path, *whole, folder / cut.toStdString(), timesOf(3, 12), &same);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("; ")));
         QVERIFY2(same < 10, "most cuts lose something");
     }

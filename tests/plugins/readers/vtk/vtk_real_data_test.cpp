@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real datasets have the numbers of their description (R1, S6). Skipped without them.
+#include "tests/lacks.h"
 #include "tests/plugins/readers/vtk/vtk_test_files.h"
 
 #include <QTest>
@@ -62,7 +63,7 @@ void VtkRealDataTest::numbersAreThoseOfTheDescription()
     const QString file = QString(QTest::currentDataTag()).section(' ', 0, 0);
     const auto path = std::filesystem::path(TAN_SOURCE_DIR) / "../shared/data" / file.toStdString();
     if (!std::filesystem::exists(path))
-        QSKIP("skipped: no data");
+        QSKIP_WITHOUT("data");
     const auto dataset = readerOf(path).read(path, {{"array", array.toStdString()}}, {});
     QVERIFY2(dataset.ok(), dataset.ok() ? "" : dataset.error().text().c_str());
     QCOMPARE(QString::fromStdString(std::string(domainClassName(dataset->domain))), kind);

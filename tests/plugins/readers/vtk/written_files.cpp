@@ -129,6 +129,8 @@ void addMetaImages(const fs::path& folder, std::vector<WrittenFiles>& all)
     add("one file", "meta-local", metaHeader("BinaryData = True\nElementDataFile = LOCAL\n") + samples, {});
     add("header and data", "meta-raw", metaHeader("BinaryData = True\nElementDataFile = image.raw\n"),
         {{"image.raw", samples}});
+    add("header without BinaryData, and data", "meta-usual", metaHeader("ElementDataFile = image.raw\n"),
+        {{"image.raw", samples}});
     add("data behind a header", "meta-skip",
         metaHeader("BinaryData = True\nHeaderSize = 7\nElementDataFile = image.raw\n"),
         {{"image.raw", "1234567" + samples}});

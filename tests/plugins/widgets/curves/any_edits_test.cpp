@@ -5,6 +5,7 @@
 #include "plugins/widgets/curves/moving.h"
 #include "plugins/widgets/curves/reshaping.h"
 #include "tests/plugins/widgets/curves/random_functions.h"
+#include "tests/soak.h"
 
 #include <QTest>
 
@@ -135,7 +136,7 @@ void AnyEditsTest::anyEditsGiveATransferFunction()
 {
     auto edits = arrangements();
     std::ranges::copy(others(), std::back_inserter(edits));
-    std::mt19937 random(1);
+    std::mt19937 random(seedOf(1));
     for (int round = 0; round < 400; ++round) {
         EditedSelection edited{randomFunction(random), {}};
         for (int step = 0; step < 40; ++step) {
@@ -150,7 +151,7 @@ void AnyEditsTest::anyEditsGiveATransferFunction()
 
 void AnyEditsTest::theSelectionFollowsItsPoints()
 {
-    std::mt19937 random(2);
+    std::mt19937 random(seedOf(2));
     for (int round = 0; round < 2000; ++round) {
         const JoinedFunction function = randomFunction(random);
         const TransferSelection selection = randomSelection(random, function);
@@ -167,7 +168,7 @@ void AnyEditsTest::theSelectionFollowsItsPoints()
 
 void AnyEditsTest::pointsThatDoNotExistArePassedOver()
 {
-    std::mt19937 random(3);
+    std::mt19937 random(seedOf(3));
     for (int round = 0; round < 100; ++round) {
         const JoinedFunction function = randomFunction(random);
         for (const auto& [name, edit] : arrangements())

@@ -44,6 +44,7 @@ private slots:
     void allMoveByTheSame();
     void neighboursStop();
     void neighboursArePushed();
+    void neighboursThatAreCloserStayAsClose();
     void neighboursArePassed();
     void stepsStayTogether();
     void backIsWhereItBegan();
@@ -114,6 +115,22 @@ void MovingTest::neighboursArePushed()
     const JoinedFunction down = moveSelected(function, {3}, inValue(-9), NeighbourRule::Push, randomLimits).function;
     QCOMPARE(down.points[3].value, -1.0);
     QVERIFY(down.points[0].value > -1.01 && down.points[0].value < down.points[1].value);
+}
+
+/// Points that are nearer to each other than new ones may come keep their distances, and the end of the axis is
+/// reached.
+void MovingTest::neighboursThatAreCloserStayAsClose()
+{
+    const double least = leastDistanceIn(randomLimits), end = randomLimits.largest, start = randomLimits.least;
+    const JoinedFunction up{{{1, {}, 0}, {2, {}, 0.5F}, {2 + least / 4, {}, 0.25F}, {2 + least / 2, {}, 1}}, 1};
+    const JoinedFunction pushed = moveSelected(up, {1}, inValue(100), NeighbourRule::Push, randomLimits).function;
+    QCOMPARE(pushed.points[3].value, end);
+    QVERIFY(std::abs(pushed.points[2].value - (end - least / 4)) < least / 1000);
+    QVERIFY(std::abs(pushed.points[1].value - (end - least / 2)) < least / 1000);
+    const JoinedFunction down{{{1, {}, 0}, {1 + least / 8, {}, 0.5F}, {4, {}, 0.25F}}, 1};
+    const JoinedFunction back = moveSelected(down, {1}, inValue(-100), NeighbourRule::Push, randomLimits).function;
+    QCOMPARE(back.points[0].value, start);
+    QVERIFY(std::abs(back.points[1].value - (start + least / 8)) < least / 1000);
 }
 
 void MovingTest::neighboursArePassed()
