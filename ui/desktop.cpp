@@ -8,8 +8,11 @@
 #include "ui/widgets/legible_style.h"
 #include "ui/widgets/plain_texts.h"
 #include "ui/window/main_window.h"
+#include "ui/work/end_signals.h"
 #include "ui/work/steady_heap.h"
 #include "ui/workbench/plugin_choice.h"
+
+#include <tan/version.h>
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -124,6 +127,13 @@ int runDesktop(int argc, char** argv)
     for (const QString& file : files.mid(1))
         QProcess::startDetached(QCoreApplication::applicationFilePath(),
                                 {"--backend", parser.value("backend"), "--", file});
+    EndSignals endSignals;
+    QObject::connect(&endSignals, &EndSignals::endWanted, &window, [&window] {
+        window.keepAll();
+        QCoreApplication::exit();
+    });
+    QObject::connect(&application, &QGuiApplication::commitDataRequest, &window, &MainWindow::keepAll,
+                     Qt::DirectConnection); // with the end of the desktop's session
     window.show();
     return QApplication::exec();
 }

@@ -34,9 +34,10 @@ Status checkOutputs(const std::filesystem::path& input, const std::filesystem::p
 }
 
 /// One that is packed afterwards has another size.
-Outcome describe(const ModelBuild& build, const std::string& output, bool isPacked)
+Outcome describe(const ModelBuild& build, const std::string& wanted, bool isPacked)
 {
     const BuildReport& report = build.report;
+    const std::string output = isPacked ? wanted : build.model.string();
     Outcome outcome;
     outcome.figures = {{"model", QFile::decodeName(output.c_str())},
                        {"builder", QString::fromStdString(build.builder)},
@@ -55,6 +56,8 @@ Outcome describe(const ModelBuild& build, const std::string& output, bool isPack
                    " of memory\n";
     if (build.stoppedEarly)
         outcome.text += "Stopped early: 'tan info' tells what accuracy it has.\n";
+    if (output != wanted)
+        outcome.text += "The model '" + wanted + "' is as it was: what is not finished does not replace it.\n";
     if (report.inverted > 0)
         outcome.text += "inverted tetrahedra in the finest mesh: " + std::to_string(report.inverted) +
                         ", where the data's own cells are folded or bent too far\n";
@@ -170,7 +173,9 @@ Syntax buildSyntax(PluginHost& host)
                     {.name = "keep",
                      .placeholder = "",
                      .explanation = "If the build is interrupted, keep what is finished, of refinement as a model of "
-                                    "lower accuracy, of decimation as one without the coarser meshes. A build in "
+                                    "lower accuracy, of decimation as one without the coarser meshes. It does not "
+                                    "replace a MODEL that is there, but is kept beside it under a name with the error "
+                                    "that it has, like engine-25-percent.tan. A build in "
                                     "blocks refines all of them coarsely first, for which it takes about a tenth more "
                                     "time, and keeps that."},
                     {.name = "packed",

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 
 #include <tan/open.h>
+#include <tan/version.h>
 
 #include <QJsonDocument>
 

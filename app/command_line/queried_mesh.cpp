@@ -25,7 +25,8 @@ Status checkNotEmpty(const Arguments& arguments, const Model& model, const Tetra
                                                                                  : "is in that window";
     return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
                                             place(data.bounds.min()) + " and " + place(data.bounds.max()) +
-                                            ", with values from " + rangeText(data.range.minimum, data.range.maximum) + "."};
+                                            ", with values from " + rangeText(data.range.minimum, data.range.maximum) +
+                                            "."};
 }
 
 void tellEmptySurfaces(std::span<const double> isovalues, const ValueRange& range, Outcome& outcome)

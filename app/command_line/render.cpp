@@ -17,12 +17,15 @@
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
 #include "ui/session/session_document.h"
+#include "ui/session/session_model.h"
 #include "ui/workbench/mesh_saving.h"
+#include "ui/workbench/restored_view.h"
 #include "ui/workbench/view_picture.h"
 
 #include <tan/query.h>
 
 #include <QFile>
+#include <QJsonArray>
 
 #include <tbb/global_control.h>
 
@@ -71,6 +74,7 @@ struct ModelView {
     ViewPicture picture{}; ///< all but the scene
     LensState lens{};
     bool isOfSession = false;
+    std::vector<SessionDifference> differences{}; ///< from the session
 };
 
 /// What is drawn, and what there is to tell of how it was made.
@@ -177,6 +181,17 @@ MeshQuery finestQuery(const RenderRequest& request)
     return query;
 }
 
+/// What fills the picture if no camera is given: a window alone, unless the outline of the domain is drawn around it.
+Eigen::AlignedBox3d framedPart(const ModelDescription& data, const MeshQuery& query, const ParameterValues& given)
+{
+    const auto outline = given.find(outlineId);
+    const bool hasOutline = outline == given.end() || outline->second != ParameterValue(false);
+    if (hasOutline || !query.window)
+        return data.bounds;
+    const Eigen::AlignedBox3d window = data.bounds.intersection({query.window->box.least, query.window->box.largest});
+    return window.isEmpty() ? data.bounds : window;
+}
+
 Result<ModelView> viewByOptions(const Invocation& invocation, const RenderRequest& request,
                                 const Provided<Renderer>& renderer)
 {
@@ -211,8 +226,8 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     if (renderer.plugin->needs().focusMesh && !twoResolutions(request.query))
         return Error{ErrorKind::WrongUsage, "This mode draws one mesh inside a focus and another outside: give "
                                             "'--focus', '--focus-error' and '--error', and no '--budget'."};
-    const auto camera = cameraOf(invocation.arguments, fitted(Camera(), data.bounds, aspectRatioOf(request.picture)),
-                                 data.bounds, request.picture);
+    const Camera usual = fitted(Camera(), framedPart(data, request.query, *values), aspectRatioOf(request.picture));
+    const auto camera = cameraOf(invocation.arguments, usual, data.bounds, request.picture);
     if (!camera)
         return camera.error();
     const FieldExtent field = extentOf(view.model);
@@ -234,15 +249,59 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
 /// All else is what a session says.
 Status checkBesideSession(const Arguments& arguments, const std::filesystem::path& session)
 {
-    constexpr std::array<std::string_view, 11> ofPictures{"camera",  "size",    "samples",   "background",
-                                                          "backend", "threads", "depth",     "surfaces",
-                                                          "output",  "json",    "token-file"};
+    constexpr std::array<std::string_view, 13> ofPictures{"camera",  "size",   "samples",   "background", "backend",
+                                                          "threads", "depth",  "surfaces",  "output",     "json",
+                                                          "model",   "strict", "token-file"};
     for (const auto& [name, value] : arguments.options)
         if (std::ranges::find(ofPictures, name) == ofPictures.end())
             return Error{ErrorKind::WrongUsage, "'--" + name + "' does not go with '" + session.string() +
                                                     "', which says how its model is seen. Leave it out, or give the "
                                                     "model in place of the session."};
     return {};
+}
+
+/// What says something of sessions alone.
+Status checkWithoutSession(const Arguments& arguments, const std::filesystem::path& model)
+{
+    for (const std::string_view name : {"model", "strict"})
+        if (arguments.has(name))
+            return Error{ErrorKind::WrongUsage, "'--" + std::string(name) +
+                                                    "' is for sessions and pictures that hold "
+                                                    "one, and '" +
+                                                    model.string() + "' is a model. Leave it out."};
+    return {};
+}
+
+/// The one that is asked for, or where the session's own is.
+Result<std::filesystem::path> modelOf(const Arguments& arguments, const SessionDocument& document,
+                                      const std::filesystem::path& session)
+{
+    if (const auto other = arguments.value("model"))
+        return std::filesystem::path(*other);
+    if (const auto found = sessionModel(document, session))
+        return *found;
+    return Error{ErrorKind::BadInput, "The model of the session was not found: '" + document.model.string() +
+                                          "', nor one with that name near the session. Say where it is by "
+                                          "'--model FILE'."};
+}
+
+/// What of the session the picture will not show; an error if that is not to be.
+Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocation, const SessionDocument& document,
+                                                     RestoredView restored, const FoundModel& found)
+{
+    std::vector<SessionDifference> differences = std::move(restored.differences);
+    if (const auto other = differentModel(document, *found.model);
+        other && found.isWhole && !invocation.arguments.has("model"))
+        differences.insert(differences.begin(), *other);
+    std::string texts;
+    for (const SessionDifference& difference : differences)
+        texts += (texts.empty() ? "" : " ") + difference.text.text();
+    if (!texts.empty() && invocation.arguments.has("strict"))
+        return Error{ErrorKind::BadInput, "The picture would not be what the session says. " + texts +
+                                              " Leave '--strict' out to draw it all the same."};
+    if (!texts.empty())
+        invocation.messages << "The picture is not quite what the session says. " << texts << "\n" << std::flush;
+    return differences;
 }
 
 /// As the window shows it when it opens the session.
@@ -252,17 +311,25 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     const auto document = readSession(request.input);
     if (!document)
         return document.error();
-    if (const Status safe = checkOutput(request.output, std::array{document->model}); !safe)
+    const auto place = modelOf(invocation.arguments, *document, request.input);
+    if (!place)
+        return place.error();
+    if (const Status safe = checkOutput(request.output, std::array{*place}); !safe)
         return safe.error();
-    view.opened = isAtHand(document->model) ? 0 : openingEnd;
-    const auto found = openSessionInput(invocation, document->model, invocation.progress.part(0, view.opened));
+    view.opened = isAtHand(*place) ? 0 : openingEnd;
+    const auto found = openSessionInput(invocation, *place, invocation.progress.part(0, view.opened));
     if (!found)
         return Error{found.error().kind, "The model of the session cannot be opened. " + found.error().text()};
     view.found = *found;
     view.model = found->model;
     const auto modes = renderingModes(invocation.host);
     const FieldExtent field = extentOf(view.model);
-    SessionDocument kept = restoredView(*document, modes, *view.model, field);
+    RestoredView restored = restoredView(*document, modes, *view.model, field);
+    auto differences = differencesOf(invocation, *document, restored, *found);
+    if (!differences)
+        return differences.error();
+    view.differences = *std::move(differences);
+    SessionDocument& kept = restored.document;
     ViewValue& seen = kept.view;
     const auto renderer = invocation.host.renderer(seen.appearance.mode);
     if (!renderer)
@@ -270,7 +337,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.renderer = *renderer;
     const Eigen::AlignedBox3d& bounds = view.model->description().bounds;
     if (!kept.hasCamera)
-        seen.camera = fitted(Camera(), bounds, aspectRatioOf(request.picture));
+        seen.camera = fitted(seen.camera, bounds, aspectRatioOf(request.picture));
     const auto camera = cameraOf(invocation.arguments, seen.camera, bounds, request.picture);
     if (!camera)
         return camera.error();
@@ -303,6 +370,12 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     figures["extraction_seconds"] = built->extractionSeconds;
     figures["scene_seconds"] = built->sceneSeconds;
     figures["tetrahedra"] = static_cast<qint64>(built->mesh.tetrahedra);
+    if (view.isOfSession) {
+        QJsonArray parts;
+        for (const SessionDifference& difference : view.differences)
+            parts.append(QString::fromStdString(difference.part));
+        figures["session_differs"] = parts;
+    }
     if (built->faultyCells)
         figures["faulty_cells_outlined"] = static_cast<qint64>(*built->faultyCells);
     if (built->mesh.isBlended)
@@ -432,7 +505,9 @@ Syntax renderSyntax(PluginHost& host)
             {"tan render engine.tan --camera top --size 1920x1080 --background black -o engine.png", "From above."},
             {"tan render engine.tan --isovalue 180:gold --surfaces engine.glb -o engine.png",
              "A picture, and its surface as a file."},
-            {"tan render engine.tansession --size 1920x1080 -o engine.png", "As the window shows it."}}};
+            {"tan render engine.tansession --size 1920x1080 -o engine.png", "As the window shows it."},
+            {"tan render step1.tansession --model step2.tan -o step2.png",
+             "The next time step as the first one was seen, in the same colours."}}};
     const std::vector<Parameter> ofRenderers = rendererParameters(host);
     addPluginOptions(syntax, ofRenderers);
     const FieldExtent someField{{1, 3}, Eigen::AlignedBox3d(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3, 6, 9)), {}};
@@ -453,7 +528,9 @@ Result<Outcome> runRender(const Invocation& invocation)
     const auto renderer = invocation.host.renderer(arguments.value("mode").value_or(std::string(defaultMode)));
     if (!renderer)
         return renderer.error();
-    if (const Status beside = isOfSession ? checkBesideSession(arguments, request->input) : Status(); !beside)
+    if (const Status beside = isOfSession ? checkBesideSession(arguments, request->input)
+                                          : checkWithoutSession(arguments, request->input);
+        !beside)
         return beside.error();
     if (const Status known = checkPluginOptions(arguments, rendererParameters(invocation.host),
                                                 renderer->plugin->parameters({}), "mode '" + renderer->id + "'");

@@ -178,6 +178,14 @@ std::vector<Option> pictureOptions(PluginHost& host)
          .explanation = "Rendering back end: the processor, or OpenGL 3.3.",
          .byDefault = std::string(defaultBackend)},
         threadsOption(),
+        {.name = "model",
+         .placeholder = "FILE",
+         .explanation = "Of a session: this model in place of its own, as the session shows that. Values and colours "
+                        "stay what they are, and the camera where the domain is the same."},
+        {.name = "strict",
+         .placeholder = "",
+         .explanation = "Of a session: refuses to draw a picture that is not all that the session says, because its "
+                        "model is another one than it was. Without it, messages say what differs."},
         {.name = "depth",
          .placeholder = "FILE.png",
          .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "

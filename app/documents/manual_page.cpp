@@ -3,6 +3,8 @@
 
 #include "app/command_line/help.h"
 
+#include <tan/version.h>
+
 namespace tetra {
 namespace {
 

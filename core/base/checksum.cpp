@@ -56,8 +56,12 @@ void Checksum::reset() noexcept
 // more from the source, under names of their own, for processors with wider vectors.
 #if defined(TETRA_SIMD_8)
 #include <immintrin.h>
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx2")
+#endif
 #define XXH_VECTOR 2 // XXH_AVX2: the macros of the processor are those of before the pragma
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -74,7 +78,11 @@ std::uint64_t checksumWithAvx2(std::span<const std::byte> bytes) noexcept
 } // namespace
 
 } // namespace tetra
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 #endif
 
 namespace tetra {

@@ -13,12 +13,40 @@ namespace {
 
 constexpr std::array allLevels = {SimdLevel::Plain, SimdLevel::Eight, SimdLevel::Sixteen};
 
+#if defined(TETRA_SIMD_16)
+#if defined(__clang__)
+// clang 16 cannot be asked for a level. It can for these, and no processor has them without the rest.
+bool hasEight() noexcept
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2");
+}
+
+bool hasSixteen() noexcept
+{
+    return hasEight() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+}
+#else
+bool hasEight() noexcept
+{
+    return __builtin_cpu_supports("x86-64-v3");
+}
+
+bool hasSixteen() noexcept
+{
+    return __builtin_cpu_supports("x86-64-v4");
+}
+#endif
+#endif
+
 SimdLevel levelOfMachine() noexcept
 {
 #if defined(TETRA_SIMD_16)
-    if (__builtin_cpu_supports("x86-64-v4"))
+    if (hasSixteen())
         return SimdLevel::Sixteen;
-    if (__builtin_cpu_supports("x86-64-v3"))
+    if (hasEight())
         return SimdLevel::Eight;
 #endif
     return SimdLevel::Plain;

@@ -11,7 +11,7 @@
 /// For kernels and what they call with vectors: it becomes part of what calls it, and so of its instruction set.
 #define TETRA_SIMD_INLINE [[gnu::always_inline]] inline
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(TETRA_ONE_INSTRUCTION_SET)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(TETRA_ONE_INSTRUCTION_SET)
 /// For functions that are written by hand for one instruction set; to be called at SimdLevel::Eight or
 /// SimdLevel::Sixteen only. To choose between vectors of 8 or 16 floats, and to compare them, is slow where compilers
 /// have to do it in pieces.
@@ -56,9 +56,9 @@ using Int16 = int __attribute__((vector_size(64)));
 using Float4 = float __attribute__((vector_size(16)));
 using Int8 = int __attribute__((vector_size(32)));
 using Double8 = double __attribute__((vector_size(64)));
-using Long8 = long __attribute__((vector_size(64)));
+using Long8 = std::int64_t __attribute__((vector_size(64)));
 using Double4 = double __attribute__((vector_size(32)));
-using Long4 = long __attribute__((vector_size(32)));
+using Long4 = std::int64_t __attribute__((vector_size(32)));
 using Int4 = int __attribute__((vector_size(16)));
 using UInt4 = unsigned __attribute__((vector_size(16)));
 

@@ -3,6 +3,8 @@
 
 #include "core/base/checksum.h"
 
+#include <tan/version.h>
+
 #include <string>
 
 namespace tetra {

@@ -77,25 +77,36 @@ std::filesystem::path workFolderOf(const std::filesystem::path& output)
 
 ModelFileTarget::ModelFileTarget(std::filesystem::path output, const Dataset& dataset, ModelDescription description,
                                  WorkFolder folder, bool resume)
-    : output_(std::move(output)), dataset_(dataset), description_(std::move(description)), folder_(std::move(folder)),
-      resume_(resume)
+    : output_(output), wanted_(std::move(output)), dataset_(dataset), description_(std::move(description)),
+      folder_(std::move(folder)), resume_(resume)
 {
 }
 
 Result<std::unique_ptr<ModelFileTarget>> ModelFileTarget::open(const std::filesystem::path& output,
                                                                const Dataset& dataset,
-                                                               const ModelDescription& description, bool resume)
+                                                               const ModelDescription& description, bool resume,
+                                                               Finished finished)
 {
     auto folder = openWorkFolder(output, resume);
     if (!folder)
         return folder.error();
     std::unique_ptr<ModelFileTarget> target(
         new ModelFileTarget(output, dataset, description, *std::move(folder), resume));
-    auto writer = ModelWriter::create(output, dataset, description, target->folder_.path());
+    if (finished == Finished::Later)
+        target->output_ = target->folder_.path() / output.filename();
+    auto writer = ModelWriter::create(target->output_, dataset, description, target->folder_.path());
     if (!writer)
         return writer.error();
     target->writer_ = *std::move(writer);
     return target;
+}
+
+Status ModelFileTarget::place(const std::filesystem::path& path) const
+{
+    std::error_code problem;
+    if (const auto there = std::filesystem::status(wanted_, problem); std::filesystem::exists(there))
+        std::filesystem::permissions(output_, there.permissions(), problem); // as far as the file system has any
+    return replaceFile(output_, path);
 }
 
 BuildTarget ModelFileTarget::target(HistorySink& history)

@@ -27,13 +27,25 @@ TAN_INTERNAL std::filesystem::path workFolderOf(const std::filesystem::path& out
 /// appears under `output` at once; else nothing does.
 class TAN_INTERNAL ModelFileTarget {
 public:
+    /// What becomes of the finished file.
+    enum class Finished {
+        AtOnce, ///< it appears under `output`
+        Later   ///< it stays in the work folder until place() gives it a name
+    };
+
     /// `description` needs builder and parameters. `resume`: as BuildTarget's. Errors: the file cannot be written.
     static Result<std::unique_ptr<ModelFileTarget>> open(const std::filesystem::path& output, const Dataset& dataset,
-                                                         const ModelDescription& description, bool resume);
+                                                         const ModelDescription& description, bool resume,
+                                                         Finished finished = Finished::AtOnce);
 
     ModelWriter& writer() noexcept { return *writer_; }
     /// What a builder is given, whose steps go to `history`: the writer(), or what hands on to it. This outlives it.
     BuildTarget target(HistorySink& history);
+    /// Of Finished::Later: the file in the work folder, which is there once it is finished.
+    const std::filesystem::path& finished() const noexcept { return output_; }
+    /// Gives it a name in the folder of `output`, in place of what is there, with the permissions of `output` if that
+    /// is there. Error: CannotWrite.
+    Status place(const std::filesystem::path& path) const;
     /// Leaves the work files for a build that goes on with them.
     void keepWork() noexcept { folder_.keep(); }
 
@@ -41,7 +53,8 @@ private:
     ModelFileTarget(std::filesystem::path output, const Dataset& dataset, ModelDescription description,
                     WorkFolder folder, bool resume);
 
-    std::filesystem::path output_;
+    std::filesystem::path output_; ///< or the file in the work folder
+    std::filesystem::path wanted_; ///< what was asked for
     Dataset dataset_;
     ModelDescription description_;
     WorkFolder folder_;

@@ -75,12 +75,12 @@ TETRA_SIMD_INLINE void locateThroughout(const StarTetrahedra& tetrahedra, const 
 #if defined(TETRA_SIMD_16)
 
 /// The weights of one corner of a face's tetrahedron at eight places.
-TETRA_SIMD_16 TETRA_SIMD_INLINE Double8 barycentricRow(const double* row, std::size_t count, const Double8* from)
+TETRA_SIMD_INLINE TETRA_SIMD_16 Double8 barycentricRow(const double* row, std::size_t count, const Double8* from)
 {
     return row[0] * from[0] + row[count] * from[1] + row[2 * count] * from[2];
 }
 
-TETRA_SIMD_16 TETRA_SIMD_INLINE bool anyGreater(const Double8& one, const Double8& other)
+TETRA_SIMD_INLINE TETRA_SIMD_16 bool anyGreater(const Double8& one, const Double8& other)
 {
     return _mm512_cmp_pd_mask(reinterpret_cast<const __m512d&>(one), reinterpret_cast<const __m512d&>(other),
                               _CMP_GT_OQ) != 0;

@@ -36,8 +36,9 @@ public:
 
 private:
     StarTetrahedra tetrahedra_;
-    bool many_;
-    std::size_t latest_ = 0; ///< the tetrahedron of one of the places before, in faces
+    // Of the way with the widest vectors, which not every build has.
+    [[maybe_unused]] bool many_;
+    [[maybe_unused]] std::size_t latest_ = 0; ///< the tetrahedron of one of the places before, in faces
 };
 
 /// The removed points of a star side by side, for arithmetic on eight at once: arrays are filled up to a multiple of

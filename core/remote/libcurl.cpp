@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remote/libcurl.h"
 
+#include <tan/version.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>

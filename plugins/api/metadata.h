@@ -19,7 +19,7 @@ namespace tetra {
 /// | id          | string, required | stable name, unique among all plugins: lower-case letters, digits, . - _      |
 /// | kind        | string, required | builder, renderer, reader, writer or editor: fits the IID                     |
 /// | version     | string, required | the plugin's own, "1.2.3"                                                     |
-/// | api         | string, required | pluginInterfaceVersion of the headers that it is written for, "0.1"           |
+/// | api         | string, required | pluginInterfaceVersion of the headers that it is written for, "0.2"           |
 /// | name        | string, required | for people                                                                    |
 /// | title       | string           | a word or two for an editor's dock; else the name                             |
 /// | description | string           | one or two sentences for people                                               |
@@ -37,6 +37,6 @@ namespace tetra {
 ///
 /// Until 1.0 the interfaces have the program's version, and another minor version does not fit. From then on a
 /// published interface never changes: what it lacks comes as a new, optional one, which the minor number counts.
-inline constexpr Version pluginInterfaceVersion{0, 1, 0};
+inline constexpr Version pluginInterfaceVersion{0, 2, 0};
 
 } // namespace tetra

@@ -3,11 +3,14 @@
 
 #include "plugins/api/metadata.h"
 
+#include <tan/version.h>
+
 #include <QtGlobal>
 
 namespace tetra {
 
-static_assert(pluginInterfaceVersion.major > 0 || pluginInterfaceVersion == Version{TAN_VERSION_NUMBERS},
+static_assert(pluginInterfaceVersion.major > 0 ||
+                  pluginInterfaceVersion == Version{TAN_VERSION_MAJOR, TAN_VERSION_MINOR, TAN_VERSION_PATCH},
               "before 1.0 the plugin interface has the version of the program");
 
 namespace {

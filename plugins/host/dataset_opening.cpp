@@ -19,11 +19,11 @@ struct OtherKind {
     std::string_view ending;
     bool isSurface; ///< else a picture
 };
-constexpr std::array otherKinds{OtherKind{"\x89PNG", ".png", false},      OtherKind{"\xff\xd8\xff", ".jpg", false},
-                                OtherKind{"GIF8", ".gif", false},         OtherKind{"BM", ".bmp", false},
-                                OtherKind{"solid ", ".stl", true},        OtherKind{"ply\n", ".ply", true},
-                                OtherKind{"ply\r\n", ".ply", true},       OtherKind{"glTF", ".glb", true},
-                                OtherKind{"OFF\n", ".off", true},         OtherKind{"", ".obj", true}};
+constexpr std::array otherKinds{OtherKind{"\x89PNG", ".png", false}, OtherKind{"\xff\xd8\xff", ".jpg", false},
+                                OtherKind{"GIF8", ".gif", false},    OtherKind{"BM", ".bmp", false},
+                                OtherKind{"solid ", ".stl", true},   OtherKind{"ply\n", ".ply", true},
+                                OtherKind{"ply\r\n", ".ply", true},  OtherKind{"glTF", ".glb", true},
+                                OtherKind{"OFF\n", ".off", true},    OtherKind{"", ".obj", true}};
 
 const OtherKind* otherKind(const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
@@ -55,14 +55,15 @@ std::string readEndings(PluginHost& host)
 Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
     if (const OtherKind* kind = otherKind(path, bytes))
-        return {ErrorKind::BadInput,
-                kind->isSurface
-                    ? Message::say("'%1' holds a surface. TAn reads volumes: values everywhere in a body, not only on "
-                                   "its skin.",
-                                   path.string())
-                    : Message::say("'%1' is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens "
-                                   "pictures that it has saved with their session.",
-                                   path.string())};
+        return {
+            ErrorKind::BadInput,
+            kind->isSurface
+                ? Message::say("'%1' holds a surface. TAn reads volumes: values everywhere in a body, not only on "
+                               "its skin.",
+                               path.string())
+                : Message::say("'%1' is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens "
+                               "pictures that it has saved with their session.",
+                               path.string())};
     if (const std::string program = unpackingProgram(bytes); !program.empty())
         return {ErrorKind::BadInput, Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.",
                                                   path.string(), program)};

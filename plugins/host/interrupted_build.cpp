@@ -8,6 +8,8 @@
 #include "plugins/host/parameter_text.h"
 #include "plugins/host/parameter_values.h"
 
+#include <tan/version.h>
+
 #include <map>
 #include <span>
 #include <sstream>

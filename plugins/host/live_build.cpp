@@ -141,6 +141,15 @@ std::optional<float> LiveBuild::catchUp()
     return runningKey_;
 }
 
+std::optional<double> LiveBuild::error()
+{
+    const std::lock_guard lock(mutex_);
+    if ((completeSteps_ == 0 && shown_ == 0) || !dataset_)
+        return std::nullopt;
+    const double extent = dataset_->values.range().extent();
+    return extent > 0 ? 100 * runningKey_ / extent : 0;
+}
+
 Result<std::shared_ptr<const Model>> LiveBuild::look(const std::filesystem::path& path)
 {
     const std::optional<float> key = catchUp();

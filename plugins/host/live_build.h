@@ -38,6 +38,9 @@ public:
         return completeSteps_ > 0 || shown_ > 0;
     }
 
+    /// The error of that mesh in percent of the value range; nothing without one.
+    std::optional<double> error();
+
     /// A model of what has been made so far, as the file `path`; null if there is nothing new since the last look.
     Result<std::shared_ptr<const Model>> look(const std::filesystem::path& path);
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plugins/host/model_building.h"
 
+#include "core/base/file_writer.h"
 #include "core/base/memory.h"
 #include "core/build/model_build.h"
+#include "core/history/format.h"
 #include "plugins/host/interrupted_build.h"
 #include "plugins/host/output_check.h"
 #include "plugins/host/parameter_values.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
+#include <fstream>
 #include <iterator>
+#include <optional>
 
 namespace tetra {
 namespace {
@@ -35,7 +40,51 @@ bool keeps(const BuildControl& control)
 struct EndedBuild {
     BuildReport report;
     bool stoppedEarly = false;
+    std::filesystem::path model;
 };
+
+/// In the work folder of a build that can be resumed: the checksum of the model that it has kept under its own name.
+constexpr const char* keptFile = "kept";
+
+/// Of a model's file (FORMAT.md); nothing of anything shorter.
+std::optional<format::Header> headerOf(const std::filesystem::path& model)
+{
+    format::Header header;
+    std::ifstream file(model, std::ios::binary);
+    return file.read(reinterpret_cast<char*>(&header), sizeof header) ? std::optional(header) : std::nullopt;
+}
+
+std::string checksumText(const std::filesystem::path& model)
+{
+    const auto header = headerOf(model);
+    return header ? std::to_string(header->checksum) : std::string();
+}
+
+/// Of the finest mesh, in percent of the value range.
+double errorOf(const std::filesystem::path& model)
+{
+    const auto header = headerOf(model);
+    const double extent = header ? header->valueRange[1] - header->valueRange[0] : 0;
+    return extent > 0 ? 100 * header->finalKey / extent : 0;
+}
+
+std::string contentOf(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// That name, or the next one with a number that no file has.
+std::filesystem::path freePlace(const std::filesystem::path& output, double error)
+{
+    const std::filesystem::path real = behindLinks(output); // where the file is made
+    const std::filesystem::path first = real.parent_path() / keptName(real, error);
+    std::filesystem::path place = first;
+    std::error_code unknown;
+    for (int number = 2; std::filesystem::exists(std::filesystem::symlink_status(place, unknown)); ++number)
+        place.replace_filename(first.stem().string() + "-" + std::to_string(number) + first.extension().string());
+    return place;
+}
 
 Result<EndedBuild> keepWhatIsFinished(ModelWriter& writer)
 {
@@ -44,7 +93,22 @@ Result<EndedBuild> keepWhatIsFinished(ModelWriter& writer)
     BuildReport report;
     report.sites = writer.siteCount();
     report.tetrahedra = writer.tetrahedronCount();
-    return EndedBuild{report, true};
+    return EndedBuild{report, true, {}};
+}
+
+/// Gives what is finished its name: one of its own if it is not whole and a finished model has the one that was asked
+/// for. In a build that can be resumed a note lets the next part replace what this one has kept.
+Result<EndedBuild> placed(const ModelFileTarget& file, EndedBuild ended, const std::filesystem::path& output,
+                          const BuildTarget& target)
+{
+    const bool isBeside = ended.stoppedEarly && keepsBeside(output);
+    ended.model = isBeside ? freePlace(output, errorOf(file.finished())) : output;
+    const std::string kept = checksumText(file.finished());
+    if (const Status named = file.place(ended.model); !named)
+        return named.error();
+    if (ended.stoppedEarly && target.resume && !isBeside)
+        std::ofstream(target.workFolder / keptFile, std::ios::binary) << kept;
+    return ended;
 }
 
 Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& dataset, const ParameterValues& values,
@@ -59,7 +123,8 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
     const auto taken = builder.taken(dataset, values, progress.part(0, takenEnd));
     if (!taken)
         return taken.error();
-    const auto file = ModelFileTarget::open(output, *taken, description, control.resume);
+    const auto file =
+        ModelFileTarget::open(output, *taken, description, control.resume, ModelFileTarget::Finished::Later);
     if (!file)
         return file.error();
     ModelWriter& writer = (*file)->writer();
@@ -73,8 +138,10 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
     auto report = builder.build(*taken, values, target, progress.part(takenEnd, 1));
     if (!report && control.resume)
         (*file)->keepWork();
-    if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0)
-        return keepWhatIsFinished(writer);
+    if (!report && report.error().kind == ErrorKind::Cancelled && keeps(control) && writer.siteCount() > 0) {
+        const auto kept = keepWhatIsFinished(writer);
+        return kept ? placed(**file, *kept, output, target) : kept;
+    }
     if (!report) {
         // What a builder makes of values that change under it may fail in any way.
         if (const Status intact = dataset.checkIntact(); !intact && report.error().kind != ErrorKind::Cancelled)
@@ -88,7 +155,7 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
     const bool stoppedEarly = progress.cancelled() && keeps(control);
     if (stoppedEarly && control.resume)
         (*file)->keepWork();
-    return EndedBuild{*report, stoppedEarly};
+    return placed(**file, {*report, stoppedEarly, {}}, output, target);
 }
 
 } // namespace
@@ -112,6 +179,27 @@ Result<Provided<Builder>> chooseBuilder(PluginHost& host, const Dataset& dataset
         return Error{ErrorKind::BadInput, Message::say("No builder accepts '%1'.%2%3", dataset.source.name, reasons,
                                                        host.explainMissing(PluginKind::Builder))};
     return best;
+}
+
+std::string keptName(const std::filesystem::path& output, double error)
+{
+    constexpr double largestShort = 99.5; // of those that two digits can say without an exponent
+    std::array<char, 32> digits{};
+    const auto [last, problem] = error < largestShort
+                                     ? std::to_chars(digits.begin(), digits.end(), error, std::chars_format::general, 2)
+                                     : std::to_chars(digits.begin(), digits.end(), error, std::chars_format::fixed, 0);
+    const std::string number(digits.begin(), problem == std::errc() ? last : digits.begin());
+    const std::string end = error > 0 ? "-" + number + "-percent" : std::string("-stopped");
+    return output.stem().string() + end + output.extension().string();
+}
+
+bool keepsBeside(const std::filesystem::path& output)
+{
+    std::error_code problem;
+    if (const auto size = std::filesystem::file_size(output, problem); problem || size == 0)
+        return false;
+    const std::string kept = contentOf(workFolderOf(output) / keptFile);
+    return kept.empty() || kept != checksumText(output);
 }
 
 Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const std::optional<std::string>& builderId,
@@ -142,9 +230,9 @@ Result<ModelBuild> buildModel(PluginHost& host, const Dataset& dataset, const st
         return ended.error();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     std::error_code problem;
-    const auto size = std::filesystem::file_size(output, problem);
-    return ModelBuild{builder->id,         ended->report,      elapsed.count(),
-                      peakResidentBytes(), problem ? 0 : size, ended->stoppedEarly};
+    const auto size = std::filesystem::file_size(ended->model, problem);
+    return ModelBuild{builder->id,        ended->report,       elapsed.count(), peakResidentBytes(),
+                      problem ? 0 : size, ended->stoppedEarly, ended->model};
 }
 
 } // namespace tetra

@@ -100,6 +100,7 @@ private slots:
     void keepsWhatIsFinishedIfAsked()
     {
         QFETCH(QString, block);
+        QFile::remove(folder_.filePath("kept.tan")); // of the row before
         QProcess process;
         process.setWorkingDirectory(folder_.path());
         process.start(tanProgram(), {"build", "noise.nrrd", "--keep", "--block", block, "-o", "kept.tan", "--json"});
@@ -116,6 +117,33 @@ private slots:
         QVERIFY(run.json()["stopped_early"].toBool());
         const Run verified = runTan({"verify", "kept.tan", "--against", "noise.nrrd", "--lod", "90"}, folder_.path());
         QVERIFY2(verified.exitCode == 0, verified.output + verified.messages);
+    }
+
+    /// What is kept lies beside a finished model, which stays as it is.
+    void keepsBesideAFinishedModel()
+    {
+        QVERIFY(runTan({"sample", "c60", "--size", "12", "-o", "c60.nrrd"}, folder_.path()).exitCode == 0);
+        QVERIFY(runTan({"build", "c60.nrrd", "-o", "kept.tan"}, folder_.path()).exitCode == 0);
+        const auto content = [&] {
+            QFile file(folder_.filePath("kept.tan"));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray before = content();
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), {"build", "noise.nrrd", "--keep", "--block", "none", "-o", "kept.tan", "--json"});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(unfinishedBytes() > 1'000'000, 60'000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60'000));
+        const Run run = collect(process);
+        QVERIFY2(run.exitCode == 0, run.messages);
+        QVERIFY(content() == before);
+        const QString kept = run.json()["model"].toString();
+        QVERIFY2(kept.startsWith("kept-") && kept.endsWith("-percent.tan"), qPrintable(kept));
+        const Run told = runTan({"info", kept}, folder_.path());
+        QVERIFY2(told.exitCode == 0, told.messages);
+        QVERIFY(QFile::remove(folder_.filePath("kept.tan")));
     }
 
     void aModelCutWhileMappedIsAnError()

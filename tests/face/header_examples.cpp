@@ -15,3 +15,4 @@
 #include <render_example.h>
 #include <transfer_example.h>
 #include <verify_example.h>
+#include <version_example.h>

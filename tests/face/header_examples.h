@@ -7,11 +7,13 @@
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/verify.h>
+#include <tan/version.h>
 
 #include <iosfwd>
 
 // The functions that the manuals in the headers show, as header_examples.cpp compiles them.
 tetra::Result<int> halfOf(int number);
+std::string versions();
 tetra::Status countToHundred(std::stop_token stop, std::ostream& told);
 double volumeOf(const tetra::TetrahedralMesh& mesh);
 tetra::Result<tetra::Dataset> ball();

@@ -35,6 +35,17 @@ private slots:
         QCOMPARE(halfOf(7).error().text(), std::string("7 is odd. Give an even number."));
     }
 
+    void theVersionIsThatOfTheBuild()
+    {
+        QCOMPARE(versions(),
+                 std::string("compiled with TAn " TAN_PROJECT_VERSION ", running with " TAN_PROJECT_VERSION));
+        const LibraryVersion there = libraryVersion();
+        QCOMPARE(there, (LibraryVersion{TAN_VERSION_MAJOR, TAN_VERSION_MINOR, TAN_VERSION_PATCH}));
+        QVERIFY(TAN_VERSION_NUMBER_OF(0, 2, 0) < TAN_VERSION_NUMBER_OF(0, 10, 0));
+        QVERIFY(TAN_VERSION_NUMBER_OF(0, 999, 999) < TAN_VERSION_NUMBER_OF(1, 0, 0));
+        QVERIFY(TAN_VERSION_NUMBER > TAN_VERSION_NUMBER_OF(0, 1, 0));
+    }
+
     void progressIsToldAndStopped()
     {
         std::ostringstream told;

@@ -98,7 +98,8 @@ tan plugins --json | grep -A5 '"id": "example.band-editor"' | grep '"state": "lo
 check grep -qF "$XDG_DATA_HOME/tan/plugins" <(tan plugins)
 
 # A plugin of another build is refused, with both builds and the remedy.
-sed -i 's|/tan-0\.1\.0|/tan-0.0.9|' "$XDG_DATA_HOME/tan/plugins/libband-editor.so"
+version=$(sed -n 's/^#define TAN_VERSION "\(.*\)"/\1/p' "$place/include/tan/version.h")
+sed -i "s|/tan-${version//./\\.}|/tan-0.0.9|" "$XDG_DATA_HOME/tan/plugins/libband-editor.so"
 tan plugins >messages
-check grep -q 'tan-0.0.9.*tan-0.1.0.*Rebuild' messages
+check grep -q "tan-0.0.9.*tan-$version.*Rebuild" messages
 echo "passed"

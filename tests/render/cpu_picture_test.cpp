@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the CPU back end (B4), the reference, against closed forms.
+#include "core/render/resolve.h"
 #include "core/render/shading.h"
 #include "tests/core/render/scene_parts.h"
 #include "tests/render/picture_check.h"
@@ -61,6 +62,45 @@ class CpuPictureTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The least by which half of the samples have lost half of their light: of an even number the lower one in the
+    /// middle.
+    void depthIsTheLowerMedianOfItsSamples()
+    {
+        constexpr float none = std::numeric_limits<float>::infinity();
+        const auto depthsOf = [](std::vector<float> samples, int rowLength, int samplesPerAxis) {
+            Picture picture{rowLength / samplesPerAxis, 1, {}};
+            picture.depth.resize(static_cast<std::size_t>(picture.width));
+            resolveDepth(samples, rowLength, samplesPerAxis, 0, 0, picture);
+            return picture.depth;
+        };
+        QCOMPARE(depthsOf({3, 1, none}, 3, 1), (std::vector<float>{3, 1, none}));
+        QCOMPARE(depthsOf({4, 2, none, 5, 3, 1, none, none}, 4, 2), (std::vector<float>{2, none}));
+        QCOMPARE(depthsOf({none, 7, 8, none}, 2, 2), (std::vector<float>{8}));
+        std::vector<float> sixteen(16);
+        for (std::size_t i = 0; i < sixteen.size(); ++i)
+            sixteen[i] = static_cast<float>(i * 7 % 16);
+        QCOMPARE(depthsOf(sixteen, 4, 4), (std::vector<float>{7}));
+        sixteen.resize(9);
+        std::ranges::sort(sixteen);
+        QCOMPARE(depthsOf(sixteen, 3, 3), (std::vector<float>{sixteen[4]}));
+    }
+
+    /// However many translucent layers there are, all of them count.
+    void manyTranslucentLayersAddUp()
+    {
+        constexpr int sheets = 12;
+        constexpr float opacity = 0.3f;
+        const Colour colour{0.8f, 0.6f, 0.4f};
+        SceneParts scene{{}, {}, cube(1)};
+        for (int sheet = 0; sheet < sheets; ++sheet)
+            scene.surfaces.push_back(
+                {quad({-2, -0.9f + 0.15f * static_cast<float>(sheet), -2}, {4, 0, 0}, {0, 0, 4}), colour, opacity});
+        const PictureOptions options{.width = 9, .height = 9, .background = {0, 0, 0}, .samplesPerAxis = 1};
+        const float hidden = 1 - std::pow(1 - opacity, float(sheets)); // 0.986
+        const Pixel expected = toPixel(mixed(shaded(colour, 1, 1), hidden, options.background));
+        QVERIFY(difference(pixelAt(renderedByCpu(scene, fromFront, options), 4, 4), expected) <= 1);
+    }
+
     void sphereIsLitByTheFormula_data()
     {
         QTest::addColumn<bool>("perspective");

@@ -188,6 +188,8 @@ private slots:
     void agreesWithTheIntegrator();
     void oneFieldTwiceIsOne_data();
     void oneFieldTwiceIsOne();
+    void alongTheAxes_data();
+    void alongTheAxes();
     void severalRegions_data();
     void severalRegions();
     void surfacesOfBothMeshes_data();
@@ -259,6 +261,41 @@ void FocusSceneTest::oneFieldTwiceIsOne()
     scene.focus.reset();
     const int found = largestDifference(picture, rendered(scene, camera));
     QVERIFY2(found <= 1, qPrintable(QString("%1 steps of 255").arg(found)));
+}
+
+/// The views that are called front, side and top: without perspective all rays are parallel to faces of the box, and
+/// most pass beside it.
+void FocusSceneTest::alongTheAxes_data()
+{
+    QTest::addColumn<int>("up");
+    QTest::addColumn<double>("azimuth");
+    QTest::addColumn<double>("elevation");
+    for (const int up : {0, 2, 4}) // exactly along an axis; turns by 90 degrees are rounded
+        QTest::addRow("axis %d up", up) << up << 0.0 << 0.0;
+    QTest::addRow("top") << 4 << 0.0 << 90.0;
+}
+
+void FocusSceneTest::alongTheAxes()
+{
+    QFETCH(int, up);
+    QFETCH(double, azimuth);
+    QFETCH(double, elevation);
+    const Fields fields;
+    const TransferFunction function = rainbow(0.5);
+    Camera camera;
+    for (const double border : {0.0, 0.1}) {
+        Focus focus{Box{{0.3, 0.35, 0.3}, {0.6, 0.65, 0.55}}, border};
+        const SceneParts scene = sceneOf(fields.coarse, fields.fine, function, focus);
+        camera = {.azimuth = azimuth, .elevation = elevation, .up = static_cast<UpAxis>(up), .perspective = false};
+        camera = fitted(camera, scene.bounds);
+        camera.target += Vector3d(0.003, 0.007, 0.011); // so that no ray lies in a face between cells
+        const Picture picture = rendered(scene, camera);
+        const int found = largestDifference(picture, marched(fields, function, focus, camera, scene));
+        QVERIFY2(found <= 2, qPrintable(QString("%1 steps of 255, %2").arg(found).arg(savePicture(picture, "axes"))));
+        SceneParts without = scene;
+        without.focus.reset();
+        QVERIFY(largestDifference(picture, rendered(without, camera)) > 3);
+    }
 }
 
 /// C5: weights sum to one wherever borders overlap, and where rays meet several regions.

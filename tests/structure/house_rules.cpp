@@ -32,7 +32,7 @@ constexpr std::string_view tanBase = "core/include/tan/base.h", tanMesh = "core/
                            tanQuery = "core/include/tan/query.h", tanBuild = "core/include/tan/build.h",
                            tanVerify = "core/include/tan/verify.h", tanTransfer = "core/include/tan/transfer.h",
                            tanOpen = "core/include/tan/open.h", tanRender = "core/include/tan/render.h",
-                           tanPacked = "core/include/tan/packed.h";
+                           tanPacked = "core/include/tan/packed.h", tanVersion = "core/include/tan/version.h";
 
 const std::vector<Room>& rooms()
 {
@@ -48,8 +48,10 @@ const std::vector<Room>& rooms()
         {tanVerify, {tanBase, tanData, tanModel, tanQuery}},
         {tanRender, {tanBase, tanMesh, tanTransfer}},
         {tanPacked, {tanBase, tanModel}},
+        {tanVersion, {tanBase}},
         {"core/base", {tanBase}},
-        {"core/remote", {tanBase, "core/base"}},
+        {"core/version", {tanBase, tanVersion}},
+        {"core/remote", {tanBase, tanVersion, "core/base"}},
         {"core/geometry", {tanBase, "core/base"}},
         {"core/mesh", {tanBase, tanMesh, "core/base", "core/geometry"}},
         {"core/data", {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/mesh"}},
@@ -71,7 +73,7 @@ const std::vector<Room>& rooms()
          {tanBase, tanMesh, tanData, tanModel, tanQuery, "core/base", "core/geometry", "core/mesh", "core/data",
           "core/refine", "core/refine/lattice", "core/refine/insertion", "core/history"}},
         {"core/build",
-         {tanBase, tanData, tanBuild, "core/base", "core/geometry", "core/data", "core/refine/lattice",
+         {tanBase, tanData, tanBuild, tanVersion, "core/base", "core/geometry", "core/data", "core/refine/lattice",
           "core/refine/curvilinear", "core/refine/free", "core/decimate", "core/history", "core/history/blocks"}},
         {"core/packed",
          {tanBase, tanMesh, tanData, tanModel, tanBuild, tanPacked, "core/base", "core/mesh", "core/data",

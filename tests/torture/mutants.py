@@ -422,7 +422,7 @@ MORE_KINDS = (
     Kind("scattered", "scattered", "cloud.csv", 6),
     Kind("grid by collapses", "o-grid", "grid.xyz", 7, ("--builder", "decimation")),
     Kind("few sites", "marschner-lobb", "ml.nrrd", 16, ("--error", "5")),
-    Kind("weighted", "c60", "c60.nrrd", 10, ("--weights", "value:0.5,0.2")),
+    Kind("weighted", "c60", "c60.nrrd", 10, ("--weight", "value:0.5,0.2")),
 )
 WHOLE = tuple(kind for kind in KINDS if not kind.is_packed) + MORE_KINDS
 

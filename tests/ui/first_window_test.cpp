@@ -3,7 +3,10 @@
 #include "ui/session/files.h"
 #include "ui/window/main_window.h"
 
+#include <QAction>
+#include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QScreen>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -11,9 +14,9 @@
 
 using namespace tetra;
 
-/// The window, as it comes up for the first time, lies on its screen: of the usual sizes, with letters and lines of once,
-/// one and a half times and twice their size. The screen is 1920 x 1080 pixels, or as the environment says: TAN_TEST_SCREEN=1366x768,
-/// and Qt's QT_SCALE_FACTOR.
+/// The window, as it comes up for the first time, lies on its screen: of the usual sizes, with letters and lines of
+/// once, one and a half times and twice their size. The screen is 1920 x 1080 pixels, or as the environment says:
+/// TAN_TEST_SCREEN=1366x768, and Qt's QT_SCALE_FACTOR.
 class FirstWindowTest : public QObject {
     Q_OBJECT
 public:
@@ -73,9 +76,9 @@ void FirstWindowTest::lookAt(const QString& when, const MainWindow& window)
     QStringList needed;
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
         needed << dock->objectName() + " " + text(dock->minimumSizeHint());
-    QVERIFY2(window.width() <= room.width() && window.height() <= room.height(),
-             qPrintable(QString("%1 it has %2 of %3; %4")
-                            .arg(when, text(window.size()), text(room), needed.join(", "))));
+    QVERIFY2(
+        window.width() <= room.width() && window.height() <= room.height(),
+        qPrintable(QString("%1 it has %2 of %3; %4").arg(when, text(window.size()), text(room), needed.join(", "))));
 }
 
 void FirstWindowTest::theWindowLiesOnTheScreen()
@@ -98,6 +101,8 @@ void FirstWindowTest::theWindowLiesOnTheScreen()
     window.open(volume_);
     QTRY_VERIFY(workbench.opening().dataset());
     lookAt("with a dataset", window);
+    window.findChild<QAction*>("action.resetLayout")->trigger();
+    lookAt("laid out anew", window);
 }
 
 QTEST_MAIN(FirstWindowTest)

@@ -81,7 +81,7 @@ void GlViewportTest::onePictureThatIsRefusedIsDrawnByTheCpu()
     QTRY_VERIFY(window.settled());
     QCOMPARE(window.viewport().backendName(), QString("OpenGL"));
     const QImage refused = window.viewport().picture();
-    QVERIFY(difference(refused, before).strikingPixels > 0.01); // it is cut
+    QVERIFY(difference(refused, before).strikingPixels > 0.01);          // it is cut
     session.setCamera(seenFrom(session.view().camera, NamedView::Left)); // again, and nothing more is said
     QTRY_VERIFY(window.settled());
     QVERIFY(window.viewport().picture() != refused);

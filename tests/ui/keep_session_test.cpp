@@ -45,6 +45,8 @@ private slots:
     void aKilledProgramLosesAtMostTenSeconds();
     void theProgramThatIsKilled();
     void aKilledSessionIsModified();
+    void anEndedProgramHasNotCrashed();
+    void anEndedProgramOffersWhatItsSessionLacks();
     void aViewIsBackAfterAQuit();
     void aViewIsBackWhenAnotherModelWasOpen();
     void aViewIsBackWhenItIsOpenedAnew();
@@ -240,7 +242,7 @@ void KeepSessionTest::theStartPageSaysWhatAndWhen()
     leave(ofModel(model_));
     window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     window_->window.show();
-    const QString text = window_->find<QLabel>("lost.text").text();
+    const QString text = window_->find<QLabel>("lost.text").text().remove(QChar(0x2060)).remove(QChar(0x200b));
     QVERIFY2(text.contains("c60.tan"), qPrintable(text));
     QVERIFY2(text.contains(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)), qPrintable(text));
     QVERIFY2(text.contains(QDir::toNativeSeparators(QFileInfo(model_).absolutePath())), qPrintable(text));
@@ -382,6 +384,52 @@ void KeepSessionTest::aKilledSessionIsModified()
     QCOMPARE(next->workbench.session().view().query.error, 3.5);
     QCOMPARE(next->workbench.opening().sessionFile(), file);
     QVERIFY(next->window.isWindowModified());
+}
+
+/// By a signal or with the desktop's session: without the questions that closing asks.
+void KeepSessionTest::anEndedProgramHasNotCrashed()
+{
+    open(model_);
+    edit();
+    window_->window.keepAll();
+    QTRY_VERIFY(window_->workbench.opening().views().idle());
+    QVERIFY(KeptViews(viewFolder()).lost().empty()); // if it is killed now
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
+    window_->window.show();
+    QVERIFY(!window_->find<QWidget>("lost").isVisible());
+    open(model_);
+    QVERIFY(showsEdits());
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+void KeepSessionTest::anEndedProgramOffersWhatItsSessionLacks()
+{
+    open(model_);
+    const auto document = window_->workbench.opening().sessionDocument();
+    const std::filesystem::path file = filePath(window_->folder.filePath("work.tansession"));
+    QVERIFY(document && writeTextFile(file, sessionToText(*document, file.parent_path())));
+    const auto before = readTextFile(file);
+    open(pathText(file));
+    QTRY_COMPARE(window_->workbench.opening().sessionFile(), file);
+    session().setError(3.5);
+    window_->window.keepAll();
+    session().setError(4.5); // it was not ended after all
+    window_->window.keepAll();
+    QTRY_VERIFY(window_->workbench.opening().views().idle());
+    auto next = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
+    next->window.show();
+    const QString text = next->find<QLabel>("lost.text").text();
+    QVERIFY2(text.contains("work.tansession") && text.contains("unsaved") && !text.contains("unexpectedly"),
+             qPrintable(text));
+    QCOMPARE(*readTextFile(file), *before); // nobody has saved it
+    next->find<QPushButton>("lost.restore").click();
+    QTRY_VERIFY(next->workbench.session().model() != nullptr);
+    QCOMPARE(next->workbench.session().view().query.error, 4.5);
+    QCOMPARE(next->workbench.opening().sessionFile(), file);
+    QVERIFY(next->window.isWindowModified());
+    QTRY_VERIFY(KeptViews(viewFolder()).lost().empty());
+    next.reset();
+    window_.reset();
 }
 
 void KeepSessionTest::startAnew()

@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
+#include "ui/panels/build_panel.h"
 #include "ui/session/files.h"
 #include "ui/window/picture_orders.h"
 #include "ui/workbench/recent_files.h"
@@ -32,6 +33,8 @@ private slots:
     void nothingToLoseIsNotAskedAbout();
     void quittingDuringABuildAsks();
     void aBuildIsKeptAndTheProgramQuits();
+    void aFinishedModelIsNotReplacedByWhatIsKept_data();
+    void aFinishedModelIsNotReplacedByWhatIsKept();
     void aBuildIsPausedAndTheProgramQuits_data();
     void aBuildIsPausedAndTheProgramQuits();
     void aBuildThatCannotBeKeptKeepsTheWindow();
@@ -133,6 +136,7 @@ void LeavingTest::startBuild(std::uint32_t size)
     target_ = window_->folder.filePath("into/built.tan");
     QVERIFY(QDir().mkpath(window_->folder.filePath("into")));
     target.setText(target_);
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
     window_->find<QPushButton>("build.start").click();
     QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
     QVERIFY(window_->workbench.building().running());
@@ -203,6 +207,45 @@ void LeavingTest::aBuildIsKeptAndTheProgramQuits()
     const auto kept = Model::open(filePath(target_));
     QVERIFY2(kept, kept ? "" : kept.error().text().c_str());
     QVERIFY((*kept)->finalKey() > 0);
+}
+
+/// Quitting, closing and opening keep beside a finished model, and name both.
+void LeavingTest::aFinishedModelIsNotReplacedByWhatIsKept_data()
+{
+    QTest::addColumn<QString>("way");
+    for (const char* way : {"quit", "close", "open"})
+        QTest::newRow(way) << QString(way);
+}
+
+void LeavingTest::aFinishedModelIsNotReplacedByWhatIsKept()
+{
+    QFETCH(QString, way);
+    const QString other = otherModel();
+    const QString finished = window_->folder.filePath("into/built.tan");
+    QVERIFY(QDir().mkpath(window_->folder.filePath("into")) && QFile::copy(other, finished));
+    const auto content = [](const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    startBuild();
+    QTRY_VERIFY(session().model() != nullptr);
+    if (way == "quit")
+        window_->window.close();
+    else if (way == "close")
+        window_->find<QAction>("action.close").trigger();
+    else
+        window_->window.open(other);
+    QTRY_VERIFY(isAsked("leaving.build"));
+    const QMessageBox& question = *box("leaving.build");
+    QCOMPARE(question.defaultButton()->objectName(), QString("leaving.goOn"));
+    const QString text = question.informativeText();
+    QVERIFY2(text.contains("built.tan") && text.contains("-percent.tan"), qPrintable(text));
+    answer("leaving.build", "leaving.keep");
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 30'000);
+    const QDir folder(window_->folder.filePath("into"));
+    QTRY_COMPARE(folder.entryList({"built*percent.tan"}).size(), 1);
+    QVERIFY(Model::open(filePath(folder.filePath(folder.entryList({"built*percent.tan"}).first()))));
+    QVERIFY(content(finished) == content(other));
 }
 
 void LeavingTest::aBuildIsPausedAndTheProgramQuits_data()

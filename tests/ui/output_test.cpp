@@ -142,7 +142,8 @@ void OutputTest::aPictureIsSavedAsAskedFor()
     QVERIFY(!form->findChild<QCheckBox*>("picture.keepProportions")->isChecked());
 }
 
-/// Of the view, of a size that was chosen, and of one that was let go: no picture is wider than what is seen by accident.
+/// Of the view, of a size that was chosen, and of one that was let go: no picture is wider than what is seen by
+/// accident.
 void OutputTest::aPictureKeepsItsProportions()
 {
     PictureForm form("proportions");

@@ -180,9 +180,16 @@ void PaletteTest::settingsAreFoundAndGoneTo_data()
 {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("control");
-    QTest::newRow("a parameter of the mode") << "clip planes" << "rendering.setting.clip";
-    QTest::newRow("far down in a panel") << "background" << "view.background";
-    QTest::newRow("a box to check") << "shaded" << "rendering.setting.shaded";
+    QTest::newRow("a parameter of the mode") << "clip planes"
+                                             << "rendering.setting.clip";
+    QTest::newRow("far down in a panel") << "background"
+                                         << "view.background";
+    QTest::newRow("a box to check") << "shaded"
+                                    << "rendering.setting.shaded";
+    QTest::newRow("of a panel that was closed") << "rate"
+                                                << "animation.rate";
+    QTest::newRow("by what is read out of it") << "frames per"
+                                               << "animation.rate";
 }
 
 void PaletteTest::settingsAreFoundAndGoneTo()
@@ -204,13 +211,20 @@ void PaletteTest::whatSomebodyTypesGivesWhatTheyExpect_data()
 {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("found");
-    QTest::newRow("shad") << "shad" << "Rendering: Shaded";
-    QTest::newRow("shaded") << "shaded" << "Rendering: Shaded";
-    QTest::newRow("clip") << "clip" << "Rendering: Clip planes";
-    QTest::newRow("clip planes") << "clip planes" << "Rendering: Clip planes";
-    QTest::newRow("fit") << "fit" << "View: Fit";
-    QTest::newRow("save pic") << "save pic" << "File: Save Picture";
-    QTest::newRow("volume") << "volume" << "View: Show: Volume";
+    QTest::newRow("shad") << "shad"
+                          << "Rendering: Shaded";
+    QTest::newRow("shaded") << "shaded"
+                            << "Rendering: Shaded";
+    QTest::newRow("clip") << "clip"
+                          << "Rendering: Clip planes";
+    QTest::newRow("clip planes") << "clip planes"
+                                 << "Rendering: Clip planes";
+    QTest::newRow("fit") << "fit"
+                         << "View: Fit";
+    QTest::newRow("save pic") << "save pic"
+                              << "File: Save Picture";
+    QTest::newRow("volume") << "volume"
+                            << "View: Show: Volume";
 }
 
 void PaletteTest::whatSomebodyTypesGivesWhatTheyExpect()

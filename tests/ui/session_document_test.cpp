@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as text: they come back the same, keep what they do not know, and say what is wrong with them.
 #include "ui/session/files.h"
-#include "ui/session/session_document.h"
+#include "ui/session/session_model.h"
 #include "ui/workbench/kept_views.h"
 
 #include <QDir>
@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cstring>
 #include <random>
 
 using namespace tetra;
@@ -104,6 +105,8 @@ class SessionDocumentTest : public QObject {
 private slots:
     void aSessionComesBackTheSame();
     void modelsInTheFolderMoveWithIt();
+    void aModelIsFoundWhereItIs_data();
+    void aModelIsFoundWhereItIs();
     void whatIsNotKnownIsKept();
     void whatIsMissingIsAsUsual();
     void badSessionsAreRefused_data();
@@ -137,6 +140,62 @@ void SessionDocumentTest::modelsInTheFolderMoveWithIt()
     QCOMPARE(sessionFromText(sessionToText(document, "/old/place"), "/new")->model.string(), "/new/models/one.tan");
     QCOMPARE(sessionFromText(sessionToText(document, "/old/other"), "/new")->model.string(),
              "/old/place/models/one.tan");
+}
+
+void SessionDocumentTest::aModelIsFoundWhereItIs_data()
+{
+    QTest::addColumn<QString>("session");    // where both are when the session is read
+    QTest::addColumn<QStringList>("models"); // "NAME" of the same content, "!NAME" of another one
+    QTest::addColumn<QString>("found");
+    const auto row = [](const char* name, const char* session, const QStringList& models, const char* found) {
+        QTest::newRow(name) << session << models << found;
+    };
+    row("as it was", "project/looks/a.tansession", {"project/data/m.tan"}, "project/data/m.tan");
+    row("moved together", "new/looks/a.tansession", {"new/data/m.tan"}, "new/data/m.tan");
+    row("copied together", "new/looks/a.tansession", {"new/data/m.tan", "project/data/m.tan"}, "new/data/m.tan");
+    row("the session moved", "far/away/a.tansession", {"project/data/m.tan"}, "project/data/m.tan");
+    row("the model moved to it", "project/looks/a.tansession", {"project/looks/m.tan"}, "project/looks/m.tan");
+    row("the model moved above it", "project/looks/a.tansession", {"project/m.tan"}, "project/m.tan");
+    row("the session moved below", "new/looks/deep/er/a.tansession", {"new/data/m.tan"}, "new/data/m.tan");
+    row("built anew", "project/looks/a.tansession", {"!project/data/m.tan"}, "project/data/m.tan");
+    row("built anew, the old one beside", "project/looks/a.tansession", {"!project/data/m.tan", "project/looks/m.tan"},
+        "project/looks/m.tan");
+    row("another one beside", "project/looks/a.tansession", {"!project/looks/m.tan"}, "");
+    row("none", "project/looks/a.tansession", {}, "");
+}
+
+void SessionDocumentTest::aModelIsFoundWhereItIs()
+{
+    QFETCH(QString, session);
+    QFETCH(QStringList, models);
+    QFETCH(QString, found);
+    const QTemporaryDir home;
+    const auto place = [&home](const QString& name) { return filePath(home.filePath(name)); };
+    constexpr std::uint64_t identity = 0x123456789abcdef0;
+    for (QString model : models) {
+        const bool isOther = model.startsWith('!');
+        std::string header(256, '\0'); // all that is looked at
+        const std::uint64_t sum = isOther ? identity + 1 : identity;
+        std::memcpy(header.data() + headerChecksumOffset, &sum, sizeof sum);
+        const auto file = place(isOther ? model.mid(1) : model);
+        std::filesystem::create_directories(file.parent_path());
+        QVERIFY(writeTextFile(file, header));
+    }
+    SessionDocument document;
+    document.model = place("project/data/m.tan");
+    document.identity = identity;
+    const std::string text = sessionToText(document, place("project/looks"));
+    const auto read = sessionFromText(text, place(session).parent_path());
+    QVERIFY(read);
+    const auto model = sessionModel(*read, place(session));
+    QCOMPARE(model.has_value(), !found.isEmpty());
+    if (model)
+        QCOMPARE(*model, place(found));
+    // Saved again there, it says the new place.
+    SessionDocument moved = *read;
+    moved.model = place(found.isEmpty() ? "m.tan" : found);
+    const auto again = sessionFromText(sessionToText(moved, place("elsewhere")), place("elsewhere"));
+    QVERIFY(again && (again->relativeModel == moved.model || again->absoluteModel == moved.model));
 }
 
 void SessionDocumentTest::whatIsNotKnownIsKept()

@@ -26,6 +26,8 @@ private slots:
     void aDragOfSeveralPartsIsOneStep();
     void changesTellTheirParts();
     void aCameraThatNobodyMovedFollowsTheShape();
+    void fittingFramesWhatIsShown();
+    void aNewModelHasACameraOfItsOwn();
     void nothingIsAcceptedOutsideTheRange();
     void newIsovaluesFillTheWidestGapInFreeColours();
     void openingAnotherModelForgetsTheEdits();
@@ -190,6 +192,74 @@ void SessionTest::aCameraThatNobodyMovedFollowsTheShape()
     QCOMPARE(session_->undoStack().count(), 1);
     session_->fitCamera();
     QVERIFY(session_->view().camera == fitted(moved, bounds, 0.2));
+}
+
+void SessionTest::fittingFramesWhatIsShown()
+{
+    const Eigen::AlignedBox3d whole = model_->description().bounds;
+    const auto fits = [&](const Eigen::AlignedBox3d& bounds) {
+        return session_->view().camera == fitted(session_->view().camera, bounds, session_->shape());
+    };
+    const auto framesFirst = [&](const Eigen::AlignedBox3d& part) {
+        session_->setCamera(turned(session_->view().camera, 40, 10));
+        session_->fitCamera();
+        const bool isPart = fits(part) && session_->view().camera.target == part.center(); // it is turned about
+        session_->fitCamera();
+        const bool isWhole = fits(whole);
+        session_->fitCamera();
+        const bool isPartAgain = fits(part);
+        session_->fitCameraToWhole();
+        return isPart && isWhole && isPartAgain && fits(whole);
+    };
+    const Eigen::AlignedBox3d box(Eigen::Vector3d(2, 3, 4), Eigen::Vector3d(6, 5, 9));
+    QueryState query = session_->view().query;
+    const QueryState none = query;
+    query.window = {true, {{box.min(), box.max()}, WindowBorder::Clipped}};
+    session_->setQuery(query);
+    QVERIFY(framesFirst(box));
+
+    query = none;
+    query.focus.shape = FocusState::Shape::Sphere;
+    query.focus.centre = {1, 10, 10};
+    query.focus.radius = 3;
+    session_->setQuery(query);
+    QVERIFY(framesFirst({Eigen::Vector3d(0, 7, 7), Eigen::Vector3d(4, 13, 13)})); // without what is outside
+
+    query = none;
+    query.values = {true, 50, 100};
+    session_->setQuery(query);
+    session_->setCamera(turned(session_->view().camera, 1, 1));
+    session_->fitCamera();
+    QVERIFY(fits(whole)); // where these values lie is not known before the picture is there
+    ShownMesh shown;
+    shown.query = meshQuery(session_->view().query, *model_, presentView(session_->view()));
+    shown.bounds = box;
+    session_->setShown(shown);
+    QVERIFY(framesFirst(box));
+}
+
+/// What is no part of a model stays.
+void SessionTest::aNewModelHasACameraOfItsOwn()
+{
+    Camera camera = session_->view().camera;
+    camera.azimuth = 200;
+    camera.roll = 30;
+    camera.up = UpAxis::MinusZ;
+    camera.perspective = false;
+    camera.trackball = true;
+    session_->setCamera(camera);
+    AnnotationState annotations;
+    annotations[AnnotationKind::ScaleBar] = {true, Corner::TopLeft};
+    session_->setAnnotations(annotations);
+    const Camera usual = fitted({.trackball = true}, model_->description().bounds, session_->shape());
+    for (const bool closes : {true, false}) {
+        if (closes)
+            session_->close();
+        session_->open(model_, {});
+        QVERIFY(session_->view().camera == usual);
+        QVERIFY(session_->view().annotations == annotations);
+        session_->setCamera(turned(session_->view().camera, 90, 0));
+    }
 }
 
 void SessionTest::nothingIsAcceptedOutsideTheRange()

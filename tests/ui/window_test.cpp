@@ -18,6 +18,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
@@ -73,6 +74,9 @@ private slots:
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void aFolderThatDoesNotAnswerStopsNobody();
+    void aMaximisedWindowIsOneTheNextTime();
+    void anExistingModelIsOfferedFirst();
+    void aFinishedModelIsNotReplacedByWhatIsKept();
     void theMouseMovesTheCamera();
     void theKeyboardMovesTheCamera();
     void namedViewsAndFit();
@@ -173,8 +177,8 @@ void WindowTest::emptyInvites()
 /// As a shell gives them, and as a desktop does: then they are URLs.
 void WindowTest::theFirstOfSeveralFilesIsOpened()
 {
-    const QString model = QString::fromStdString(
-        buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath()).string());
+    const QString model =
+        QString::fromStdString(buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath()).string());
     window_->window.openFirst({});
     QVERIFY(!window_->workbench.opening().reading().running());
     window_->window.openFirst({QUrl::fromLocalFile(model).toString(), "other.tan"});
@@ -275,6 +279,9 @@ void WindowTest::messagesOfAnotherFileGo()
     QTRY_COMPARE(window_->messages().size(), 1);
     window_->window.open(window_->folder.filePath("missing, too.nrrd"));
     QTRY_COMPARE(window_->messages().size(), 2); // nothing else was opened
+    const auto rows = window_->window.findChildren<MessageRow*>();
+    QCOMPARE(std::ranges::count_if(rows, [](const MessageRow* row) { return row->isVisible(); }), 1); // of the last
+    QVERIFY(window_->find<QWidget>("messages.more").isVisible());
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
     QCOMPARE(window_->messages(), QStringList());
@@ -326,7 +333,7 @@ void WindowTest::aBuildIsCancelledAndLeavesNoFile()
     QTRY_VERIFY(window_->workbench.opening().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
-    QVERIFY(window_->find<QWidget>("build.progress").isVisible());
+    QTRY_VERIFY(window_->find<QWidget>("build.progress").isVisible());
     QVERIFY(!window_->find<QWidget>("build.target").isEnabled());
     QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
     QTest::mouseClick(&window_->find<QPushButton>("build.cancel"), Qt::LeftButton);
@@ -392,6 +399,7 @@ void WindowTest::aBuildWithNothingToKeepSaysSo()
     QTRY_VERIFY(window_->workbench.opening().dataset());
     setBlock("8");
     const QString target = window_->find<QLineEdit>("build.target").text();
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
     window_->find<QPushButton>("build.start").click();
     QVERIFY(!window_->workbench.building().canKeepBuild());
     window_->find<QPushButton>("build.keep").click();
@@ -547,6 +555,8 @@ void WindowTest::anExistingModelIsReplacedOnlyWithAWord()
     QCOMPARE(window_->find<QPushButton>("build.start").text(), QString("&Build and Replace"));
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("other.tan"));
     QTRY_VERIFY(!window_->find<QLabel>("build.targetHint").isVisible());
+    QVERIFY(!window_->find<QPushButton>("build.openExisting").isVisible());
+    QCOMPARE(window_->find<QWidget>("build").focusProxy()->objectName(), QString("build.start"));
 }
 
 /// At each letter of a file's name it is looked for, which may take as long as it likes. Nothing is built before it is
@@ -582,6 +592,75 @@ void WindowTest::aFolderThatDoesNotAnswerStopsNobody()
     QVERIFY(!window_->workbench.building().running());
     start.click();
     QTRY_VERIFY(QFile::exists(target.text()) && !window_->workbench.building().running());
+}
+
+/// Also after a program that could not end as it should.
+void WindowTest::aMaximisedWindowIsOneTheNextTime()
+{
+    QSettings().remove("window");
+    window_->window.showMaximized();
+    QTRY_VERIFY(QSettings().contains("window/geometry"));
+    WindowFixture next; // the first one is still there
+    next.window.show();
+    QVERIFY(next.window.isMaximized());
+}
+
+/// Data whose model lies beside them: Enter opens that, and nothing is built.
+void WindowTest::anExistingModelIsOfferedFirst()
+{
+    const auto model = buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
+    const auto written = std::filesystem::last_write_time(model);
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    auto& existing = window_->find<QPushButton>("build.openExisting");
+    QTRY_VERIFY(existing.isVisible());
+    QTRY_VERIFY(existing.y() < window_->find<QWidget>("build.start").y());
+    QCOMPARE(window_->find<QWidget>("build").focusProxy(), &existing);
+    QCOMPARE(window_->window.focusWidget(), &existing);
+    QTest::keyClick(window_->window.focusWidget(), Qt::Key_Return);
+    QTRY_VERIFY(window_->workbench.session().model() != nullptr);
+    QCOMPARE(window_->workbench.session().model()->path(), model);
+    QVERIFY(std::filesystem::last_write_time(model) == written);
+    QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
+    QCOMPARE(window_->messages(), QStringList());
+}
+
+/// The panel's own button asks before, and whatever is chosen the finished model is as it was.
+void WindowTest::aFinishedModelIsNotReplacedByWhatIsKept()
+{
+    const auto dataset = writeNrrd(sampleDataset(96), window_->folderPath());
+    std::filesystem::path finished = dataset;
+    finished.replace_extension(".tan");
+    std::filesystem::rename(buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath()), finished);
+    const QByteArray before = contentOf(pathText(finished));
+    window_->window.open(pathText(dataset));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QCOMPARE(window_->find<QLineEdit>("build.target").text(), pathText(finished));
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
+    window_->find<QPushButton>("build.start").click();
+    QTRY_VERIFY(window_->workbench.building().canKeepBuild());
+    const auto question = [&]() -> QMessageBox* {
+        const auto boxes = window_->window.findChildren<QMessageBox*>("leaving.keeping");
+        return boxes.isEmpty() ? nullptr : boxes.last();
+    };
+    window_->find<QPushButton>("build.keep").click();
+    QVERIFY(question() != nullptr && question()->isVisible());
+    QCOMPARE(question()->defaultButton()->objectName(), QString("leaving.cancel"));
+    const QString text = question()->text() + question()->informativeText();
+    QVERIFY2(text.contains(pathText(finished.filename())) && text.contains("-percent.tan"), qPrintable(text));
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QVERIFY(window_->workbench.building().running());
+    QTRY_VERIFY(question() == nullptr);
+    window_->find<QPushButton>("build.keep").click();
+    QVERIFY(question() != nullptr);
+    question()->findChild<QAbstractButton*>("leaving.keep")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->workbench.building().running(), 30'000);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    const auto kept = window_->workbench.session().model()->path();
+    QVERIFY2(window_->messages().first().contains(pathText(kept.filename())), qPrintable(window_->messages().first()));
+    QVERIFY(kept != finished && kept.parent_path() == finished.parent_path());
+    QVERIFY2(kept.filename().string().ends_with("-percent.tan"), kept.c_str());
+    QVERIFY(contentOf(pathText(finished)) == before);
 }
 
 void WindowTest::theMouseMovesTheCamera()

@@ -107,6 +107,7 @@ BuildPanel::BuildPanel(Workbench& workbench, TargetLook::Look look, QWidget* par
     layout->addWidget(pages_);
     for (QWidget* page : {nothingPage_, buildPage_})
         pages_->addWidget(page);
+    setFocusProxy(build_);
     connectWorkbench();
     showRunning(false);
 }
@@ -137,8 +138,13 @@ QWidget* BuildPanel::makeBuildPage()
     build_ = new QPushButton(tr("&Build"));
     build_->setObjectName("build.start");
     build_->setIcon(glyphIcon(Glyph::Build));
-    build_->setAutoDefault(true); // Enter builds
-    setFocusProxy(build_);
+    openExisting_ = new QPushButton(tr("&Open the Existing Model"));
+    openExisting_->setObjectName("build.openExisting");
+    openExisting_->setIcon(glyphIcon(Glyph::Open));
+    openExisting_->setToolTip(tr("Open the model that is there already; nothing is built or replaced"));
+    connect(openExisting_, &QPushButton::clicked, this, [this] { emit openWanted(target_->text()); });
+    for (QPushButton* button : {openExisting_, build_})
+        button->setAutoDefault(true); // Enter presses the one with the focus
 
     inputs_ = new QWidget;
     auto* inputs = new QVBoxLayout(inputs_);
@@ -171,6 +177,7 @@ QWidget* BuildPanel::makeBuildPage()
     layout->addSpacing(8);
     layout->addWidget(inputs_);
     layout->addSpacing(6);
+    layout->addWidget(openExisting_);
     layout->addWidget(build_);
     layout->addWidget(makeProgress());
     layout->addStretch();
@@ -291,8 +298,10 @@ QWidget* BuildPanel::makeProgress()
     connect(pause_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Pause); });
     keep_ = new QPushButton(tr("Stop and &Keep"));
     keep_->setObjectName("build.keep");
-    keep_->setToolTip(tr("Stop the build and keep what is finished as the model, with the accuracy reached so far"));
-    connect(keep_, &QPushButton::clicked, this, [this] { workbench_.building().stopBuild(BuildEnd::Keep); });
+    keep_->setToolTip(
+        tr("Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model "
+           "of the same name stays as it is."));
+    connect(keep_, &QPushButton::clicked, this, &BuildPanel::keepWanted);
     progress_ = new QWidget;
     auto* layout = new QVBoxLayout(progress_);
     layout->setContentsMargins({});
@@ -442,7 +451,9 @@ void BuildPanel::whenLooked(const std::function<void()>& then)
     if (!look_->running())
         return then();
     then_ = [this, then, agreed = build_->text()] {
-        if (build_->text() == agreed)
+        const TargetFacts& there = *look_->facts();
+        const bool isNothingThere = !there.exists && there.note.empty();
+        if (isNothingThere || build_->text() == agreed)
             then();
     };
 }
@@ -454,9 +465,25 @@ void BuildPanel::showTarget()
         return;
     const bool exists = look_->facts()->exists;
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
-    targetHint_->setText(exists ? tr("This file exists; it is replaced when the build is done.") : QString());
+    targetHint_->setText(
+        exists ? tr("This file exists. You can open it; if you build, it is replaced when the build is done.")
+               : QString());
     targetHint_->setVisible(exists);
     showInterrupted();
+    offerExisting(exists && !workbench_.building().running());
+}
+
+/// Enter opens the model that is there, also if what had the keys until that was known would have built another one.
+void BuildPanel::offerExisting(bool offers)
+{
+    QPushButton* const first = offers ? openExisting_ : build_;
+    QPushButton* const other = offers ? build_ : openExisting_;
+    const bool hasKeys = window()->focusWidget() == other;
+    const bool isNew = focusProxy() != first;
+    setFocusProxy(first);
+    openExisting_->setVisible(offers);
+    if (hasKeys && isNew)
+        first->setFocus();
 }
 
 void BuildPanel::takeUpInterrupted()
@@ -515,6 +542,7 @@ void BuildPanel::showRunning(bool running)
     differently_->setEnabled(!running);
     build_->setVisible(!running);
     interrupted_->hide(); // showTarget() tells
+    offerExisting(false); // likewise
     progress_->setVisible(running);
     cancel_->setEnabled(true);
     keep_->setEnabled(true);
@@ -562,10 +590,11 @@ void BuildPanel::showStopping(BuildEnd end)
 void BuildPanel::build()
 {
     whenLooked([this] {
-        workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
-                                     .values = options_->matteringValues(),
-                                     .target = filePath(target_->text()),
-                                     .resume = resume_->isChecked() && !resume_->isHidden()});
+        if (build_->isEnabled())
+            workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
+                                         .values = options_->matteringValues(),
+                                         .target = filePath(target_->text()),
+                                         .resume = resume_->isChecked() && !resume_->isHidden()});
     });
 }
 

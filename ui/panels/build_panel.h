@@ -33,6 +33,12 @@ public:
     /// Whether it is still to be found out what is there already.
     bool looking() const noexcept { return look_->running(); }
 
+signals:
+    /// The build is to be stopped, and what is finished kept.
+    void keepWanted();
+    /// The model that is there already is to be opened.
+    void openWanted(const QString& path);
+
 private:
     QWidget* makeNothingPage();
     QWidget* makeBuildPage();
@@ -51,6 +57,7 @@ private:
     std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
     void beginLook(bool takesUp);
     void showTarget();
+    void offerExisting(bool offers);
     void whenLooked(const std::function<void()>& then);
     /// Shows the builder and the options of an interrupted build of these data, as it goes on with no others.
     void takeUpInterrupted();
@@ -85,6 +92,7 @@ private:
     QWidget* interrupted_; ///< what is said of a build that was interrupted
     QLabel* interruptedText_;
     QPushButton* beginAnew_;
+    QPushButton* openExisting_ = nullptr; ///< comes before the one that would replace that model
     QPushButton* build_;
     QWidget* inputs_;
     QWidget* buildPage_;

@@ -92,6 +92,7 @@ FocusPanel::FocusPanel(Session& session, QWidget* parent)
     connect(&session_, &Session::modelGrown, this, &FocusPanel::showFocus);
     session_.whenChanged(ViewPart::Query, this, &FocusPanel::showFocus);
     session_.whenChanged(ViewPart::Isovalues, this, &FocusPanel::showExpectation);
+    connect(&session_, &Session::shownChanged, this, &FocusPanel::showExpectation);
     showModel();
 }
 
@@ -347,8 +348,11 @@ void FocusPanel::showExpectation()
     outside_->setText(tr("Outside %1, as chosen under Accuracy.").arg(percentText(query.error)));
     const std::uint64_t inside = meshSizeAt(*model, query.warping.with(inner)).tetrahedra;
     const std::uint64_t outside = meshSizeAt(*model, query.warping.with(query.error)).tetrahedra;
-    expectation_->setText(tr("Between %1 and %2 tetrahedra.")
-                              .arg(countText(std::min(inside, outside)), countText(std::max(inside, outside))));
+    const QString least = countText(std::min(inside, outside)), most = countText(std::max(inside, outside));
+    expectation_->setText(session_.showsQuery()
+                              ? tr("%1 tetrahedra; without the focus %2, with its error everywhere %3.")
+                                    .arg(countText(session_.shown()->tetrahedra), least, most)
+                              : tr("Between %1 and %2 tetrahedra.").arg(least, most));
 }
 
 } // namespace tetra

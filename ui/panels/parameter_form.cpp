@@ -66,8 +66,8 @@ public:
         Q_UNUSED(position);
         bool isNumber = false;
         const double value = locale().toDouble(text.trimmed(), &isNumber);
-        const bool fits = isNumber && value >= minimum() && value <= maximum() &&
-                          (decimals() > 0 || value == std::trunc(value));
+        const bool fits =
+            isNumber && value >= minimum() && value <= maximum() && (decimals() > 0 || value == std::trunc(value));
         return fits ? QValidator::Acceptable : QValidator::Intermediate;
     }
 
@@ -110,7 +110,7 @@ double leastStep(const Parameter& parameter)
 QDoubleSpinBox* numberBox(const Parameter& parameter, bool isWhole, double value)
 {
     constexpr double unbounded = 1e15; // whole numbers up to here are exact
-    constexpr double any = 1e300; // short to write: boxes have room for their limits
+    constexpr double any = 1e300;      // short to write: boxes have room for their limits
     const double largest = isWhole ? unbounded : any;
     auto* box = new NumberBox(isWhole ? 1 : leastStep(parameter));
     box->setDecimals(isWhole ? 0 : allDecimals);

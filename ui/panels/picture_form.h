@@ -18,7 +18,7 @@ namespace tetra {
 
 /// How a picture or the frames of a film are to be.
 struct PictureSettings {
-    QSize size; ///< pixels
+    QSize size;          ///< pixels
     int dotsPerInch = 0; ///< 0: none is told
     bool transparent = false;
     AnnotationState annotations;

@@ -218,10 +218,9 @@ void RegionPanel::showModel()
         const Eigen::AlignedBox3d& bounds = model->description().bounds;
         from_->setRange(bounds.min(), bounds.max());
         to_->setRange(bounds.min(), bounds.max());
-        const QString ends =
-            tr("In the units of the data: %1 to %2")
-                .arg(numberInRange(range.minimum, range.minimum, range.maximum),
-                     numberInRange(range.maximum, range.minimum, range.maximum));
+        const QString ends = tr("In the units of the data: %1 to %2")
+                                 .arg(numberInRange(range.minimum, range.minimum, range.maximum),
+                                      numberInRange(range.maximum, range.minimum, range.maximum));
         least_->setTexts(tr("Smallest value"), ends);
         largest_->setTexts(tr("Largest value"), ends);
         for (ValueSlider* slider : {least_, largest_}) {

@@ -170,7 +170,7 @@ QLayout* ViewPanel::makeNamedViews()
     }
     auto* fit = new QPushButton(tr("Fit"));
     fit->setObjectName("view.fit");
-    fit->setToolTip(tr("Show the whole domain (Home)"));
+    fit->setToolTip(tr("Frame what is shown, or the focus; once more: the whole domain (Home)"));
     connect(fit, &QPushButton::clicked, &workbench_.session(), &Session::fitCamera);
     grid->addWidget(fit, 1, 3);
     for (int i = 0; i < grid->count(); ++i)

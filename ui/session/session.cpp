@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace tetra {
 namespace {
@@ -48,6 +49,20 @@ std::optional<Colour> corrected(std::optional<Colour> colour)
         for (float Colour::*channel : {&Colour::red, &Colour::green, &Colour::blue})
             (*colour).*channel = std::clamp(static_cast<float>(numberOr((*colour).*channel, 0)), 0.0F, 1.0F);
     return colour;
+}
+
+Eigen::AlignedBox3d boundsOf(const FocusState& focus)
+{
+    Eigen::AlignedBox3d bounds;
+    for (const MovableRegion& region : focus.regions())
+        if (const auto* sphere = std::get_if<Sphere>(&region)) {
+            bounds.extend(sphere->centre - Eigen::Vector3d::Constant(sphere->radius));
+            bounds.extend(sphere->centre + Eigen::Vector3d::Constant(sphere->radius));
+        } else {
+            bounds.extend(std::get<Box>(region).least);
+            bounds.extend(std::get<Box>(region).largest);
+        }
+    return bounds;
 }
 
 /// Whether a renderer's own transfer function is among what differs.
@@ -172,6 +187,7 @@ void Session::open(std::shared_ptr<const Model> model, std::vector<Isovalue> iso
                    .appearance = std::move(appearance),
                    .isovalues = std::move(isovalues),
                    .annotations = view_.annotations};
+    view.camera.trackball = view_.camera.trackball;
     followsModel_ = true;
     start(std::move(model), std::move(view), false);
 }
@@ -189,7 +205,7 @@ void Session::start(std::shared_ptr<const Model> model, ViewValue view, bool has
     shown_.reset();
     fitted_.reset();
     if (!hasCamera) {
-        view.camera = fitted(upright(view_.camera, UpAxis::Z), model_->description().bounds, shape_);
+        view.camera = fitted(view.camera, model_->description().bounds, shape_);
         fitted_ = view.camera;
     }
     const ViewValue usual{
@@ -230,7 +246,7 @@ void Session::close()
     undoStack_.clear();
     shown_.reset();
     fitted_.reset();
-    view_ = {.annotations = view_.annotations, .camera = view_.camera};
+    view_ = {.annotations = view_.annotations, .camera = {.trackball = view_.camera.trackball}};
     emit modelChanged();
 }
 
@@ -374,7 +390,32 @@ void Session::setCamera(const Camera& camera, Gesture gesture)
     setView(std::move(view), {}, gesture);
 }
 
+/// The part of the domain that is of interest: what window and values leave, or else the regions of the focus.
+Eigen::AlignedBox3d Session::shownBounds() const
+{
+    const Eigen::AlignedBox3d& whole = model_->description().bounds;
+    const QueryState& query = view_.query;
+    Eigen::AlignedBox3d part = whole;
+    if (query.window.enabled)
+        part = part.intersection({query.window.window.box.least, query.window.window.box.largest});
+    if (query.values.enabled && showsQuery() && !shown_->bounds.isEmpty())
+        part = part.intersection(shown_->bounds);
+    if (!query.window.enabled && !query.values.enabled && query.focus.isRegion())
+        part = boundsOf(query.focus).intersection(whole);
+    return part.isEmpty() ? whole : part;
+}
+
 void Session::fitCamera()
+{
+    if (!model_)
+        return;
+    const Camera camera = fitted(view_.camera, shownBounds(), shape_);
+    if (camera == view_.camera)
+        return fitCameraToWhole();
+    setCamera(camera);
+}
+
+void Session::fitCameraToWhole()
 {
     if (model_)
         setCamera(fitted(view_.camera, model_->description().bounds, shape_));

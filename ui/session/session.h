@@ -36,11 +36,12 @@ public:
     /// The range of the model's values; empty without a model.
     ValueRange range() const;
 
-    /// Shows `model` at an accuracy that is quick to draw, all of it, with the annotations as they were. The history of
-    /// edits starts anew.
+    /// Shows `model` at an accuracy that is quick to draw, all of it and from the usual direction. What is the user's
+    /// way of working and no part of a model stays: which annotations are shown and where, and how a drag turns the
+    /// camera. The history of edits starts anew.
     void open(std::shared_ptr<const Model> model, std::vector<Isovalue> isovalues, Appearance appearance = {});
-    /// Shows `model` as somebody has left it; what does not fit the model is brought into it. Unless somebody had
-    /// chosen a camera it shows all of the model.
+    /// Shows `model` as somebody has left it; what does not fit the model is brought into it. Without a camera it shows
+    /// all of the model, from the view's direction.
     void restore(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera = true);
     /// Shows a model of the same dataset that has more sites, as the model is seen now: the history of edits goes on.
     /// Unless the view was restored, the accuracy follows what is quick to draw until the first edit; isovalues and
@@ -84,8 +85,11 @@ public:
     void setAnnotations(const AnnotationState& annotations);
     void setAnimation(const Animation& animation);
     void setCamera(const Camera& camera, Gesture gesture = 0);
-    /// All of the model, from the present direction.
+    /// From the present direction: what is shown of the model, or its focus, in the middle of the picture, so that it
+    /// is turned about that. If that is what is seen already, all of the model.
     void fitCamera();
+    /// All of the model.
+    void fitCameraToWhole();
     void setBackground(const std::optional<Colour>& background);
     void setLens(const LensState& lens, Gesture gesture = 0);
     /// At `value`, or in the middle of the widest range of values without one; in a colour that is not in use.
@@ -103,14 +107,13 @@ public:
     /// Calls `call`, a function or a member of `receiver`, whenever one of these parts of the view has changed.
     template <class Receiver, class Call> void whenChanged(ViewParts parts, Receiver* receiver, Call call) const
     {
-        connect(this, &Session::viewChanged, receiver, [parts, receiver, call](ViewParts changed) {
-            if (!(changed & parts))
-                return;
-            if constexpr (std::is_member_function_pointer_v<Call>)
-                (receiver->*call)();
-            else
-                call();
-        });
+        if constexpr (std::is_member_function_pointer_v<Call>)
+            whenChanged(parts, receiver, [receiver, call] { (receiver->*call)(); });
+        else
+            connect(this, &Session::viewChanged, receiver, [parts, call](ViewParts changed) {
+                if (changed & parts)
+                    call();
+            });
     }
 
 signals:
@@ -125,6 +128,7 @@ private:
     class ChangeView;
     template <class Change> void edit(Change change);
     bool hasIsovalue(int index) const;
+    Eigen::AlignedBox3d shownBounds() const;
     /// Whether one of these parts was edited, undone or not.
     bool edited(ViewParts parts) const;
     void start(std::shared_ptr<const Model> model, ViewValue view, bool hasCamera);

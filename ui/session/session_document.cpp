@@ -19,8 +19,10 @@ namespace {
 
 constexpr const char* formatName = "tan-session";
 constexpr int formatVersion = 1;
-/// Of the checksum in a model's header (FORMAT.md).
-constexpr std::size_t headerChecksumOffset = 248;
+constexpr const char* relativeKey = "relativePath";
+constexpr const char* absoluteKey = "absolutePath";
+/// Corners of one domain may differ by so much of its diagonal: data may be written in other digits.
+constexpr double sameCorner = 1e-9;
 
 Error wrong(const Message& what)
 {
@@ -37,13 +39,17 @@ QJsonObject over(QJsonObject found, const QJsonObject& ours)
     return found;
 }
 
-/// As it is written: with slashes, and relative if the model lies in the folder or below it.
-QString writtenPath(const std::filesystem::path& model, const std::filesystem::path& folder)
+/// The paths of a model as they are written, with slashes. "path" is relative if the model lies in the folder or below
+/// it, else absolute; the other one is beside it.
+QJsonObject writtenPaths(const std::filesystem::path& model, const std::filesystem::path& folder)
 {
+    const QString absolute = pathText(model);
     if (isAddress(model.string()))
-        return pathText(model);
-    const QString relative = QDir(pathText(folder)).relativeFilePath(pathText(model));
-    return relative.startsWith("..") ? pathText(model) : relative;
+        return {{"path", absolute}};
+    const QString relative = QDir(pathText(folder)).relativeFilePath(absolute);
+    if (relative.startsWith(".."))
+        return {{"path", absolute}, {relativeKey, relative}};
+    return {{"path", relative}, {absoluteKey, absolute}};
 }
 
 Result<QJsonObject> objectOf(std::string_view text)
@@ -83,14 +89,21 @@ std::uint64_t modelIdentity(const Model& model)
     return identity;
 }
 
-bool isOfSameField(const SessionDocument& document, const Model& model)
+bool isOfSameDomain(const SessionDocument& document, const Model& model)
 {
-    const ModelDescription& described = model.description();
-    const bool sameBox = document.bounds.isEmpty() || (document.bounds.min() == described.bounds.min() &&
-                                                       document.bounds.max() == described.bounds.max());
-    const bool sameRange = !document.range || (document.range->minimum == described.range.minimum &&
-                                               document.range->maximum == described.range.maximum);
-    return document.identity == modelIdentity(model) || (sameBox && sameRange);
+    if (document.bounds.isEmpty() || document.identity == modelIdentity(model))
+        return true;
+    const Eigen::AlignedBox3d& bounds = model.description().bounds;
+    const double tolerance = sameCorner * bounds.diagonal().norm();
+    return (document.bounds.min() - bounds.min()).norm() <= tolerance &&
+           (document.bounds.max() - bounds.max()).norm() <= tolerance;
+}
+
+bool isOfSameRange(const SessionDocument& document, const Model& model)
+{
+    const ValueRange& range = model.description().range;
+    return !document.range || document.identity == modelIdentity(model) ||
+           (document.range->minimum == range.minimum && document.range->maximum == range.maximum);
 }
 
 bool isSessionFile(const std::filesystem::path& path)
@@ -100,8 +113,8 @@ bool isSessionFile(const std::filesystem::path& path)
 
 std::string sessionToText(const SessionDocument& document, const std::filesystem::path& folder)
 {
-    QJsonObject model = {{"path", writtenPath(document.model, folder)},
-                         {"identity", QString::number(document.identity, 16)}};
+    QJsonObject model = writtenPaths(document.model, folder);
+    model["identity"] = QString::number(document.identity, 16);
     if (!document.bounds.isEmpty()) {
         const auto corner = [](const Eigen::Vector3d& place) { return QJsonArray{place[0], place[1], place[2]}; };
         model["bounds"] = QJsonArray{corner(document.bounds.min()), corner(document.bounds.max())};
@@ -115,6 +128,10 @@ std::string sessionToText(const SessionDocument& document, const std::filesystem
     QJsonObject found = document.found;
     for (const char* ofOthers : {"background", "camera", "file", "viewSize"})
         found.remove(ofOthers);
+    QJsonObject foundModel = found.value("model").toObject();
+    for (const char* path : {relativeKey, absoluteKey})
+        foundModel.remove(path);
+    found.insert("model", foundModel);
     // Settings and functions are whole values: what was in the old ones must not come back.
     QJsonObject look = found.value("look").toObject();
     look.remove("transfer");
@@ -137,12 +154,20 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
     std::optional<Error> error;
     const JsonFields fields(*root, {}, error);
     const JsonFields model = fields.fields("model");
-    std::string path, identity;
+    std::string path, relative, absolute, identity;
     model.read("path", path);
+    model.read(relativeKey, relative);
+    model.read(absoluteKey, absolute);
     model.read("identity", identity);
     document.identity = QString::fromStdString(identity).toULongLong(nullptr, 16);
-    document.model = isAddress(path) ? std::filesystem::path(path)
-                                     : (folder / filePath(QString::fromStdString(path))).lexically_normal();
+    const auto placeOf = [&folder](const std::string& written) {
+        return (folder / filePath(QString::fromStdString(written))).lexically_normal();
+    };
+    document.model = isAddress(path) ? std::filesystem::path(path) : placeOf(path);
+    if (!relative.empty())
+        document.relativeModel = placeOf(relative);
+    if (!absolute.empty())
+        document.absoluteModel = placeOf(absolute);
     const QJsonArray corners = model.object().value("bounds").toArray();
     const QJsonArray range = model.object().value("range").toArray();
     for (const QJsonValue& corner : corners)

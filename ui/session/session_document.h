@@ -21,12 +21,16 @@
 namespace tetra {
 
 /// What is open and how it is seen, as a file keeps it: a JSON text of the format "tan-session", version 1. Models are
-/// named by a path relative to the session's folder where they lie in it, so that a folder can be moved as a whole.
+/// named by two paths, relative to the session's folder and absolute, so that either can be moved; sessionModel() tells
+/// where the model is.
 struct SessionDocument {
-    std::filesystem::path model;       ///< absolute
-    std::uint64_t identity = 0;        ///< modelIdentity() of the model; 0 if the file does not say
-    Eigen::AlignedBox3d bounds{};      ///< of the model; empty if the file does not say
-    std::optional<ValueRange> range{}; ///< of its values, likewise
+    std::filesystem::path model; ///< absolute, as earlier programs read it
+    std::filesystem::path
+        relativeModel{}; ///< by its path from the session's folder, absolute; empty if that is `model`
+    std::filesystem::path absoluteModel{}; ///< where it lay when the file was written; likewise
+    std::uint64_t identity = 0;            ///< modelIdentity() of the model; 0 if the file does not say
+    Eigen::AlignedBox3d bounds{};          ///< of the model; empty if the file does not say
+    std::optional<ValueRange> range{};     ///< of its values, likewise
     ViewValue view{};
     bool hasCamera = false; ///< else the view's is none that anybody chose
     /// Of the view, width and height in pixels: lines and texts take as much of a picture as they do of that. Zeros if
@@ -38,12 +42,16 @@ struct SessionDocument {
 
 inline constexpr const char* sessionSuffix = "tansession";
 
+/// Of modelIdentity() in a model's file.
+inline constexpr std::size_t headerChecksumOffset = 248;
+
 /// Differs for models of different content: the checksum of the header and the section table (FORMAT.md).
 std::uint64_t modelIdentity(const Model& model);
 
-/// Whether places and values of the document are places and values of this model, too: it is the same one, or has the
-/// same domain and the same range.
-bool isOfSameField(const SessionDocument& document, const Model& model);
+/// Whether places, or values, of the document are places, or values, of this model, too: it is the same one, or has the
+/// same domain, or the same range; or the document does not say.
+bool isOfSameDomain(const SessionDocument& document, const Model& model);
+bool isOfSameRange(const SessionDocument& document, const Model& model);
 
 /// Whether the file's name is that of a session.
 bool isSessionFile(const std::filesystem::path& path);

@@ -5,6 +5,8 @@
 #include <tan/query.h>
 #include <tan/transfer.h>
 
+#include <Eigen/Geometry>
+
 #include <QString>
 
 #include <cstdint>
@@ -21,8 +23,9 @@ struct ShownMesh {
     std::uint64_t wholeTetrahedra = 0;
     std::uint64_t keptSites = 0; ///< of what is drawn, as in ExtractedMesh
     std::uint64_t keptTetrahedra = 0;
-    bool isBlended = false; ///< of two meshes, both are counted; the whole one is that outside the focus
-    double scale = 1;       ///< as in ExtractedMesh
+    bool isBlended = false;       ///< of two meshes, both are counted; the whole one is that outside the focus
+    double scale = 1;             ///< as in ExtractedMesh
+    Eigen::AlignedBox3d bounds{}; ///< of what is drawn, if window or values leave something out; else empty
     std::shared_ptr<const ValueHistogram> histogram{}; ///< of its vertices' values, over the model's range
     /// The same of the values' natural logarithms; none if the range is not positive.
     std::shared_ptr<const ValueHistogram> logarithmicHistogram{};

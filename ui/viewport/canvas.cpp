@@ -126,10 +126,10 @@ struct Canvas::Backends {
 
     bool usesGl = false;
     Pair chosen{};
-    Pair processor{};                         ///< for what OpenGL refuses; made when it does
+    Pair processor{};                          ///< for what OpenGL refuses; made when it does
     std::weak_ptr<const Scene> refusedScene{}; ///< the last one that OpenGL refused,
-    double refusedSamples = 0;                ///< in pictures of so many samples,
-    QString refusal{};                        ///< and why
+    double refusedSamples = 0;                 ///< in pictures of so many samples,
+    QString refusal{};                         ///< and why
 
     static Pair onProcessor() { return {makeCpuBackend(), makeCpuBackend()}; }
 

@@ -328,11 +328,7 @@ void RegionTools::paintEvent(QPaintEvent* event)
     for (const RegionKind kind : kinds) {
         if (!query().has(kind))
             continue;
-        RegionLook look{regionColour(kind, ground()),
-                        ground(),
-                        kind == selected_,
-                        drag_ && kind == selected_,
-                        {}};
+        RegionLook look{regionColour(kind, ground()), ground(), kind == selected_, drag_ && kind == selected_, {}};
         if (drag_ && look.selected)
             look.hovered = drag_->handle;
         else if (hovered_ && hovered_->region == kind)

@@ -81,9 +81,11 @@ void askForStatisticsFile(QWidget* parent, const QString& name, const QString& p
 }
 
 void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,
-                    const FileChosen& chosen)
+                    const FileChosen& chosen, const QString& folder)
 {
     QFileDialog* dialog = makeDialog(parent, name, title, chosen);
+    if (!folder.isEmpty())
+        dialog->setDirectory(folder);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters({filter, FileDialogs::tr("All files (*)")});
     dialog->open();

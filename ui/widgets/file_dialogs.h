@@ -18,9 +18,10 @@ void askForPictureFile(QWidget* parent, const QString& name, const QString& prop
 void askForTargetFile(QWidget* parent, const QString& name, const QString& title, const QStringList& filters,
                       const QString& proposed, const FileChosen& chosen);
 void askForStatisticsFile(QWidget* parent, const QString& name, const QString& proposed, const FileChosen& chosen);
-/// Small JSON files of whatever kind: `title` and `filter` say which.
+/// Files of whatever kind: `title` and `filter` say which. `folder`: where to look first; empty: where the user was
+/// last.
 void askForTextFile(QWidget* parent, const QString& name, const QString& title, const QString& filter,
-                    const FileChosen& chosen);
+                    const FileChosen& chosen, const QString& folder = {});
 void askForTextTarget(QWidget* parent, const QString& name, const QString& title, const QString& filter,
                       const QString& proposed, const FileChosen& chosen);
 

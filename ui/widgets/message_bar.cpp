@@ -19,16 +19,23 @@ namespace {
 /// As many as leave room for the picture; the others come up when these are taken away.
 constexpr qsizetype mostShown = 3;
 constexpr QColor amber(230, 159, 0);
+constexpr QColor blue(0, 114, 178);
 constexpr int iconSide = 20;
+
+QColor colourOf(MessageKind kind)
+{
+    return kind == MessageKind::Problem ? amber : blue;
+}
 
 } // namespace
 
-MessageRow::MessageRow(const QString& text, MessageSubject subject)
-    : text_(text), subject_(subject), count_(new QLabel), layout_(new QHBoxLayout(this))
+MessageRow::MessageRow(const QString& text, MessageSubject subject, MessageKind kind)
+    : text_(text), subject_(subject), kind_(kind), count_(new QLabel), layout_(new QHBoxLayout(this))
 {
     setObjectName("message");
     auto* sign = new QLabel;
-    sign->setPixmap(glyphIcon(Glyph::Warning).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    const QIcon icon = glyphIcon(kind == MessageKind::Problem ? Glyph::Warning : Glyph::Information);
+    sign->setPixmap(icon.pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
     auto* label = new QLabel(text);
     label->setObjectName("message.text");
     label->setTextFormat(Qt::PlainText);
@@ -70,9 +77,9 @@ void MessageRow::paintEvent(QPaintEvent* event)
     QFrame::paintEvent(event);
     QPainter painter(this);
     painter.setOpacity(0.2);
-    painter.fillRect(rect(), amber);
+    painter.fillRect(rect(), colourOf(kind_));
     painter.setOpacity(1);
-    painter.fillRect(QRect(0, 0, 3, height()), amber);
+    painter.fillRect(QRect(0, 0, 3, height()), colourOf(kind_));
     painter.fillRect(QRect(0, height() - 1, width(), 1), palette().color(QPalette::Mid));
 }
 
@@ -142,20 +149,30 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::add(const QString& text, MessageSubject subject)
 {
+    add(text, subject, MessageKind::Problem);
+}
+
+void MessageBar::tell(const QString& text, MessageSubject subject)
+{
+    add(text, subject, MessageKind::News);
+}
+
+void MessageBar::add(const QString& text, MessageSubject subject, MessageKind kind)
+{
     const auto same = std::ranges::find_if(rows_, [&](const MessageRow* row) { return row->text() == text; });
     if (same != rows_.end()) {
         (*same)->countAgain();
         return;
     }
-    auto* row = new MessageRow(text, subject);
+    auto* row = new MessageRow(text, subject, kind);
     connect(row, &MessageRow::dismissed, this, [this, row] { dismiss(row); });
     insert(row);
 }
 
 void MessageBar::ask(const QString& text, const QString& answer, const std::function<void()>& accepted,
-                     const std::function<void()>& declined, MessageSubject subject)
+                     const std::function<void()>& declined, MessageSubject subject, MessageKind kind)
 {
-    auto* row = new MessageRow(text, subject);
+    auto* row = new MessageRow(text, subject, kind);
     QPushButton& button = row->addButton(answer);
     button.setObjectName("message.answer");
     connect(&button, &QPushButton::clicked, this, [this, row, accepted] {
@@ -221,11 +238,15 @@ void MessageBar::dismiss(MessageRow* row)
 
 void MessageBar::showRows()
 {
-    if (rows_.size() <= mostShown)
+    // What is said of files that were tried before makes room for the newest.
+    const auto isFolded = [this](qsizetype i) { return i >= mostShown || (i > 0 && rows_[i]->isOld()); };
+    int hidden = 0;
+    for (qsizetype i = 0; i < rows_.size(); ++i)
+        hidden += isFolded(i) ? 1 : 0;
+    if (hidden == 0)
         list_->showAll(false);
     for (qsizetype i = 0; i < rows_.size(); ++i)
-        rows_[i]->setVisible(list_->showsAll() || i < mostShown);
-    const auto hidden = static_cast<int>(rows_.size() - mostShown);
+        rows_[i]->setVisible(list_->showsAll() || !isFolded(i));
     more_->setText(list_->showsAll() ? tr("Show fewer") : tr("Show %1 more").arg(hidden));
     more_->setVisible(hidden > 0);
     below_->setVisible(rows_.size() > 1);

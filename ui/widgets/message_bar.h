@@ -16,11 +16,14 @@ namespace tetra {
 /// What a message is about. Those about the file that is open go when another one is.
 enum class MessageSubject { File, Program };
 
+/// Whether something is wrong, or the user is told or offered something.
+enum class MessageKind { Problem, News };
+
 /// One message with a button that takes it away.
 class MessageRow : public QFrame {
     Q_OBJECT
 public:
-    explicit MessageRow(const QString& text, MessageSubject subject);
+    explicit MessageRow(const QString& text, MessageSubject subject, MessageKind kind);
     /// A button before the one that takes the message away.
     QPushButton& addButton(const QString& text);
     const QString& text() const noexcept { return text_; }
@@ -39,6 +42,7 @@ protected:
 private:
     QString text_;
     MessageSubject subject_;
+    MessageKind kind_;
     QLabel* count_;
     QHBoxLayout* layout_;
     int times_ = 1;
@@ -64,15 +68,20 @@ private:
 };
 
 /// Messages above the picture that stay until they are taken away, newest first; they stop nobody from working, and
-/// their text can be selected. The newest are shown, all on demand. Takes no room while there is none.
+/// their text can be selected. The newest are shown, all on demand; of those about files that were tried before only
+/// the newest. Takes no room while there is none.
 class MessageBar : public QWidget {
     Q_OBJECT
 public:
     explicit MessageBar(QWidget* parent = nullptr);
     void add(const QString& text, MessageSubject subject = MessageSubject::File);
-    /// A message that asks: it goes when it was answered. `declined` is called when the user takes it away instead.
+    /// The same of what is no problem.
+    void tell(const QString& text, MessageSubject subject = MessageSubject::File);
+    /// A message that offers something: it goes when it was answered. `declined` is called when the user takes it away
+    /// instead.
     void ask(const QString& text, const QString& answer, const std::function<void()>& accepted,
-             const std::function<void()>& declined, MessageSubject subject = MessageSubject::File);
+             const std::function<void()>& declined, MessageSubject subject = MessageSubject::File,
+             MessageKind kind = MessageKind::News);
     /// The texts that are there, newest first.
     QStringList texts() const;
     /// Takes away what says just this, if it is there: it is not so any more.
@@ -85,6 +94,7 @@ public:
     void clearOld();
 
 private:
+    void add(const QString& text, MessageSubject subject, MessageKind kind);
     void insert(MessageRow* row);
     void showRows();
     void dismiss(MessageRow* row);

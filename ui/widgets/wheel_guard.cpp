@@ -40,7 +40,8 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
     if (!watched->isWidgetType())
         return false;
     auto& widget = static_cast<QWidget&>(*watched);
-    // Qt gives the keys to a widget of this policy before the wheel comes to it: from here on by clicks and by Tab only.
+    // Qt gives the keys to a widget of this policy before the wheel comes to it: from here on by clicks and by Tab
+    // only.
     if (event->type() == QEvent::Polish && widget.focusPolicy() == Qt::WheelFocus)
         widget.setFocusPolicy(Qt::StrongFocus);
     if (event->type() != QEvent::Wheel || !isKeptFromWheel(widget))

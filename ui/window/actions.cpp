@@ -62,6 +62,10 @@ void addFileMenu(QMainWindow& window, Actions& actions)
                                     ActionTexts::tr("Save what is open and its view, to continue later"));
     actions.saveSessionAs = addAction(*menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
                                       ActionTexts::tr("Save the session in another file"));
+    actions.applyLook =
+        addAction(*menu, "applyLook", ActionTexts::tr("Appl&y Look of…"), {},
+                  ActionTexts::tr("Show the open model as another session or picture shows its own: with its colours, "
+                                  "isovalues, camera and settings"));
     menu->addSeparator();
     actions.savePicture = addAction(*menu, "savePicture", ActionTexts::tr("Save &Picture…"),
                                     QKeySequence("Ctrl+Shift+S"), ActionTexts::tr("Save the view as a PNG picture"));
@@ -155,8 +159,10 @@ void addViewMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "view", ActionTexts::tr("&View"));
     actions.fit = addAction(*menu, "fit", ActionTexts::tr("&Fit"), QKeySequence(Qt::Key_Home),
-                            ActionTexts::tr("Show the whole domain"));
+                            ActionTexts::tr("Frame what is shown, or the focus; once more: the whole domain"));
     actions.fit->setIcon(glyphIcon(Glyph::Fit));
+    actions.fitWhole = addAction(*menu, "fitWhole", ActionTexts::tr("Fit &Whole Domain"),
+                                 QKeySequence(Qt::SHIFT | Qt::Key_Home), ActionTexts::tr("Frame the whole domain"));
     actions.lookFrom = menu->addMenu(ActionTexts::tr("&Look From"));
     actions.lookFrom->setObjectName("menu.namedViews");
     addNamedViews(actions.lookFrom, actions);
@@ -192,8 +198,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
 void addHelpMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "help", ActionTexts::tr("&Help"));
-    actions.manual =
-        addAction(*menu, "manual", ActionTexts::tr("&Manual"), QKeySequence("Ctrl+F1"), ActionTexts::tr("Open the manual in the browser"));
+    actions.manual = addAction(*menu, "manual", ActionTexts::tr("&Manual"), QKeySequence("Ctrl+F1"),
+                               ActionTexts::tr("Open the manual in the browser"));
     actions.help = addAction(*menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
                              ActionTexts::tr("Explain the focused control"));
     actions.whatsThis = addAction(*menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),
@@ -229,10 +235,11 @@ void addToolBar(QMainWindow& window, Actions& actions)
 
 void addNeeds(const Actions& actions)
 {
-    for (QAction* action : QList<QAction*>{actions.saveSession, actions.saveSessionAs, actions.savePicture,
-                                           actions.saveMesh, actions.saveSurfaces, actions.saveStatistics,
-                                           actions.addIsovalue, actions.fit, actions.resetView} +
-                               actions.namedViews)
+    for (QAction* action :
+         QList<QAction*>{actions.saveSession, actions.saveSessionAs, actions.applyLook, actions.savePicture,
+                         actions.saveMesh, actions.saveSurfaces, actions.saveStatistics, actions.addIsovalue,
+                         actions.fit, actions.fitWhole, actions.resetView} +
+             actions.namedViews)
         setNeed(*action, ActionTexts::tr("Open a model first"));
     setNeed(*actions.savePacked, ActionTexts::tr("Open a whole model first"));
     setNeed(*actions.close, ActionTexts::tr("There is nothing to close"));

@@ -19,6 +19,7 @@ struct Actions {
     QAction* close = nullptr;
     QAction* saveSession = nullptr;
     QAction* saveSessionAs = nullptr;
+    QAction* applyLook = nullptr;
     QAction* savePicture = nullptr;
     QAction* copyPicture = nullptr;
     QAction* saveFilm = nullptr;
@@ -32,6 +33,7 @@ struct Actions {
     QAction* addIsovalue = nullptr;
     QAction* palette = nullptr;
     QAction* fit = nullptr;
+    QAction* fitWhole = nullptr;
     QAction* perspective = nullptr;
     QAction* resetView = nullptr;
     QList<QAction*> namedViews; ///< in the order of NamedView

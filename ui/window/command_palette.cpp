@@ -78,7 +78,9 @@ void CommandPalette::search(const QString& query)
     const auto lengthOf = [&query](const QString& text) { return query.isEmpty() ? 0 : text.size(); };
     for (std::size_t index = 0; index < commands_.size(); ++index) {
         const PaletteCommand& command = commands_[index];
-        const auto match = wordMatch(query, command.text, command.ownStart);
+        auto match = wordMatch(query, command.text, command.ownStart);
+        if (!match && wordMatch(query, command.spoken))
+            match = 0; // what is read comes first
         if (match && !(query.isEmpty() && command.isSetting))
             found.emplace_back(-*match, lengthOf(command.text), index);
     }

@@ -19,10 +19,24 @@ namespace {
 /// From the first change that is not kept yet, so that no more than this is ever lost.
 constexpr int keepAfter = 10'000; // milliseconds
 
+/// A path whose first slash stays with what follows at the end of a line.
+QString unbroken(QString path)
+{
+    constexpr char16_t wordJoiner = u'\u2060';
+    return path.startsWith('/') ? path.insert(1, wordJoiner) : path;
+}
+
 /// What was open: the session, or the model.
 QFileInfo openedFile(const SessionDocument& document)
 {
     return QFileInfo(pathText(document.file.empty() ? document.model : document.file));
+}
+
+QString endText(const LostView& lost)
+{
+    const QString name = openedFile(lost.document).fileName();
+    return lost.wasEnded ? KeepSession::tr("%1 had unsaved changes when TAn was ended.").arg(name)
+                         : KeepSession::tr("TAn ended unexpectedly while %1 was open.").arg(name);
 }
 
 } // namespace
@@ -49,6 +63,7 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
     connect(&workbench.opening(), &Opening::leaving, this, &KeepSession::leave);
     connect(&workbench.opening(), &Opening::viewRestored, this, &KeepSession::restored);
     connect(&workbench.opening(), &Opening::pictureOpened, this, &KeepSession::offerPicture);
+    connect(&workbench.opening(), &Opening::modelMissing, this, &KeepSession::offerLocating);
     connect(&workbench.opening().views(), &KeptViews::failed, &messages,
             [&messages](const QString& text) { messages.add(text, MessageSubject::Program); });
     connect(&offers, &LostOffers::restoreClicked, this, [this](int offer) {
@@ -73,6 +88,7 @@ std::optional<SessionDocument> KeepSession::document() const
 
 void KeepSession::save(const std::function<void(bool saved)>& then)
 {
+    hasEnded_ = false;
     if (workbench_.opening().sessionFile().empty())
         return saveAs(then);
     if (const auto now = document())
@@ -106,7 +122,7 @@ void KeepSession::offerLost()
         const QFileInfo model(pathText(lost.document.model));
         const QString kept = QLocale().toString(QFileInfo(pathText(lost.path)).lastModified(), QLocale::ShortFormat);
         offers.append(
-            {openedFile(lost.document).fileName(),
+            {endText(lost), openedFile(lost.document).fileName(),
              tr("Saved automatically on %1. Model: %2").arg(kept, QDir::toNativeSeparators(model.absolutePath()))});
     }
     offers_.setOffers(offers);
@@ -119,9 +135,8 @@ void KeepSession::offerInBar()
         return;
     for (const LostView& lost : std::exchange(lost_, {}))
         messages_.ask(
-            tr("TAn ended unexpectedly while %1 was open. Its view can be restored.")
-                .arg(openedFile(lost.document).fileName()),
-            tr("&Restore"), [this, lost] { workbench_.opening().openSession(lost.path, SessionSource::Lost); },
+            endText(lost) + ' ' + tr("Its view can be restored."), tr("&Restore"),
+            [this, lost] { workbench_.opening().openSession(lost.path, SessionSource::Lost); },
             [this, lost] { removeLost(lost.path); }, MessageSubject::Program);
     offerLost();
 }
@@ -141,8 +156,32 @@ void KeepSession::offerPicture(const QString& path)
         [] {});
 }
 
+void KeepSession::offerLocating(const std::filesystem::path& session, SessionSource source,
+                                const std::filesystem::path& model)
+{
+    const QString name = pathText(model.filename());
+    const QString place = unbroken(pathText(model.parent_path()));
+    const bool isKept = source == SessionSource::Lost; // by the program, in a file that nobody knows
+    const QString folder = isKept ? QString() : QFileInfo(pathText(session)).absolutePath();
+    messages_.ask(
+        isKept ? tr("The model %1 was not found where it was, in %2.").arg(name, place)
+               : tr("The model %1 of %2 was not found where it was, in %3, nor near the session.")
+                     .arg(name, pathText(session.filename()), place),
+        tr("&Locate Model…"),
+        [this, session, source, name, folder] {
+            askForTextFile(
+                window_, "locateDialog", tr("Locate %1").arg(name), tr("Models (*.tan)"),
+                [this, session, source](const QString& path) {
+                    workbench_.opening().openSession(session, source, filePath(path));
+                },
+                folder);
+        },
+        [] {}, MessageSubject::File, MessageKind::Problem);
+}
+
 void KeepSession::changed()
 {
+    hasEnded_ = false;
     if (!waiting_.isActive())
         waiting_.start();
 }
@@ -156,8 +195,24 @@ void KeepSession::keep()
     }
 }
 
+void KeepSession::end()
+{
+    const std::filesystem::path session = workbench_.opening().sessionFile();
+    auto now = document();
+    if (!now || !workbench_.opening().sessionModified()) {
+        leave();
+    } else {
+        waiting_.stop();
+        now->file = session;
+        workbench_.opening().views().setAside(session, *now);
+    }
+    hasEnded_ = true;
+}
+
 void KeepSession::leave()
 {
+    if (hasEnded_)
+        return;
     waiting_.stop();
     const bool isTouched = wasKept_ || workbench_.session().undoStack().index() > 0;
     const auto now = document();

@@ -30,6 +30,9 @@ public:
     /// What is open gives way, or the program ends: its view is kept as it is. The changes of a session are in its
     /// file, or are not wanted.
     void leave();
+    /// The program is being ended by somebody who cannot be asked: all is kept as it is, and what a session's file does
+    /// not have is offered the next time.
+    void end();
 
 private:
     void restored(const std::filesystem::path& from);
@@ -37,6 +40,7 @@ private:
     void offerInBar();
     void removeLost(const std::filesystem::path& path);
     void offerPicture(const QString& path);
+    void offerLocating(const std::filesystem::path& session, SessionSource source, const std::filesystem::path& model);
     void changed();
     void keep();
 
@@ -46,6 +50,7 @@ private:
     LostOffers& offers_;
     QWidget* window_;
     std::vector<LostView> lost_; ///< that are offered on the start page
+    bool hasEnded_ = false;      ///< and nothing has changed since
     bool wasKept_ = false;       ///< how the model is seen that is open, before it was opened
     QTimer waiting_;             ///< from a change until it is kept
 };

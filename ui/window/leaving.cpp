@@ -52,9 +52,20 @@ QString progressText(const TaskProgress& progress)
                : Leaving::tr("%1 % done.").arg(percent);
 }
 
+/// What can be kept, and under which name.
+QString keptText(const LeavingFacts& facts)
+{
+    if (facts.kept == facts.target)
+        return Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
+            .arg(facts.target);
+    return Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy. The finished "
+                       "model %2 stays as it is.")
+        .arg(facts.kept, facts.target);
+}
+
 } // namespace
 
-QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window)
+QString buildDetails(const LeavingFacts& facts)
 {
     QStringList more{facts.progress};
     const bool quits = facts.way == LeavingWay::Quit;
@@ -64,12 +75,18 @@ QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window)
     if (pauses)
         more << Leaving::tr("You can resume it when you open these data again.");
     if (facts.canKeep)
-        more << Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
-                    .arg(facts.target);
+        more << keptText(facts);
     else if (!pauses)
         more << Leaving::tr("Nothing of it can be kept yet.");
+    return more.join(' ');
+}
+
+QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window)
+{
+    const bool quits = facts.way == LeavingWay::Quit;
+    const bool pauses = quits && facts.canPause;
     Question question(window, "build", Leaving::tr("Build in Progress"),
-                      Leaving::tr("The model of %1 is still being built.").arg(facts.name), more.join(' '));
+                      Leaving::tr("The model of %1 is still being built.").arg(facts.name), buildDetails(facts));
     question.add("goOn", Leaving::tr("&Continue Building"), quits ? QMessageBox::RejectRole : QMessageBox::AcceptRole);
     if (pauses)
         question.add("pause", Leaving::tr("Quit and &Resume Later"), QMessageBox::AcceptRole);
@@ -79,6 +96,16 @@ QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window)
     if (!quits)
         question.add("cancel", Leaving::tr("Cancel"), QMessageBox::RejectRole);
     return question.show();
+}
+
+QMessageBox* askAboutKeeping(const LeavingFacts& facts, QWidget* window)
+{
+    return Question(window, "keeping", Leaving::tr("Stop and Keep"),
+                    Leaving::tr("Stop the build of %1 and keep what is finished?").arg(facts.target),
+                    facts.progress + ' ' + keptText(facts))
+        .add("cancel", Leaving::tr("&Continue Building"), QMessageBox::RejectRole)
+        .add("keep", Leaving::tr("Stop and &Keep"), QMessageBox::AcceptRole)
+        .show();
 }
 
 QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window)
@@ -131,8 +158,11 @@ Leaving::Leaving(Workbench& workbench, KeepSession& session, QWidget* window)
         filmed_ = {};
         filmGoesOn_ = false;
     });
-    connect(&workbench.building().task(), &LongTask::progressed, this,
-            [this](const TaskProgress& now) { built_ = now; });
+    connect(&workbench.building().task(), &LongTask::progressed, this, &Leaving::showProgress);
+    connect(&workbench.building().task(), &LongTask::finished, this, [this] {
+        if (keeping_)
+            keeping_->reject(); // there is nothing to decide
+    });
     connect(&workbench.exporting().savingFilm(), &LongTask::progressed, this,
             [this](const TaskProgress& now) { filmed_ = now; });
     connect(&workbench.building(), &Building::buildEnded, this, &Leaving::next);
@@ -209,17 +239,57 @@ void Leaving::stay()
         wish->stay();
 }
 
+LeavingFacts Leaving::buildFacts(LeavingWay way) const
+{
+    const Building& building = workbench_.building();
+    LeavingFacts facts;
+    facts.way = way;
+    facts.name = building.buildName();
+    facts.progress = progressText(built_);
+    facts.target = pathText(building.buildTarget().filename());
+    facts.kept = building.kept().name;
+    facts.canKeep = building.canKeepBuild();
+    facts.canPause = building.canPauseBuild();
+    return facts;
+}
+
+/// A question about the build that is being asked goes on telling how far it is.
+void Leaving::showProgress(const TaskProgress& now)
+{
+    built_ = now;
+    if (box_ && asked_ == Obstacle::Build) {
+        LeavingFacts facts = buildFacts(wish_->way);
+        facts.canKeep = box_->findChild<QAbstractButton*>("leaving.keep") != nullptr; // what can be chosen
+        box_->setInformativeText(buildDetails(facts));
+    }
+    if (keeping_) {
+        const LeavingFacts facts = buildFacts(LeavingWay::Close);
+        keeping_->setInformativeText(facts.progress + ' ' + keptText(facts));
+    }
+}
+
+void Leaving::keepBuild()
+{
+    Building& building = workbench_.building();
+    if (keeping_ || !building.running())
+        return;
+    if (!building.canKeepBuild() || !building.kept().isBeside)
+        return building.stopBuild(BuildEnd::Keep);
+    keeping_ = askAboutKeeping(buildFacts(LeavingWay::Close), window_);
+    connect(keeping_, &QMessageBox::finished, this, [this, box = keeping_.data()] {
+        keeping_ = nullptr;
+        if (box->clickedButton() != nullptr && box->clickedButton()->objectName() == "leaving.keep")
+            workbench_.building().stopBuild(BuildEnd::Keep);
+    });
+}
+
 LeavingFacts Leaving::facts(Obstacle obstacle) const
 {
     const auto nameOf = [](const std::filesystem::path& path) { return pathText(path.filename()); };
     LeavingFacts facts;
     facts.way = wish_->way;
     if (obstacle == Obstacle::Build) {
-        facts.name = workbench_.building().buildName();
-        facts.progress = progressText(built_);
-        facts.target = nameOf(workbench_.building().buildTarget());
-        facts.canKeep = workbench_.building().canKeepBuild();
-        facts.canPause = workbench_.building().canPauseBuild();
+        facts = buildFacts(wish_->way);
     } else if (obstacle == Obstacle::Film) {
         facts.name = nameOf(workbench_.exporting().filmTarget());
         facts.progress = progressText(filmed_);

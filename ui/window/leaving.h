@@ -23,6 +23,7 @@ struct LeavingFacts {
     QString name;     ///< of the dataset, the film, the session
     QString progress; ///< a sentence: how far it is
     QString target;   ///< of a build
+    QString kept;     ///< what becomes of it if it is stopped and kept; the target, or a file beside that
     bool canKeep = false;
     bool canPause = false;
 };
@@ -30,9 +31,15 @@ struct LeavingFacts {
 /// The questions, with buttons named leaving.goOn, .pause, .keep, .save, .discard and .cancel as far as they have them.
 /// Owned by the window; they go when they are answered.
 QMessageBox* askAboutBuild(const LeavingFacts& facts, QWidget* window);
+/// Whether the build is to be stopped for what is finished of it, beside a finished model. For one that somebody means
+/// to replace, that is a surprise.
+QMessageBox* askAboutKeeping(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutFilm(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutSession(const LeavingFacts& facts, QWidget* window);
 QMessageBox* askAboutSaving(LeavingWay way, QWidget* window);
+
+/// What the question about a build says beside its title: how far it is, and what can become of it.
+QString buildDetails(const LeavingFacts& facts);
 
 /// Asks before work is lost, one thing after the other: a build and a film that run, changes of a session that are not
 /// saved, and files that are still being written, which it waits for: the session's before its model goes, all of them
@@ -52,6 +59,9 @@ public:
     void ask(
         LeavingWay way, const std::function<void()>& go, const std::function<void()>& stay = [] {});
 
+    /// Stops the build that runs and keeps what is finished. Asks first if there is a finished model in its place.
+    void keepBuild();
+
 private:
     enum class Obstacle { None, Build, Film, Session, Saving };
     struct Wish {
@@ -66,6 +76,8 @@ private:
     void closeBox();
     void show(Obstacle obstacle);
     LeavingFacts facts(Obstacle obstacle) const;
+    LeavingFacts buildFacts(LeavingWay way) const;
+    void showProgress(const TaskProgress& now);
     void answer(const QString& button);
     void answerBuild(const QString& button);
     void answerFilm(const QString& button);
@@ -77,7 +89,8 @@ private:
     std::optional<Wish> wish_;
     Obstacle asked_ = Obstacle::None;
     QPointer<QMessageBox> box_;
-    bool buildGoesOn_ = false; ///< the user said so
+    QPointer<QMessageBox> keeping_; ///< the question of keepBuild()
+    bool buildGoesOn_ = false;      ///< the user said so
     bool filmGoesOn_ = false;
     bool discards_ = false;     ///< the changes of the session
     bool savesSession_ = false; ///< the user said so; its changes can be lost until the file is written

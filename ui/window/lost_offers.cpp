@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -16,7 +17,16 @@ namespace {
 
 constexpr qsizetype mostOffers = 3;
 constexpr int offerIconSide = 20;
-constexpr QColor offerColour(230, 159, 0);
+constexpr QColor offerColour(0, 114, 178);
+
+/// Lines may end within long names of files, and not behind the first slash of a path.
+QString breakable(QString text)
+{
+    constexpr char16_t mayBreak = u'\u200b', keepTogether = u'\u2060';
+    static const QRegularExpression ends("(?<! )[-_/](?=[^-_/ ])");
+    static const QRegularExpression first(" /");
+    return text.replace(ends, QString("\\0") + QChar(mayBreak)).replace(first, QString(" /") + QChar(keepTogether));
+}
 
 } // namespace
 
@@ -44,9 +54,9 @@ QWidget* LostOffers::makeRow(const LostOffer& offer, int index)
 {
     auto* row = new QWidget;
     auto* sign = new QLabel;
-    sign->setPixmap(glyphIcon(Glyph::Warning).pixmap(QSize(offerIconSide, offerIconSide), devicePixelRatioF()));
-    const QString what = tr("TAn ended unexpectedly while %1 was open.").arg(offer.model);
-    auto* text = new QLabel("<b>" + what.toHtmlEscaped() + "</b><br>" + offer.detail.toHtmlEscaped());
+    sign->setPixmap(glyphIcon(Glyph::Information).pixmap(QSize(offerIconSide, offerIconSide), devicePixelRatioF()));
+    auto* text = new QLabel("<b>" + breakable(offer.text).toHtmlEscaped() + "</b><br>" +
+                            breakable(offer.detail).toHtmlEscaped());
     text->setObjectName("lost.text");
     text->setTextFormat(Qt::RichText);
     text->setWordWrap(true);

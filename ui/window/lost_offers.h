@@ -9,6 +9,7 @@ namespace tetra {
 
 /// What a session that was lost says of itself.
 struct LostOffer {
+    QString text;   ///< a sentence: how it was lost
     QString model;  ///< its file's name
     QString detail; ///< when it was kept, and where the model lies
     bool operator==(const LostOffer&) const = default;

@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/icons.h"
 #include "ui/panels/animation_panel.h"
+#include "ui/panels/build_panel.h"
 #include "ui/panels/focus_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/statistics_panel.h"
@@ -71,6 +72,7 @@ constexpr const char* layoutKey = "window/layout";
 /// Of what saveState() writes; layouts of other versions are not restored.
 constexpr int layoutVersion = 4;
 constexpr int statusMessageTime = 5000; // milliseconds
+constexpr int keepLayoutAfter = 300;    // likewise
 
 /// The local files of a drag, and addresses on servers: a browser gives these as URLs or as text.
 QStringList filesOf(const QMimeData* data)
@@ -176,6 +178,9 @@ void MainWindow::restoreLayout()
     restoreGeometry(settings.value(geometryKey).toByteArray());
     restoreState(settings.value(layoutKey).toByteArray(), layoutVersion);
     docks_.build->hide(); // comes with a dataset
+    keepingLayout_.setSingleShot(true);
+    keepingLayout_.setInterval(keepLayoutAfter);
+    connect(&keepingLayout_, &QTimer::timeout, this, &MainWindow::keepLayout);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -187,11 +192,43 @@ void MainWindow::closeEvent(QCloseEvent* event)
             close();
         });
     }
+    keepLayout();
+    keptSession_->leave();
+    event->accept();
+}
+
+void MainWindow::keepLayout()
+{
+    keepingLayout_.stop();
     QSettings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(layoutKey, saveState(layoutVersion));
-    keptSession_->leave();
-    event->accept();
+}
+
+void MainWindow::keepAll()
+{
+    keepLayout();
+    keptSession_->end();
+}
+
+/// A window that is maximised, moved or made larger is so the next time, however the program ends.
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange)
+        keepingLayout_.start();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    keepingLayout_.start();
+}
+
+void MainWindow::moveEvent(QMoveEvent* event)
+{
+    QMainWindow::moveEvent(event);
+    keepingLayout_.start();
 }
 
 void MainWindow::open(const QString& path)
@@ -256,8 +293,18 @@ void MainWindow::connectActions()
     connect(actions_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
     keptSession_ = new KeepSession(workbench_, *viewport_, *messages_, empty_->lost(), this);
     leaving_ = new Leaving(workbench_, *keptSession_, this);
+    connect(docks_.buildPanel, &BuildPanel::keepWanted, leaving_, &Leaving::keepBuild);
+    connect(docks_.buildPanel, &BuildPanel::openWanted, this, [this](const QString& path) {
+        insteadOfBuilding_ = filePath(path);
+        open(path);
+    });
     connect(actions_.saveSession, &QAction::triggered, keptSession_, [this] { keptSession_->save(); });
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, [this] { keptSession_->saveAs(); });
+    connect(actions_.applyLook, &QAction::triggered, this, [this] {
+        askForTextFile(this, "lookDialog", tr("Apply Look of"),
+                       tr("Sessions and pictures with their sessions (*.tansession *.png)"),
+                       [this](const QString& path) { workbench_.opening().applyLook(filePath(path)); });
+    });
     connectPictures();
     connect(actions_.saveMesh, &QAction::triggered, this, &MainWindow::saveMesh);
     connect(actions_.saveSurfaces, &QAction::triggered, this, &MainWindow::saveSurfaces);
@@ -273,6 +320,7 @@ void MainWindow::connectActions()
     connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_.addIsovalue, &QAction::triggered, this, [this] { workbench_.session().addIsovalue(); });
     connect(actions_.fit, &QAction::triggered, &workbench_.session(), &Session::fitCamera);
+    connect(actions_.fitWhole, &QAction::triggered, &workbench_.session(), &Session::fitCameraToWhole);
     connect(actions_.resetView, &QAction::triggered, this, &MainWindow::resetView);
     Session& session = workbench_.session();
     connect(actions_.perspective, &QAction::toggled, &session, [&session](bool on) {
@@ -539,16 +587,21 @@ void MainWindow::resetView()
 }
 
 /// Where the user has turned to something else the model does not push that away.
-void MainWindow::offerBuilt(const QString& path, bool isShown)
+void MainWindow::offerBuilt(const QString& path, bool isShown, const QString& finished)
 {
     if (isShown && workbench_.opening().datasetIsBuilt())
         docks_.build->hide();
     isBesideDataset_ = isBesideDataset_ && !workbench_.opening().datasetIsBuilt();
     showNotice();
+    const QString name = QFileInfo(path).fileName();
+    const QString text = finished.isEmpty() ? tr("The model %1 is built.").arg(name)
+                                            : tr("What was finished is kept as %1. The model %2 is as it was.")
+                                                  .arg(name, QFileInfo(finished).fileName());
     if (!isShown)
         messages_->ask(
-            tr("The model %1 is built.").arg(QFileInfo(path).fileName()), tr("&Open"), [this, path] { open(path); },
-            [] {}, MessageSubject::Program);
+            text, tr("&Open"), [this, path] { open(path); }, [] {}, MessageSubject::Program);
+    else if (!finished.isEmpty())
+        messages_->tell(text, MessageSubject::Program);
 }
 
 void MainWindow::showFile()
@@ -571,9 +624,10 @@ void MainWindow::showPart()
     const auto& model = workbench_.session().model();
     if (!model || !workbench_.opening().modelComes())
         return readingLine_->setActivity(tr("Reading"));
-    readingLine_->setActivity(tr("Showing %L1 of %L2 vertices, more is coming")
-                                  .arg(model->siteCount())
-                                  .arg(workbench_.opening().sitesOfWhole()));
+    const std::uint32_t all = workbench_.opening().sitesOfWhole();
+    const double share = all > 0 ? 100.0 * model->siteCount() / all : 0;
+    readingLine_->setActivity(tr("%1 % shown, more is coming").arg(static_cast<int>(share)),
+                              tr("Showing %L1 of %L2 vertices, more is coming").arg(model->siteCount()).arg(all));
 }
 
 /// Of a model on a server, of which so much was fetched that it takes no more than a moment.
@@ -604,11 +658,11 @@ void MainWindow::showModel()
 {
     const auto& model = workbench_.session().model();
     showFile();
-    for (QAction* action :
-         QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.savePicture, actions_.copyPicture,
-                         actions_.saveFilm, actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
-                         actions_.addIsovalue, actions_.fit, actions_.resetView} +
-             actions_.namedViews)
+    for (QAction* action : QList<QAction*>{actions_.saveSession, actions_.saveSessionAs, actions_.applyLook,
+                                           actions_.savePicture, actions_.copyPicture, actions_.saveFilm,
+                                           actions_.saveMesh, actions_.saveSurfaces, actions_.saveStatistics,
+                                           actions_.addIsovalue, actions_.fit, actions_.fitWhole, actions_.resetView} +
+                               actions_.namedViews)
         action->setEnabled(model != nullptr);
     showWhatCanBePacked();
     viewport_->setScene(nullptr);
@@ -619,7 +673,10 @@ void MainWindow::showModel()
     if (model) {
         pages_->setCurrentWidget(viewport_);
         viewport_->setFocus();
+        if (model->path() == insteadOfBuilding_)
+            docks_.build->hide();
     }
+    insteadOfBuilding_.clear();
     showWhatCanBeClosed();
 }
 

@@ -7,6 +7,7 @@
 #include "ui/workbench/workbench.h"
 
 #include <QMainWindow>
+#include <QTimer>
 
 class QStackedWidget;
 
@@ -40,8 +41,14 @@ public:
     void open(const QString& path);
     /// The first of them, and says so if there are more.
     void openFirst(const QStringList& files);
+    /// The program is being ended by a signal or with the user's desktop session: keeps all that it can without asking
+    /// anybody.
+    void keepAll();
 
 protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void moveEvent(QMoveEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -50,6 +57,7 @@ protected:
 private:
     QWidget* makeCentre();
     void restoreLayout();
+    void keepLayout();
     void connectActions();
     void connectWorkbench();
     void connectMessages();
@@ -65,7 +73,7 @@ private:
     void saveStatistics();
     void fillRecent();
     void resetView();
-    void offerBuilt(const QString& path, bool isShown);
+    void offerBuilt(const QString& path, bool isShown, const QString& finished);
     void showFile();
     void showPart();
     void offerRest(const OpenedModel& part);
@@ -87,9 +95,10 @@ private:
     EmptyPage* empty_;
     Viewport* viewport_;
     PictureNotice* notice_ = nullptr;
-    bool isBesideDataset_ = false; ///< the model was open when the dataset was opened
-    QStringList sceneFailures_;    ///< that were told and are still so
-    bool isOutdated_ = false;      ///< the picture is that of earlier settings
+    bool isBesideDataset_ = false;            ///< the model was open when the dataset was opened
+    std::filesystem::path insteadOfBuilding_; ///< the model that is to be opened
+    QStringList sceneFailures_;               ///< that were told and are still so
+    bool isOutdated_ = false;                 ///< the picture is that of earlier settings
     ValuePick* pick_ = nullptr;
     QStackedWidget* pages_;
     ImportDialog* import_ = nullptr;   ///< once a file needed it
@@ -102,6 +111,7 @@ private:
     KeepSession* keptSession_ = nullptr;
     Leaving* leaving_ = nullptr;
     bool mayClose_ = false; ///< all questions are answered
+    QTimer keepingLayout_;  ///< from a change until it is kept
     Docks docks_;
 };
 

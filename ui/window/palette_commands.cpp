@@ -90,8 +90,8 @@ void addMenu(std::vector<PaletteCommand>& commands, QMenu& menu, const QString& 
 void addPanel(std::vector<PaletteCommand>& commands, QDockWidget& dock)
 {
     const QAction& toggle = *dock.toggleViewAction();
-    PaletteCommand& command = commands.emplace_back(
-        namedCommand(toggle.objectName(), PaletteTexts::tr("Panel"), dock.windowTitle()));
+    PaletteCommand& command =
+        commands.emplace_back(namedCommand(toggle.objectName(), PaletteTexts::tr("Panel"), dock.windowTitle()));
     command.reason = reasonOf(toggle);
     command.run = [dock = QPointer(&dock)] {
         if (!dock)
@@ -165,6 +165,8 @@ void addSettings(std::vector<PaletteCommand>& commands, QDockWidget& dock, const
             continue;
         PaletteCommand& command = commands.emplace_back(namedCommand(control->objectName(), dock.windowTitle(), own));
         command.isSetting = true;
+        if (const QString spoken = control->accessibleName(); spoken != own && !spoken.isEmpty())
+            command.spoken = joined(dock.windowTitle(), spoken);
         if (!control->isEnabledTo(&dock))
             command.reason = need;
         command.run = [dock = QPointer(&dock), control = QPointer(control)] {

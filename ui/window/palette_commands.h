@@ -18,6 +18,7 @@ struct PaletteCommand {
     QString name;           ///< object name of what it comes from
     QString text;           ///< with the menus that lead to it: "View: Look From: Front"
     qsizetype ownStart = 0; ///< where its own name begins in that
+    QString spoken;         ///< the same by what is read out of it, where that is not what stands beside it; else empty
     QString keys;           ///< its shortcut, for reading
     QString reason;         ///< why it cannot be done now; empty if it can
     std::function<void()> run;

@@ -39,9 +39,10 @@ TaskLine::TaskLine(const QString& name, const QString& activity, LongTask& task,
     connect(&task, &LongTask::finished, this, &QWidget::hide);
 }
 
-void TaskLine::setActivity(const QString& activity)
+void TaskLine::setActivity(const QString& activity, const QString& details)
 {
     activity_->setText(activity);
+    activity_->setToolTip(details);
 }
 
 void TaskLine::follow(const TaskProgress& progress)

@@ -17,7 +17,8 @@ class TaskLine : public QWidget {
 public:
     TaskLine(const QString& name, const QString& activity, LongTask& task, QWidget* parent = nullptr);
 
-    void setActivity(const QString& activity);
+    /// `details`: for who points at it.
+    void setActivity(const QString& activity, const QString& details = {});
 
 private:
     void follow(const TaskProgress& progress);

@@ -47,16 +47,17 @@ void Building::build(const BuildOrder& order)
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     task_.start([this, order, dataset, imported = opening_.importOptions(), live = live_,
                  wish = wish_](const Progress& progress) -> std::function<void()> {
+        wish->keepsBeside = keepsBeside(order.target);
         const auto built = tetra::buildModel(
             host_, *dataset, order.builder, order.values, order.target, progress,
             {.live = live.get(), .keepWhenCancelled = &wish->keep, .resume = order.resume, .imported = imported});
         const bool isLost = !built && wish->keep; // not what the user asked for
         if (order.resume && wish->leaveNothing && !isLost)
             (void)discardInterruptedBuild(order.target);
-        return [this, order, dataset, model = built ? opening_.openModel(order.target) : built.error()] {
+        return [this, order, dataset, model = built ? opening_.openModel(built->model) : built.error()] {
             if (model)
                 opening_.setBuilt(dataset);
-            showBuilt(order, model);
+            showBuilt(order.target, model);
         };
     });
     if (order.watch && !session_.model() && looks_.isValid())
@@ -134,9 +135,16 @@ void Building::closeLook()
     look_.reset();
 }
 
+Building::Kept Building::kept() const
+{
+    if (!wish_ || !wish_->keepsBeside)
+        return {pathText(buildTarget_.filename()), false};
+    return {QString::fromStdString(keptName(buildTarget_, live_->error().value_or(0))), true};
+}
+
 /// A model that was watched goes on being shown as it is seen. Another one is shown unless the user has turned to
-/// something else or would lose changes by that.
-void Building::showBuilt(const BuildOrder& order, const Result<OpenedModel>& built)
+/// something else or would lose changes by that, or it is a worse one than what is open may be.
+void Building::showBuilt(const std::filesystem::path& target, const Result<OpenedModel>& built)
 {
     if (!built) {
         closeLook();
@@ -150,11 +158,14 @@ void Building::showBuilt(const BuildOrder& order, const Result<OpenedModel>& bui
         return emit buildEnded(false);
     }
     const bool isWatched = showsLook();
-    const bool isShown = isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionModified() &&
-                                       !opening_.savingSession().running());
+    const QString path = pathText(built->model->path());
+    const bool isBeside = built->model->path() != target;
+    const bool isShown =
+        isWatched || (!turnedAway_ && !opening_.reading().running() && !opening_.sessionModified() &&
+                      !opening_.savingSession().running() && !(isBeside && session_.model() != nullptr));
     look_.reset();
-    addRecentFile(pathText(order.target));
-    emit modelBuilt(pathText(order.target), isShown);
+    addRecentFile(path);
+    emit modelBuilt(path, isShown, isBeside ? pathText(target) : QString());
     if (isWatched)
         opening_.growTo(*built);
     else if (isShown)

@@ -50,6 +50,13 @@ public:
     bool showsBuild() const { return running() && showsLook(); }
     /// Whether what is finished of that build can become a model.
     bool canKeepBuild() const { return live_ && live_->hasMesh(); }
+    /// What is kept of it if it is stopped now: the name of a file, and whether that lies beside a finished model that
+    /// stays as it is.
+    struct Kept {
+        QString name;
+        bool isBeside = false;
+    };
+    Kept kept() const;
     /// Whether the build that runs can be paused.
     bool canPauseBuild() const noexcept { return running() && resumes_; }
 
@@ -58,8 +65,9 @@ signals:
     void buildStopping(tetra::BuildEnd end);
     /// What discardInterrupted() was asked for is done, or could not be.
     void interruptedDiscarded();
-    /// The build is done. Its model is shown next, unless the user has turned to something else.
-    void modelBuilt(const QString& path, bool isShown);
+    /// The build is done. Its model is shown next, unless the user has turned to something else. `finished`: it is what
+    /// was kept of a build that was stopped, beside this model, which is as it was; else empty.
+    void modelBuilt(const QString& path, bool isShown, const QString& finished);
     /// The build is over and its model shown, if it is; nothing more comes of it. `worked`: there is a model.
     void buildEnded(bool worked);
     /// There is no model.
@@ -70,12 +78,13 @@ private:
     struct Wish {
         std::atomic<bool> keep = false;
         std::atomic<bool> leaveNothing = false;
+        std::atomic<bool> keepsBeside = false; ///< what is kept does not become the model that is built
     };
 
     void lookAtBuild();
     void showLook(const Result<OpenedModel>& look);
     void closeLook();
-    void showBuilt(const BuildOrder& order, const Result<OpenedModel>& built);
+    void showBuilt(const std::filesystem::path& target, const Result<OpenedModel>& built);
     bool showsLook() const { return look_ != nullptr && session_.model() == look_; }
 
     PluginHost& host_;

@@ -12,6 +12,7 @@
 #include <QStandardPaths>
 
 #include <cstring>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -20,6 +21,7 @@ constexpr qsizetype mostViews = 200;
 constexpr qint64 longestKept = 365; // days
 constexpr const char* ending = ".tansession";
 constexpr const char* lostEnding = ".lost.tansession";
+constexpr const char* endedEnding = ".ended.lost.tansession"; ///< one of these
 constexpr const char* lockEnding = ".lock";
 /// Beside the views: where the first programs kept sessions, in files that went when they ended as they should.
 constexpr const char* firstFolder = "recovery";
@@ -38,6 +40,12 @@ QString fileOf(const QDir& folder, const std::filesystem::path& what)
 {
     const QByteArray key = QCryptographicHash::hash(pathText(realPath(what)).toUtf8(), QCryptographicHash::Sha1);
     return folder.filePath(key.toHex() + ending);
+}
+
+/// Where the view of that file goes when it is lost.
+QString asideOf(const QString& file, const char* lost)
+{
+    return file.chopped(qsizetype(std::strlen(ending))) + lost;
 }
 
 /// Belongs to a program that runs as long as that runs, however long.
@@ -59,6 +67,11 @@ void KeptViews::keep(const std::filesystem::path& what, const SessionDocument& d
     write(what, sessionToText(document, folder_));
 }
 
+void KeptViews::setAside(const std::filesystem::path& what, const SessionDocument& document)
+{
+    write(what, sessionToText(document, folder_), Place::Aside);
+}
+
 void KeptViews::forget(const std::filesystem::path& what)
 {
     write(what, std::nullopt);
@@ -72,22 +85,36 @@ void KeptViews::release()
     });
 }
 
-void KeptViews::write(const std::filesystem::path& what, const std::optional<std::string>& text)
+void KeptViews::write(const std::filesystem::path& what, const std::optional<std::string>& text, Place place)
 {
     const quint64 number = ++newest_;
     {
         const std::lock_guard guard(mutex_);
-        pending_[what] = {number, text};
+        pending_[what] = {number, place == Place::Open ? text : std::nullopt};
     }
-    writing_.enqueue([this, what, text, number](const Progress&) -> std::function<void()> {
-        return [this, what, number, status = writeNow(what, text)] { written(what, number, status); };
+    writing_.enqueue([this, what, text, place, number](const Progress&) -> std::function<void()> {
+        return [this, what, number, status = writeNow(what, text, place)] { written(what, number, status); };
     });
 }
 
-Status KeptViews::writeNow(const std::filesystem::path& what, const std::optional<std::string>& text)
+/// What is open is not lost: it goes from where a program looks for that.
+Status KeptViews::setAsideNow(const QString& file, const std::string& text)
+{
+    const Status status = writeTextFile(filePath(asideOf(file, endedEnding)), text);
+    if (status) {
+        QFile::remove(file);
+        lock({});
+        aside_ = file;
+    }
+    return status;
+}
+
+Status KeptViews::writeNow(const std::filesystem::path& what, const std::optional<std::string>& text, Place place)
 {
     const QDir folder(pathText(folder_));
     const QString file = fileOf(folder, what);
+    if (place == Place::Open && file == aside_) // the program has gone on
+        QFile::remove(asideOf(std::exchange(aside_, {}), endedEnding));
     if (!text) {
         QFile::remove(file);
         lock({});
@@ -98,6 +125,8 @@ Status KeptViews::writeNow(const std::filesystem::path& what, const std::optiona
                      Message::say("The folder '%1' cannot be written to, so that the view cannot be kept. Make room "
                                   "there, or save the session.",
                                   folder_.string())};
+    if (place == Place::Aside)
+        return setAsideNow(file, *text);
     lock(file);
     const bool isNew = !QFile::exists(file);
     Status status = writeTextFile(filePath(file), *text);
@@ -156,7 +185,7 @@ std::vector<LostView> KeptViews::lost() const
         const auto lock = takeLock(file);
         if (!lock || !QFile::exists(file))
             continue;
-        const QString aside = file.chopped(qsizetype(std::strlen(ending))) + lostEnding;
+        const QString aside = asideOf(file, lostEnding);
         QFile::remove(aside);
         QFile::rename(file, aside);
     }
@@ -174,7 +203,7 @@ std::vector<LostView> KeptViews::lost() const
         if (!text)
             continue;
         if (const auto document = sessionFromText(*text, folder_))
-            lost.push_back({path, *document});
+            lost.push_back({path, *document, name.endsWith(endedEnding)});
     }
     return lost;
 }

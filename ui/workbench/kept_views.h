@@ -11,10 +11,12 @@
 
 namespace tetra {
 
-/// How something was seen that was open in a program which did not end as it should.
+/// How something was seen that was open in a program which did not end as it should, or which was ended before a
+/// session could be saved.
 struct LostView {
     std::filesystem::path path; ///< of the file that keeps it
     SessionDocument document;
+    bool wasEnded = false; ///< by the system, say; there was no mishap
 };
 
 /// How models were seen, a small file each in a folder of the user's data, so that it is back when they are opened
@@ -39,6 +41,9 @@ public:
     void keep(const std::filesystem::path& what, const SessionDocument& document);
     /// Nothing is open any more; the view of what was stays as it was kept last.
     void release();
+    /// The program is being ended, and the session `what` is seen like this, with changes that its file does not have:
+    /// they are offered the next time. keep() or forget() takes that back.
+    void setAside(const std::filesystem::path& what, const SessionDocument& document);
     /// How `what` was seen is not wanted any more, nor is it open.
     void forget(const std::filesystem::path& what);
     /// How `what` was seen last, also if that is still being written; nothing if that is not known or not readable. For
@@ -61,10 +66,12 @@ private:
         quint64 number = 0;
         std::optional<std::string> text; ///< none: the file goes
     };
+    enum class Place { Open, Aside };
 
     /// Without a text the file goes.
-    void write(const std::filesystem::path& what, const std::optional<std::string>& text);
-    Status writeNow(const std::filesystem::path& what, const std::optional<std::string>& text);
+    void write(const std::filesystem::path& what, const std::optional<std::string>& text, Place place = Place::Open);
+    Status writeNow(const std::filesystem::path& what, const std::optional<std::string>& text, Place place);
+    Status setAsideNow(const QString& file, const std::string& text);
     void lock(const QString& file);
     void written(const std::filesystem::path& what, quint64 number, const Status& status);
     void removeOld() const;
@@ -74,7 +81,8 @@ private:
     std::map<std::filesystem::path, Pending> pending_;
     quint64 newest_ = 0;
     bool told_ = false;
-    QString locked_;                  ///< the file of what is open; the worker's, as the next one
+    QString aside_;                   ///< the file of what this program has set aside; the worker's, as the next two
+    QString locked_;                  ///< the file of what is open
     std::unique_ptr<QLockFile> lock_; ///< held by this program
     LongTask writing_;                ///< last: ends before what it uses
 };

@@ -7,6 +7,7 @@
 #include "plugins/host/input_file.h"
 #include "ui/session/files.h"
 #include "ui/session/message_text.h"
+#include "ui/session/session_model.h"
 #include "ui/workbench/import_question.h"
 #include "ui/workbench/model_cache.h"
 #include "ui/workbench/recent_files.h"
@@ -63,6 +64,15 @@ bool lacksToken(const std::filesystem::path& place, const std::string& token, co
         return true;
     const auto offer = isUnauthorized(error) ? askServer(place.string(), token, progress) : error;
     return offer && offer->wantsToken;
+}
+
+/// A sentence after the other, each after a blank.
+QString listOf(const std::vector<SessionDifference>& differences)
+{
+    QString list;
+    for (const SessionDifference& difference : differences)
+        list += ' ' + translatedMessage(difference.text);
+    return list;
 }
 
 /// "http://host:8080" of an address.
@@ -396,20 +406,51 @@ Result<OpenedModel> Opening::openModel(const std::filesystem::path& path) const
     return OpenedModel{.model = *model, .field = extentOf(*model), .view = views_.find(path)};
 }
 
-void Opening::openSession(const std::filesystem::path& path, SessionSource source)
+void Opening::openSession(const std::filesystem::path& path, SessionSource source, const std::filesystem::path& located)
 {
     const auto coming = std::make_shared<Coming>();
-    read([this, path, source, coming](const Progress& progress) -> std::function<void()> {
-        const auto document = readSession(path);
+    read([this, path, source, located, coming](const Progress& progress) -> std::function<void()> {
+        auto document = readSession(path);
         if (!document)
             return tellLater(document.error());
+        const auto model =
+            located.empty() ? sessionModel(*document, document->file.empty() ? path : document->file) : located;
+        if (!model)
+            return [this, path, source, missing = document->model] { emit modelMissing(path, source, missing); };
+        document->model = *model;
         OpenedModel as;
         as.view = *document;
         as.from = path;
         as.source = source;
-        return whenModelCame(document->model, as, coming, false, progress);
+        as.isLocated = !located.empty();
+        return whenModelCame(*model, as, coming, false, progress);
     });
     coming_ = coming;
+}
+
+void Opening::applyLook(const std::filesystem::path& path)
+{
+    if (!session_.model())
+        return;
+    applying_.start([this, path, model = session_.model()](const Progress&) -> std::function<void()> {
+        const auto document = readSession(path);
+        if (!document)
+            return tellLater(document.error());
+        return [this, path, model, look = *document] {
+            if (session_.model() != model) // the user has turned to something else
+                return;
+            const RestoredView restored = restoredView(look, scenes_.modes(), *model, scenes_.extent());
+            ViewValue view = restored.document.view;
+            if (!look.hasCamera)
+                view.camera = session_.view().camera;
+            else if (!restored.document.hasCamera)
+                view.camera = fitted(view.camera, model->description().bounds, session_.shape());
+            session_.setView(view, tr("Apply Look"));
+            if (!restored.differences.empty())
+                emit failed(tr("Not all of the look of %1 could be taken over.").arg(pathText(path.filename())) +
+                            listOf(restored.differences));
+        };
+    });
 }
 
 void Opening::showModel(const OpenedModel& opened)
@@ -426,29 +467,44 @@ void Opening::showModel(const OpenedModel& opened)
         const ViewValue start = scenes_.startingView(*opened.model);
         return session_.open(opened.model, start.isovalues, start.appearance);
     }
-    const SessionDocument kept = restoredView(*opened.view, scenes_.modes(), *opened.model, opened.field);
-    session_.restore(opened.model, kept.view, kept.hasCamera);
+    const RestoredView restored =
+        opened.from.empty() ? RestoredView{lastView(*opened.view, scenes_.modes(), *opened.model, opened.field)}
+                            : restoredView(*opened.view, scenes_.modes(), *opened.model, opened.field);
+    session_.restore(opened.model, restored.document.view, restored.document.hasCamera);
     if (!opened.from.empty())
-        showSession(kept, opened);
+        showSession(restored, opened);
     emit viewRestored(opened.from);
 }
 
-/// What a session has beside the view of its model.
-void Opening::showSession(const SessionDocument& document, const OpenedModel& opened)
+/// What a session has beside the view of its model. One of which not all could be shown stays as it is: saving asks for
+/// another file.
+void Opening::showSession(const RestoredView& restored, const OpenedModel& opened)
 {
+    const SessionDocument& document = restored.document;
     const bool isLost = opened.source == SessionSource::Lost && !document.file.empty();
+    const bool isAll = restored.differences.empty();
     if (opened.source == SessionSource::File || isLost) {
-        sessionFound_ = document.found;
-        setSessionFile(isLost ? document.file : opened.from);
-        addRecentFile(pathText(sessionFile_));
+        const std::filesystem::path& file = isLost ? document.file : opened.from;
+        addRecentFile(pathText(file));
+        if (isAll) {
+            sessionFound_ = document.found;
+            setSessionFile(file);
+        }
     }
-    if (isLost)
-        session_.undoStack().resetClean(); // the file does not have what was lost
+    if (isLost || opened.isLocated)
+        session_.undoStack().resetClean(); // the file does not have what was lost, or says another place
+    QStringList told;
     const bool isWhole = opened.sitesOfWhole == 0;
-    if (isWhole && document.identity != 0 && document.identity != modelIdentity(*opened.model))
-        emit failed(tr("The model %1 is another one than when the session was saved: it was built anew, or replaced. "
-                       "It is shown as the session says, as far as that fits.")
-                        .arg(pathText(opened.model->path())));
+    if (const auto other = differentModel(document, *opened.model); other && isWhole)
+        told << translatedMessage(other->text);
+    if (!isAll)
+        told
+            << tr("Not all of the session could be kept.") + listOf(restored.differences)
+            << tr("The session %1 stays as it is; saving asks for another file.").arg(pathText(opened.from.filename()));
+    else if (!told.isEmpty())
+        told << tr("It is shown as the session says.");
+    if (!told.isEmpty())
+        emit failed(told.join(' '));
 }
 
 void Opening::growTo(const OpenedModel& opened)

@@ -8,6 +8,7 @@
 #include "ui/work/long_task.h"
 #include "ui/workbench/import_question.h"
 #include "ui/workbench/kept_views.h"
+#include "ui/workbench/restored_view.h"
 #include "ui/workbench/scene_service.h"
 
 #include <tan/data.h>
@@ -35,6 +36,7 @@ struct OpenedModel {
     std::optional<SessionDocument> view{}; ///< none: as at first
     std::filesystem::path from{};          ///< of the view, if that is not how the model was seen last
     SessionSource source = SessionSource::File;
+    bool isLocated = false; ///< the user has said where the model of the session is
     /// It is a model under way, as far as it is built or has come; where it will be when it is done.
     std::filesystem::path becomes{};
     /// Of a model of which only the beginning was read: how much there is.
@@ -94,8 +96,11 @@ public:
     /// Whether more of that model is being read.
     bool modelComes() const { return coming_ && coming_->shown && coming_->shown == session_.model(); }
 
-    /// Opens what a session says that the file holds.
-    void openSession(const std::filesystem::path& path, SessionSource source);
+    /// Opens what a session says that the file holds; with the model `located`, if the user has said where it is.
+    void openSession(const std::filesystem::path& path, SessionSource source,
+                     const std::filesystem::path& located = {});
+    /// Shows the model that is open as a session or a picture that holds one was seen, in one edit.
+    void applyLook(const std::filesystem::path& path);
     /// What is open and how it is seen; nothing without a model, or while a build is watched. The size of the view is
     /// the window's.
     std::optional<SessionDocument> sessionDocument() const;
@@ -149,6 +154,9 @@ signals:
     /// A session was not saved.
     void saveFailed(const QString& text);
     void sessionSaved(const QString& path);
+    /// The model of a session is not to be found; openSession() can be told where it is.
+    void modelMissing(const std::filesystem::path& session, tetra::SessionSource source,
+                      const std::filesystem::path& model);
     /// The server of that address answers only those who have its token; then `again` opens what was to be opened.
     void tokenWanted(const QString& place, const std::function<void()>& again);
     /// Another part of the model is shown than before, or nothing more of it comes.
@@ -207,7 +215,7 @@ private:
     void takeDataset(const std::filesystem::path& path, const ReadDataset& read);
     void closeDataset();
     void startThumbnails();
-    void showSession(const SessionDocument& document, const OpenedModel& opened);
+    void showSession(const RestoredView& restored, const OpenedModel& opened);
     void setSessionFile(const std::filesystem::path& file);
     void watchForDamage();
     void lookForDamage();
@@ -234,6 +242,7 @@ private:
     QTimer watching_; ///< the model's file for damage
     KeptViews views_; ///< before the workers that look into it
     LongTask reading_;
+    LongTask applying_; ///< a look
     LongTask sampling_;
     LongTask thumbnails_;
     LongTask savingSession_;

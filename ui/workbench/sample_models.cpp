@@ -16,6 +16,7 @@
 #include "ui/workbench/view_picture.h"
 
 #include <tan/model.h>
+#include <tan/version.h>
 
 #include <QCoreApplication>
 #include <QStandardPaths>

@@ -137,6 +137,10 @@ Status ScenePipeline::extract(const SceneRequest& request, const NeededMeshes& n
     const ValueRange range = request.model->description().range;
     histogram_ = std::make_shared<const ValueHistogram>(
         valueHistogram(mesh_->mesh.values, range.minimum, range.maximum, histogramParts));
+    meshBounds_.setEmpty();
+    if (needed.query.window || !needed.query.values.empty())
+        for (const auto& position : mesh_->mesh.positions)
+            meshBounds_.extend(position.template cast<double>());
     logarithmic_.reset();
     if (range.minimum > 0)
         logarithmic_ = std::make_shared<const ValueHistogram>(
@@ -182,6 +186,7 @@ ShownMesh ScenePipeline::shownMesh(const MeshQuery& asked) const
                     .keptTetrahedra = mesh_->keptTetrahedra,
                     .isBlended = fineMesh_ != nullptr,
                     .scale = mesh_->scale,
+                    .bounds = meshBounds_,
                     .histogram = histogram_,
                     .logarithmicHistogram = logarithmic_};
     if (fineMesh_) {

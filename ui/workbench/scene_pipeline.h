@@ -112,6 +112,7 @@ private:
     std::optional<TwoResolutions> focus_;           ///< that the session blends; none if it does not
     std::shared_ptr<const ExtractedMesh> fineMesh_; ///< in the focus
     std::unique_ptr<RendererSession> session_;
+    Eigen::AlignedBox3d meshBounds_;                  ///< ShownMesh::bounds
     std::shared_ptr<const ValueHistogram> histogram_; ///< of the mesh
     std::shared_ptr<const ValueHistogram> logarithmic_;
     std::shared_ptr<const Model> outlinedModel_; ///< of which the next one is

@@ -2,7 +2,6 @@
 #include "ui/workbench/view_picture.h"
 
 #include "core/history/whole_elsewhere.h"
-#include "plugins/api/scene_parameters.h"
 #include "ui/annotations/annotation_painter.h"
 #include "ui/session/accuracy_scale.h"
 
@@ -46,31 +45,6 @@ Result<std::shared_ptr<const TetrahedralMesh>> coarseMesh(const std::shared_ptr<
 constexpr Colour lightBackground{0.957F, 0.961F, 0.969F};
 constexpr Colour darkBackground{0.118F, 0.125F, 0.137F};
 
-/// The appearance of the session, where it says one that is known here; else how the model is seen at first. What
-/// settings the session does not have are the renderers' own defaults: how it was seen when it was saved.
-Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& modes, const Appearance& start)
-{
-    if (rendererOf(modes, appearance.mode) == nullptr)
-        appearance.mode = start.mode;
-    if (appearance.transfer.opacities.empty())
-        appearance.transfer = start.transfer;
-    return appearance;
-}
-
-/// Drops from a view of another field what depends on its places or values.
-void dropWhatDoesNotFit(SessionDocument& kept, const ViewValue& start)
-{
-    kept.view.query.focus = start.query.focus;
-    kept.view.query.window = start.query.window;
-    kept.view.query.values = start.query.values;
-    kept.view.query.range = start.query.range;
-    kept.view.appearance.transfer = {};
-    kept.view.appearance.settings.erase(clipId);
-    kept.view.isovalues = start.isovalues;
-    kept.hasCamera = false;
-    kept.view.animation = {};
-}
-
 } // namespace
 
 FieldExtent roughExtentOf(const Model& model)
@@ -97,22 +71,6 @@ ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model
             .appearance = startingAppearance(modes, field, model.description().domain),
             .isovalues = startingIsovalues(modes, field),
             .camera = fitted(Camera(), model.description().bounds, aspectRatio)};
-}
-
-SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
-                             const FieldExtent& field)
-{
-    const ViewValue start = startingView(modes, model, field);
-    if (!isOfSameField(kept, model))
-        dropWhatDoesNotFit(kept, start);
-    kept.view.appearance = known(std::move(kept.view.appearance), modes, start.appearance);
-    FocusState& focus = kept.view.query.focus; // earlier versions wrote no lengths for these
-    focus.distance = focus.distance > 0 ? focus.distance : start.query.focus.distance;
-    focus.valueFalloff = focus.valueFalloff > 0 ? focus.valueFalloff : start.query.focus.valueFalloff;
-    kept.view.query = corrected(kept.view.query, start.query, model);
-    for (Isovalue& isovalue : kept.view.isovalues)
-        isovalue = corrected(isovalue, model.description().range);
-    return kept;
 }
 
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id)

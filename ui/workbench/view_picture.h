@@ -4,7 +4,7 @@
 #include "plugins/api/renderer.h"
 #include "plugins/host/plugin_host.h"
 #include "ui/annotations/annotation_content.h"
-#include "ui/session/session_document.h"
+#include "ui/session/view_value.h"
 #include "ui/workbench/picture_file.h"
 #include "ui/workbench/scene_pipeline.h"
 
@@ -27,10 +27,6 @@ FieldExtent extentOf(const std::shared_ptr<const Model>& model, const Progress& 
 /// How a model is seen that nobody has looked at yet, in a picture of this width / height.
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,
                        double aspectRatio = 1);
-
-/// How it is seen again: as `kept` says, as far as that fits the model and is known here; the rest is as at first.
-SessionDocument restoredView(SessionDocument kept, const std::vector<Provided<Renderer>>& modes, const Model& model,
-                             const FieldExtent& field);
 
 /// The renderer of this id; null if there is none.
 const Renderer* rendererOf(const std::vector<Provided<Renderer>>& modes, const std::string& id);

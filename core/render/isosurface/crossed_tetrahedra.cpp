@@ -54,7 +54,7 @@ constexpr std::size_t cellsScannedAtOnce = 16;
 
 /// Four bits a tetrahedron, corner by corner as they lie in memory: four gathers of sixteen corners each need no
 /// transposition.
-TETRA_SIMD_16 TETRA_SIMD_INLINE std::uint64_t sidesOfCorners(const Tetrahedron* tetrahedra, const std::uint8_t* inside)
+TETRA_SIMD_INLINE TETRA_SIMD_16 std::uint64_t sidesOfCorners(const Tetrahedron* tetrahedra, const std::uint8_t* inside)
 {
     const __m512i one = _mm512_set1_epi32(1);
     std::uint64_t bits = 0;
@@ -149,7 +149,7 @@ constexpr std::array<EdgeEnds, 16> edgeEnds = [] {
     return all;
 }();
 
-TETRA_SIMD_8 TETRA_SIMD_INLINE __m128i cornersOf(__m128i tetrahedron, const std::array<std::int32_t, 4>& which)
+TETRA_SIMD_INLINE TETRA_SIMD_8 __m128i cornersOf(__m128i tetrahedron, const std::array<std::int32_t, 4>& which)
 {
     const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(which.data()));
     return _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(tetrahedron), places));

@@ -92,7 +92,7 @@ TETRA_SIMD_INLINE void signs(const Float8& of, int bit, Int8& result)
 
 TETRA_SIMD_INLINE void signs(const Double8& of, int bit, Long8& result)
 {
-    result = (Long8)of >> 63 & long(bit);
+    result = (Long8)of >> 63 & std::int64_t(bit);
 }
 
 template <class Lanes> TETRA_SIMD_INLINE void addMagnitudes(const Vectors<Lanes>& of, Lanes& sum)

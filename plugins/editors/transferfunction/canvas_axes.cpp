@@ -118,8 +118,9 @@ std::vector<AxisLabel> valueLabels(const TransferPlot& plot, const QFontMetrics&
     const auto label = [&](double value, double share) {
         const QString text = textOfValue(value, plot.limits);
         const double width = font.horizontalAdvance(text);
-        return AxisLabel{text, {plot.area.left() + share * (plot.area.width() - width), top, width,
-                                static_cast<double>(font.height())}};
+        return AxisLabel{
+            text,
+            {plot.area.left() + share * (plot.area.width() - width), top, width, static_cast<double>(font.height())}};
     };
     const std::array wanted{label(plot.limits.least, 0), label(plot.limits.largest, 1),
                             label(plot.valueAt(plot.area.center().x()), 0.5)}; // the most important first

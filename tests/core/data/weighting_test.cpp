@@ -65,6 +65,9 @@ private slots:
         QCOMPARE(text, std::string("point:1,2.5,-0.03,4,0.1;box:0,0,0,1,1,1,0,0.2;value:120,15,0.1"));
         QCOMPARE(weightingText(parseWeighting(text).value()), text);
         QCOMPARE(weightingText(parseWeighting(" ").value()), std::string());
+        // A sharp box of one point stays a box: points need a reach.
+        const std::string sharp = "box:1,2,3,1,2,3,0,0.5";
+        QCOMPARE(weightingText(parseWeighting(sharp).value()), sharp);
     }
 
     void badTextsAreRefusedWithTheReason_data()

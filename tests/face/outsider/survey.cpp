@@ -6,6 +6,7 @@
 #include <tan/query.h>
 #include <tan/render.h>
 #include <tan/verify.h>
+#include <tan/version.h>
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +201,8 @@ int main(int count, char** arguments)
     if (count != 2)
         fail("usage: survey FOLDER");
     const std::filesystem::path folder = arguments[1];
+    require(libraryVersion() == LibraryVersion{TAN_VERSION_MAJOR, TAN_VERSION_MINOR, TAN_VERSION_PATCH},
+            "the library of these headers");
     for (const Dataset& dataset : {onLattice(), onGrid(), onPoints(), onCells()})
         for (const BuildMethod& method :
              {BuildMethod(Refinement{}), BuildMethod(Refinement{.block = 8}), BuildMethod(Decimation{})}) {

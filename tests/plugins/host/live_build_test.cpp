@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <iterator>
@@ -204,6 +205,81 @@ private slots:
             fs::remove(path("kept.tan"));
         }
         QVERIFY(!fs::exists(path("kept.tan")));
+    }
+
+    void whatIsKeptReplacesNoFinishedModel_data()
+    {
+        QTest::addColumn<QString>("builder");
+        QTest::addColumn<bool>("inBlocks");
+        QTest::newRow("refinement") << "refinement" << false;
+        QTest::newRow("in blocks") << "refinement" << true;
+        QTest::newRow("decimation") << "decimation" << false;
+    }
+    /// A finished model stays what it is; what is kept has a name that says its error, and another one the next time.
+    void whatIsKeptReplacesNoFinishedModel()
+    {
+        QFETCH(QString, builder);
+        QFETCH(bool, inBlocks);
+        const Dataset dataset = sample(20);
+        const fs::path folder = path("finished");
+        fs::create_directory(folder);
+        const fs::path finished = folder / "engine.tan";
+        QVERIFY(buildModel(*host_, dataset, std::nullopt, {}, finished));
+        const std::vector<char> content = contentOf(finished);
+        std::vector<fs::path> kept;
+        for (int time = 0; time < 2; ++time) {
+            std::stop_source stop;
+            const Progress progress(stop.get_token(), [&](double fraction, const Message&) {
+                if (fraction > 0.3)
+                    stop.request_stop();
+            });
+            const std::atomic<bool> keep = true;
+            const auto built =
+                buildModel(*host_, dataset, builder.toStdString(), inBlocks ? blockValues() : ParameterValues(),
+                           finished, progress, {.keepWhenCancelled = &keep});
+            QVERIFY2(built, built ? "" : built.error().text().c_str());
+            QVERIFY(built->stoppedEarly);
+            QVERIFY(contentOf(finished) == content);
+            QVERIFY(fs::equivalent(built->model.parent_path(), folder) && fs::exists(built->model));
+            const auto model = Model::open(built->model);
+            QVERIFY(model);
+            QCOMPARE(built->fileBytes, fs::file_size(built->model));
+            const std::string name = keptName(finished, reachedBy(**model));
+            if (time == 0)
+                QCOMPARE(built->model.filename().string(), name);
+            QVERIFY(built->model != finished && std::ranges::find(kept, built->model) == kept.end());
+            kept.push_back(built->model);
+        }
+        QCOMPARE(std::distance(fs::directory_iterator(folder), {}), 3); // nor is anything else left
+        fs::remove_all(folder);
+    }
+
+    /// Whoever builds with interruptions gets a better model of the same name each time, unless it is not their own.
+    void whatAResumedBuildHasKeptIsReplacedByMore()
+    {
+        const Dataset dataset = inBlocks("c60");
+        QVERIFY(stopped(dataset, 0.055, true)->model == path("kept.tan"));
+        const float first = (*Model::open(path("kept.tan")))->finalKey();
+        QVERIFY(!keepsBeside(path("kept.tan")));
+        QVERIFY(stopped(dataset, 0.3, true)->model == path("kept.tan"));
+        QVERIFY((*Model::open(path("kept.tan")))->finalKey() < first);
+        QVERIFY(buildModel(*host_, sample(12), std::nullopt, {}, path("other.tan")));
+        fs::rename(path("other.tan"), path("kept.tan"));
+        QVERIFY(keepsBeside(path("kept.tan")));
+        const auto beside = stopped(dataset, 0.5, true);
+        QVERIFY(beside && beside->model != path("kept.tan") && fs::exists(beside->model));
+        QVERIFY(buildModel(*host_, dataset, "refinement", blockValues(), path("kept.tan"), {}, {.resume = true}));
+        fs::remove(beside->model);
+        fs::remove(path("kept.tan"));
+    }
+
+    void keptModelsAreNamedByTheirErrors()
+    {
+        QCOMPARE(keptName("some/engine.tan", 25.3), std::string("engine-25-percent.tan"));
+        QCOMPARE(keptName("engine.tan", 2.24), std::string("engine-2.2-percent.tan"));
+        QCOMPARE(keptName("engine.tan", 0.0125), std::string("engine-0.013-percent.tan"));
+        QCOMPARE(keptName("engine.tan", 100), std::string("engine-100-percent.tan"));
+        QCOMPARE(keptName("engine.tan", 0), std::string("engine-stopped.tan"));
     }
 
     void blocksAreWatched_data() { datasetsInBlocks(); }

@@ -4,6 +4,8 @@
 
 #include "plugins/host/plugin_folders.h"
 
+#include <tan/version.h>
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -146,7 +148,7 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<QStringList>("words");
         QTest::newRow("another interface version")
-            << QStringList{"wrong_api"} << "wrong-api" << QStringList{"2.0.0", "0.1.0"};
+            << QStringList{"wrong_api"} << "wrong-api" << QStringList{"2.0.0", TAN_VERSION};
         QTest::newRow("circle") << QStringList{"circular_a", "circular_b"} << "circular-b" << QStringList{"circle"};
         QTest::newRow("half a circle") << QStringList{"circular_a"} << "circular-a" << QStringList{"circular-b"};
         QTest::newRow("missing dependency")

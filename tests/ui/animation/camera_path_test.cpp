@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -65,6 +66,7 @@ private slots:
     void pathsAreContinuous();
     void orientationsAreUnitQuaternionsWithoutRoll();
     void rolledKeysAreGoneThroughSmoothly();
+    void rolledKeysTakeTheShorterWay();
     void equalKeysAreOnePlace();
     void azimuthsTakeTheShorterWay();
     void pathsRestBeforeAndAfter();
@@ -179,6 +181,29 @@ void CameraPathTest::rolledKeysAreGoneThroughSmoothly()
             QVERIFY(orientation(camera).angularDistance(orientation(cameraAt(keys, time + 1e-7))) < 1e-4);
         }
     }
+}
+
+/// Between two that are nearly turned alike nothing goes around, whichever of its two quaternions each one has.
+void CameraPathTest::rolledKeysTakeTheShorterWay()
+{
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> any(-1, 1);
+    constexpr double between = 10 * std::numbers::pi / 180;
+    int sides = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const auto axis = [&] { return Eigen::Vector3d(any(random), any(random), any(random)).normalized(); };
+        // About half a turn from the start, where the side changes that a quaternion is on.
+        const Eigen::Matrix3d first(Eigen::AngleAxisd(std::numbers::pi * (1 + any(random) / 6), axis()));
+        const Eigen::Matrix3d second = first * Eigen::AngleAxisd(between, axis()).toRotationMatrix();
+        const std::vector<CameraKey> keys{{0, withEyeAxes({}, first)}, {1, withEyeAxes({}, second)}};
+        sides += Eigen::Quaterniond(eyeAxes(keys[0].camera)).dot(Eigen::Quaterniond(eyeAxes(keys[1].camera))) < 0;
+        for (int step = 0; step <= 16; ++step) {
+            const Eigen::Quaterniond here = orientation(cameraAt(keys, step / 16.0));
+            for (const CameraKey& key : keys)
+                QVERIFY(here.angularDistance(orientation(key.camera)) < between + 1e-6);
+        }
+    }
+    QVERIFY(sides > 3);
 }
 
 void CameraPathTest::equalKeysAreOnePlace()

@@ -135,6 +135,7 @@ Drivers fileCommands()
 {
     const Drivers files{
         opening("action.open", "openDialog"),
+        opening("action.applyLook", "lookDialog"),
         opening("action.openWithOptions", "importFileDialog"),
         openingRecent(),
         showing(

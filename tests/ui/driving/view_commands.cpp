@@ -94,6 +94,7 @@ Drivers wholeViewCommands()
 {
     return {
         edit("action.fit", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
+        edit("action.fitWhole", &fitView, [](DrivenWindow& window) { window.press("viewport", Qt::Key_Plus); }),
         edit("action.resetView", &resets, &changeEverything),
     };
 }

@@ -67,7 +67,8 @@ void TransferLookTest::valuesBelowThePlotDoNotTouch()
             QCOMPARE(labels.front().text, textOfValue(limits.least, limits));
             for (std::size_t i = 0; i < labels.size(); ++i)
                 for (std::size_t j = 0; j < i; ++j)
-                    QVERIFY2(!labels[i].place.adjusted(-2, 0, 2, 0).intersects(labels[j].place), qPrintable(labels[i].text));
+                    QVERIFY2(!labels[i].place.adjusted(-2, 0, 2, 0).intersects(labels[j].place),
+                             qPrintable(labels[i].text));
             if (width > 500)
                 QCOMPARE(labels.size(), std::size_t(3));
         }

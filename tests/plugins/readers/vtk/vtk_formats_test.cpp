@@ -5,6 +5,9 @@
 
 #include <QTest>
 
+#include <map>
+#include <set>
+
 using namespace tetra;
 
 namespace {
@@ -58,10 +61,31 @@ private slots:
 
     void filtersNameTheFormats()
     {
-        const auto filters = VtkReader().nameFilters();
-        QVERIFY(filters.size() > 10);
-        for (const std::string& filter : filters)
-            QVERIFY2(filter.find("(*.") != std::string::npos && filter.ends_with(')'), filter.c_str());
+        const std::map<QString, VtkFormat> expected{
+            {"VTK XML", VtkFormat::Xml},       {"VTK legacy", VtkFormat::Legacy},
+            {"VTK HDF", VtkFormat::Hdf},       {"Exodus II", VtkFormat::Exodus},
+            {"EnSight", VtkFormat::EnSight},   {"NetCDF, CF conventions", VtkFormat::NetCdf},
+            {"CGNS", VtkFormat::Cgns},         {"MetaImage", VtkFormat::MetaImage},
+            {"NIfTI", VtkFormat::Nifti},       {"MRC electron microscopy", VtkFormat::Mrc},
+            {"TIFF stack", VtkFormat::Tiff},   {"DICOM series", VtkFormat::Dicom},
+            {"GAMBIT", VtkFormat::Gambit},     {"Fluent", VtkFormat::Fluent},
+            {"OpenFOAM", VtkFormat::OpenFoam}, {"Tecplot text", VtkFormat::Tecplot}};
+        std::set<QString> found, patterns;
+        for (const std::string& text : VtkReader().nameFilters()) {
+            const QString filter = QString::fromStdString(text), name = filter.section(" (", 0, 0);
+            QVERIFY2(filter.endsWith(')') && filter.count('(') == 1, text.c_str());
+            QVERIFY2(expected.contains(name) && found.insert(name).second, text.c_str());
+            // Each file that the dialog shows under this name is taken for that.
+            for (QString pattern : filter.section('(', 1).chopped(1).split(' ')) {
+                QVERIFY2(pattern.startsWith("*.") || pattern == "controlDict", text.c_str());
+                QVERIFY2(patterns.insert(pattern).second, text.c_str()); // of one format only
+                const VtkGuess byName = guess(pattern.replace('*', "Data.of.1").toUtf8(), "");
+                QVERIFY2(byName.format == expected.at(name) && byName.score > 0, qPrintable(pattern));
+            }
+        }
+        QCOMPARE(found.size(), expected.size());
+        for (const char* pattern : {"*.vti", "*.vtk", "*.mhd", "*.nii.gz", "*.tec", "*.cgns", "*.case"})
+            QVERIFY2(patterns.contains(pattern), pattern);
     }
 
     /// The program works without VTK, and says what to install.

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A look goes to another model: in the window that opens a session whose model was built anew or that takes over the
+// look of another session, and in `tan render`. Values and colours stay, the camera, too, where the domain is the same,
+// and what does not is named.
+#include "tests/app/program.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/waiting.h"
+
+#include "ui/session/session_model.h"
+
+#include <QFileDialog>
+#include <QJsonArray>
+#include <QPushButton>
+#include <QSettings>
+
+using namespace tetra;
+
+class RestoredViewTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void theNextStepIsSeenAlike();
+    void whatAnotherModelCannotHaveIsNamed();
+    void aSessionThatLostSomethingStaysAsItIs();
+    void theLookOfASessionIsTakenOver();
+    void aModelIsLocated();
+    void theProgramTakesALook();
+    void theProgramSaysWhatDiffers();
+    void theProgramIsStrict();
+    void theProgramFindsAMovedModel();
+
+private:
+    Session& session() const { return window_->workbench.session(); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    /// A model of x + y + z on a lattice of so many points along x, times `factor`.
+    QString build(const QString& name, float factor, std::uint32_t sizeX = 8) const;
+    void open(const QString& file) const;
+    /// The session of a model with two isovalues, a transfer function, a camera, a window and a clip plane of their
+    /// own.
+    QString saveLook(const QString& name, const QString& model) const;
+    Run tan(const QStringList& words) const { return runTan(words, folder_.path()); }
+    Run render(const QStringList& words) const
+    {
+        return tan(QStringList{"render"} + words + QStringList{"--size", "40x30", "--json", "-o", "picture.png"});
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<WindowFixture> window_;
+};
+
+namespace {
+
+constexpr double firstIsovalue = 0.6, secondIsovalue = 0.9;
+
+QStringList differencesOf(const Run& run)
+{
+    QStringList parts;
+    for (const QJsonValue& part : run.json()["session_differs"].toArray())
+        parts << part.toString();
+    return parts;
+}
+
+} // namespace
+
+void RestoredViewTest::initTestCase()
+{
+    QCoreApplication::setOrganizationName("TAn");
+    QCoreApplication::setApplicationName("restored view");
+    QLocale::setDefault(QLocale::c());
+}
+
+void RestoredViewTest::init()
+{
+    QSettings().clear();
+    window_ = std::make_unique<WindowFixture>();
+    window_->window.show();
+}
+
+void RestoredViewTest::cleanup()
+{
+    window_.reset();
+}
+
+QString RestoredViewTest::build(const QString& name, float factor, std::uint32_t sizeX) const
+{
+    constexpr std::uint32_t size = 8;
+    Dataset dataset = sampleDataset(size);
+    dataset.lattice.size[0] = sizeX;
+    std::vector<float> values;
+    for (std::uint32_t z = 0; z < size; ++z)
+        for (std::uint32_t y = 0; y < size; ++y)
+            for (std::uint32_t x = 0; x < sizeX; ++x)
+                values.push_back(factor * static_cast<float>(x % size + y + z) / (3 * (size - 1)));
+    dataset.values = ScalarField::of(std::move(values));
+    dataset.source.hash = contentHash(dataset.values, nullptr);
+    const auto model = buildSampleModel(*window_->host, dataset, folder_.path().toStdString());
+    std::filesystem::create_directories(filePath(path(name)).parent_path());
+    std::filesystem::rename(model, filePath(path(name)));
+    return path(name);
+}
+
+void RestoredViewTest::open(const QString& file) const
+{
+    const auto before = session().model();
+    window_->window.open(file);
+    QTRY_VERIFY(session().model() && session().model() != before && window_->settled());
+}
+
+QString RestoredViewTest::saveLook(const QString& name, const QString& model) const
+{
+    open(model);
+    ViewValue view = session().view();
+    view.isovalues = {{firstIsovalue, 1, 0, 0, 1, true}, {secondIsovalue, 0, 0, 1, 0.5F, true}};
+    view.appearance.transfer = transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.8, {0, 1, 0}, 0.5F}}, 2);
+    view.appearance.settings["clip"] = std::string("1,0,0,2");
+    view.camera.azimuth = 100;
+    view.camera.distance = 15.5;
+    view.query.window = {true, {{{1, 1, 1}, {7, 6, 6}}, WindowBorder::Clipped}};
+    view.background = Colour{0, 0.5F, 0};
+    session().setView(view);
+    bool isSaved = false;
+    window_->workbench.opening().saveSession(filePath(path(name)), *window_->workbench.opening().sessionDocument(),
+                                             [&](bool saved) { isSaved = saved; });
+    if (!waitFor([&] { return isSaved; }))
+        qFatal("the session is not saved");
+    window_->find<QAction>("action.close").trigger();
+    return path(name);
+}
+
+/// Of the same domain and of nearly the same range, as the next step of a computation is.
+void RestoredViewTest::theNextStepIsSeenAlike()
+{
+    const QString model = build("step.tan", 1);
+    const QString look = saveLook("step.tansession", model);
+    build("step.tan", 1.02F);
+    open(look);
+    const ViewValue& view = session().view();
+    QCOMPARE(view.isovalues.size(), std::size_t(2));
+    QCOMPARE(view.isovalues[0], (Isovalue{firstIsovalue, 1, 0, 0, 1, true}));
+    QVERIFY(view.appearance.transfer == transferFunctionFromPoints({{0.2, {1, 0, 0}, 0}, {0.8, {0, 1, 0}, 0.5F}}, 2));
+    QCOMPARE(view.camera.azimuth, 100.0);
+    QCOMPARE(view.camera.distance, 15.5);
+    QVERIFY(view.query.window.enabled);
+    QVERIFY(view.query.window.window.box.largest == Eigen::Vector3d(7, 6, 6));
+    QCOMPARE(window_->messages().size(), 1); // that it is another one
+    QVERIFY2(window_->messages().first().contains("another one"), qPrintable(window_->messages().first()));
+    QCOMPARE(window_->workbench.opening().sessionFile(), filePath(look)); // nothing was lost
+}
+
+void RestoredViewTest::whatAnotherModelCannotHaveIsNamed()
+{
+    const QString model = build("other.tan", 1);
+    const QString look = saveLook("other.tansession", model);
+    build("other.tan", 0.8F, 6); // a shorter domain without one of the isovalues
+    open(look);
+    const ViewValue& view = session().view();
+    QCOMPARE(view.isovalues.size(), std::size_t(1));
+    QCOMPARE(view.isovalues[0].value, firstIsovalue);
+    QCOMPARE(view.camera.azimuth, 100.0); // from the same direction
+    QCOMPARE(view.camera, fitted(view.camera, session().model()->description().bounds, session().shape()));
+    QVERIFY(!view.query.window.enabled && !view.appearance.settings.contains("clip"));
+    QVERIFY(view.background == (Colour{0, 0.5F, 0}));
+    QCOMPARE(window_->messages().size(), 1);
+    const QString told = window_->messages().first();
+    for (const char* named : {"1 of 2 isovalues", "camera", "window", "clipped", "other.tansession"})
+        QVERIFY2(told.contains(named), qPrintable(told));
+}
+
+/// Saving does not put what is left of the look in the place of all of it.
+void RestoredViewTest::aSessionThatLostSomethingStaysAsItIs()
+{
+    const QString model = build("kept.tan", 1);
+    const QString look = saveLook("kept.tansession", model);
+    const auto before = readTextFile(filePath(look));
+    build("kept.tan", 0.8F, 6);
+    open(look);
+    session().setError(3);
+    QVERIFY(!window_->window.isWindowModified());
+    window_->find<QAction>("action.saveSession").trigger();
+    auto& dialog = window_->find<QFileDialog>("sessionDialog");
+    QVERIFY(dialog.isVisible()); // for another file
+    dialog.reject();
+    QVERIFY(before && *readTextFile(filePath(look)) == *before);
+}
+
+void RestoredViewTest::theLookOfASessionIsTakenOver()
+{
+    const QString look = saveLook("look.tansession", build("look.tan", 1));
+    open(build("target.tan", 1.1F));
+    const ViewValue start = session().view();
+    window_->find<QAction>("action.applyLook").trigger();
+    auto& dialog = window_->find<QFileDialog>("lookDialog");
+    emit dialog.fileSelected(look);
+    dialog.reject();
+    QTRY_COMPARE(session().undoStack().count(), 1);
+    QCOMPARE(session().view().isovalues.size(), std::size_t(2));
+    QCOMPARE(session().view().camera.distance, 15.5);
+    QCOMPARE(session().model()->path(), filePath(path("target.tan")));
+    QCOMPARE(window_->messages(), QStringList());
+    QVERIFY(window_->workbench.opening().sessionFile().empty());
+    session().undoStack().undo();
+    QVERIFY(session().view() == start);
+
+    open(build("small.tan", 0.8F, 6));
+    window_->workbench.opening().applyLook(filePath(look));
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains("1 of 2 isovalues"), qPrintable(window_->messages().first()));
+    QCOMPARE(session().view().camera.azimuth, 100.0);
+}
+
+void RestoredViewTest::aModelIsLocated()
+{
+    const QString look = saveLook("lost.tansession", build("lost.tan", 1));
+    QVERIFY(QDir(folder_.path()).mkpath("far/away"));
+    QVERIFY(QFile::rename(path("lost.tan"), path("far/away/renamed.tan")));
+    window_->window.open(look);
+    QTRY_COMPARE(window_->messages().size(), 1);
+    QVERIFY2(window_->messages().first().contains("lost.tan"), qPrintable(window_->messages().first()));
+    window_->find<QPushButton>("message.answer").click();
+    auto& dialog = window_->find<QFileDialog>("locateDialog");
+    emit dialog.fileSelected(path("far/away/renamed.tan"));
+    dialog.reject();
+    QTRY_VERIFY(session().model() != nullptr);
+    QCOMPARE(session().view().camera.distance, 15.5);
+    QCOMPARE(window_->workbench.opening().sessionFile(), filePath(look));
+    QVERIFY(window_->window.isWindowModified()); // the file says another place
+    window_->find<QAction>("action.saveSession").trigger();
+    QTRY_VERIFY(!window_->window.isWindowModified());
+    QTRY_VERIFY(!window_->workbench.opening().savingSession().running());
+    QCOMPARE(readSession(filePath(look))->model, filePath(path("far/away/renamed.tan")));
+}
+
+void RestoredViewTest::theProgramTakesALook()
+{
+    saveLook("first.tansession", build("first.tan", 1));
+    build("second.tan", 1.02F);
+    const Run run = render({"first.tansession", "--model", "second.tan", "--strict"});
+    QVERIFY2(run.exitCode == 0, run.messages);
+    QCOMPARE(differencesOf(run), QStringList());
+    QVERIFY2(run.messages.isEmpty(), run.messages);
+    QVERIFY(run.json()["triangles"].toInt() > 0);
+    // It is the picture of the session, as far as the values go.
+    QVERIFY(render({"first.tansession"}).json()["triangles"].toInt() != run.json()["triangles"].toInt());
+    for (const char* option : {"--model", "--strict"}) {
+        const QStringList words =
+            option == std::string("--model") ? QStringList{option, "first.tan"} : QStringList{option};
+        const Run refused = render(QStringList{"second.tan"} + words);
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.messages.contains(option), refused.messages);
+    }
+}
+
+void RestoredViewTest::theProgramSaysWhatDiffers()
+{
+    saveLook("before.tansession", build("before.tan", 1));
+    QCOMPARE(differencesOf(render({"before.tansession"})), QStringList());
+    build("before.tan", 1.02F);
+    const Run anew = render({"before.tansession"});
+    QCOMPARE(differencesOf(anew), QStringList{"model"});
+    QVERIFY2(anew.messages.contains("another one"), anew.messages);
+    build("smaller.tan", 0.8F, 6);
+    const Run other = render({"before.tansession", "--model", "smaller.tan"});
+    QVERIFY2(other.exitCode == 0, other.messages);
+    QCOMPARE(differencesOf(other), (QStringList{"camera", "window", "clip", "isovalues"}));
+    QVERIFY2(other.messages.contains("1 of 2 isovalues"), other.messages);
+    QVERIFY(!render({"smaller.tan"}).json().contains("session_differs"));
+}
+
+void RestoredViewTest::theProgramIsStrict()
+{
+    saveLook("strict.tansession", build("strict.tan", 1));
+    QCOMPARE(render({"strict.tansession", "--strict"}).exitCode, 0);
+    QVERIFY(QFile::remove(path("picture.png")));
+    build("unlike.tan", 0.8F, 6);
+    const Run run = render({"strict.tansession", "--model", "unlike.tan", "--strict"});
+    QCOMPARE(run.exitCode, 3);
+    QVERIFY2(run.messages.contains("isovalues") && run.messages.contains("--strict"), run.messages);
+    build("strict.tan", 1.02F);
+    QCOMPARE(render({"strict.tansession", "--strict"}).exitCode, 3);
+    QVERIFY(!QFile::exists(path("picture.png")));
+}
+
+void RestoredViewTest::theProgramFindsAMovedModel()
+{
+    build("project/data/m.tan", 1);
+    QVERIFY(QDir(folder_.path()).mkpath("project/looks"));
+    saveLook("project/looks/one.tansession", path("project/data/m.tan"));
+    QVERIFY(QFile::rename(path("project"), path("moved")));
+    QCOMPARE(render({"moved/looks/one.tansession", "--strict"}).exitCode, 0);
+    QVERIFY(QFile::remove(path("moved/data/m.tan")));
+    const Run gone = render({"moved/looks/one.tansession"});
+    QCOMPARE(gone.exitCode, 3);
+    QVERIFY2(gone.messages.contains("m.tan") && gone.messages.contains("--model"), gone.messages);
+}
+
+QTEST_MAIN(RestoredViewTest)
+#include "restored_view_test.moc"
