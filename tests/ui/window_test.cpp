@@ -54,7 +54,6 @@ private slots:
     void cleanup();
     void emptyInvites();
     void droppedFilesAreOpened();
-    void theFirstOfSeveralFilesIsOpened();
     void filesThatADesktopNamesAreOpened();
     void whatCannotBeOpenedIsToldAndStays_data();
     void whatCannotBeOpenedIsToldAndStays();
@@ -172,20 +171,6 @@ void WindowTest::emptyInvites()
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
     QVERIFY(!window_->find<QWidget>("messages").isVisible());
     QCOMPARE(window_->find<QLabel>("status.backend").text(), QString("CPU"));
-}
-
-/// As a shell gives them, and as a desktop does: then they are URLs.
-void WindowTest::theFirstOfSeveralFilesIsOpened()
-{
-    const QString model =
-        QString::fromStdString(buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath()).string());
-    window_->window.openFirst({});
-    QVERIFY(!window_->workbench.opening().reading().running());
-    window_->window.openFirst({QUrl::fromLocalFile(model).toString(), "other.tan"});
-    QTRY_VERIFY(window_->workbench.session().model());
-    QCOMPARE(pathText(window_->workbench.session().model()->path()), model);
-    QCOMPARE(window_->messages().size(), 1);
-    QVERIFY2(window_->messages().first().contains("Only one file"), qPrintable(window_->messages().first()));
 }
 
 void WindowTest::filesThatADesktopNamesAreOpened()

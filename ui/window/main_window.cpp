@@ -237,15 +237,6 @@ void MainWindow::open(const QString& path)
     workbench_.opening().open(address.isLocalFile() ? address.toLocalFile() : path);
 }
 
-void MainWindow::openFirst(const QStringList& files)
-{
-    if (files.isEmpty())
-        return;
-    open(files.first());
-    if (files.size() > 1)
-        messages_->add(tr("Only one file can be open at a time; of these, %1 was opened.").arg(files.first()));
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     if (!filesOf(event->mimeData()).isEmpty())
@@ -263,7 +254,9 @@ void MainWindow::dropEvent(QDropEvent* event)
     empty_->setDropping(false);
     const QStringList files = filesOf(event->mimeData());
     event->acceptProposedAction();
-    openFirst(files);
+    open(files.first());
+    if (files.size() > 1)
+        messages_->add(tr("Only one file can be open at a time; of those dropped, %1 was opened.").arg(files.first()));
 }
 
 void MainWindow::connectActions()

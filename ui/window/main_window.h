@@ -39,8 +39,6 @@ public:
     Viewport& viewport() noexcept { return *viewport_; }
     /// A file, or an address.
     void open(const QString& path);
-    /// The first of them, and says so if there are more.
-    void openFirst(const QStringList& files);
     /// The program is being ended by a signal or with the user's desktop session: keeps all that it can without asking
     /// anybody.
     void keepAll();
