@@ -104,10 +104,6 @@
         <translation>&amp;Einpassen</translation>
     </message>
     <message>
-        <source>Show the whole domain</source>
-        <translation>Zeigt das ganze Gebiet</translation>
-    </message>
-    <message>
         <source>&amp;Look From</source>
         <translation>&amp;Blick von</translation>
     </message>
@@ -351,6 +347,26 @@
         <source>Open a whole model first</source>
         <translation>Öffnen Sie zuerst ein ganzes Modell</translation>
     </message>
+    <message>
+        <source>Appl&amp;y Look of…</source>
+        <translation>&amp;Aussehen übernehmen von …</translation>
+    </message>
+    <message>
+        <source>Show the open model as another session or picture shows its own: with its colours, isovalues, camera and settings</source>
+        <translation>Zeigt das offene Modell so, wie eine andere Sitzung oder ein Bild das eigene zeigt: mit deren Farben, Isowerten, Kamera und Einstellungen</translation>
+    </message>
+    <message>
+        <source>Frame what is shown, or the focus; once more: the whole domain</source>
+        <translation>Passt ein, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet</translation>
+    </message>
+    <message>
+        <source>Fit &amp;Whole Domain</source>
+        <translation>&amp;Ganzes Gebiet einpassen</translation>
+    </message>
+    <message>
+        <source>Frame the whole domain</source>
+        <translation>Passt das ganze Gebiet ein</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -508,8 +524,8 @@
         <translation>Was das Bild zeichnet: auto, cpu oder gl.</translation>
     </message>
     <message>
-        <source>A dataset, a .tan model or a session to open.</source>
-        <translation>Ein Datensatz, ein .tan-Modell oder eine Sitzung, die geöffnet werden.</translation>
+        <source>A dataset, a .tan model or a session to open; each in a window of its own.</source>
+        <translation>Datensätze, .tan-Modelle oder Sitzungen, die geöffnet werden; jede Datei in einem eigenen Fenster.</translation>
     </message>
 </context>
 <context>
@@ -1567,10 +1583,6 @@ beliebige Verwerfung</translation>
         <translation>Anhalten und behal&amp;ten</translation>
     </message>
     <message>
-        <source>Stop the build and keep what is finished as the model, with the accuracy reached so far</source>
-        <translation>Beendet den Bau; was fertig ist, wird das Modell, mit der bisher erreichten Genauigkeit</translation>
-    </message>
-    <message>
         <source>Cancelling…</source>
         <translation>Wird abgebrochen …</translation>
     </message>
@@ -1585,10 +1597,6 @@ beliebige Verwerfung</translation>
     <message>
         <source>&amp;Build</source>
         <translation>Ba&amp;uen</translation>
-    </message>
-    <message>
-        <source>This file exists; it is replaced when the build is done.</source>
-        <translation>Diese Datei gibt es schon; sie wird ersetzt, wenn das Modell fertig ist.</translation>
     </message>
     <message>
         <source>Starting…</source>
@@ -1717,6 +1725,22 @@ beliebige Verwerfung</translation>
     <message>
         <source>Pausing…</source>
         <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>&amp;Open the Existing Model</source>
+        <translation>Vorhandenes M&amp;odell öffnen</translation>
+    </message>
+    <message>
+        <source>Open the model that is there already; nothing is built or replaced</source>
+        <translation>Öffnet das Modell, das schon da ist; es wird nichts gebaut oder ersetzt</translation>
+    </message>
+    <message>
+        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name stays as it is.</source>
+        <translation>Beendet den Bau und behält das Fertige als Modell, mit der bisher erreichten Genauigkeit. Ein fertiges Modell desselben Namens bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
+        <translation>Diese Datei gibt es schon. Sie können sie öffnen; wenn Sie bauen, wird sie ersetzt, sobald das Modell fertig ist.</translation>
     </message>
 </context>
 <context>
@@ -2313,6 +2337,10 @@ beliebige Verwerfung</translation>
         <source>There is no isovalue, so the error is %1 everywhere.</source>
         <translation>Es gibt keinen Isowert, daher ist der Fehler überall %1.</translation>
     </message>
+    <message>
+        <source>%1 tetrahedra; without the focus %2, with its error everywhere %3.</source>
+        <translation>%1 Tetraeder; ohne den Fokus %2, mit dessen Fehler überall %3.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::HistogramView</name>
@@ -2548,12 +2576,40 @@ beliebige Verwerfung</translation>
         <translation>Automatisch gesichert am %1. Modell: %2</translation>
     </message>
     <message>
-        <source>TAn ended unexpectedly while %1 was open. Its view can be restored.</source>
-        <translation>TAn wurde unerwartet beendet, während %1 geöffnet war. Die Ansicht kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
         <source>%1 contains the session it was made with, which can be restored.</source>
         <translation>%1 enthält die Sitzung, mit der es entstanden ist; sie kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>%1 had unsaved changes when TAn was ended.</source>
+        <translation>%1 hatte Änderungen, die nicht gespeichert waren, als TAn beendet wurde.</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open.</source>
+        <translation>TAn endete unerwartet, während %1 geöffnet war.</translation>
+    </message>
+    <message>
+        <source>Its view can be restored.</source>
+        <translation>Seine Ansicht kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>The model %1 was not found where it was, in %2.</source>
+        <translation>Das Modell %1 wurde nicht gefunden, wo es war, in %2.</translation>
+    </message>
+    <message>
+        <source>The model %1 of %2 was not found where it was, in %3, nor near the session.</source>
+        <translation>Das Modell %1 zu %2 wurde weder gefunden, wo es war, in %3, noch in der Nähe der Sitzung.</translation>
+    </message>
+    <message>
+        <source>&amp;Locate Model…</source>
+        <translation>Modell &amp;suchen …</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelle (*.tan)</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +2821,18 @@ beliebige Verwerfung</translation>
         <source>Quit and &amp;Resume Later</source>
         <translation>Beenden und &amp;später fortsetzen</translation>
     </message>
+    <message>
+        <source>If you stop now, you can keep what is finished as %1, a model of lower accuracy. The finished model %2 stays as it is.</source>
+        <translation>Wenn Sie jetzt anhalten, können Sie das Fertige als %1 behalten, ein Modell geringerer Genauigkeit. Das fertige Modell %2 bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Stop and Keep</source>
+        <translation>Anhalten und behalten</translation>
+    </message>
+    <message>
+        <source>Stop the build of %1 and keep what is finished?</source>
+        <translation>Den Bau von %1 anhalten und das Fertige behalten?</translation>
+    </message>
 </context>
 <context>
     <name>tetra::LensInputs</name>
@@ -2849,10 +2917,6 @@ beliebige Verwerfung</translation>
     <message>
         <source>Sessions to restore</source>
         <translation>Sitzungen zum Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>TAn ended unexpectedly while %1 was open.</source>
-        <translation>TAn endete unerwartet, während %1 geöffnet war.</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -3004,6 +3068,22 @@ beliebige Verwerfung</translation>
     <message>
         <source>Packed models (*.tan)</source>
         <translation>Gepackte Modelle (*.tan)</translation>
+    </message>
+    <message>
+        <source>Apply Look of</source>
+        <translation>Aussehen übernehmen von</translation>
+    </message>
+    <message>
+        <source>Sessions and pictures with their sessions (*.tansession *.png)</source>
+        <translation>Sitzungen und Bilder mit ihren Sitzungen (*.tansession *.png)</translation>
+    </message>
+    <message>
+        <source>What was finished is kept as %1. The model %2 is as it was.</source>
+        <translation>Das Fertige ist als %1 behalten. Das Modell %2 ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>%1 % shown, more is coming</source>
+        <translation>%1 % gezeigt, mehr kommt</translation>
     </message>
 </context>
 <context>
@@ -5305,10 +5385,6 @@ beliebige Verwerfung</translation>
         <translation>„%1“ ist ein Gerät oder eine Pipe. Wählen Sie eine Datei.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be read: %2. %3</source>
-        <translation>„%1“ kann nicht gelesen werden: %2. %3</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
         <translation>„%1“ ist leer. Vielleicht ist die Kopie unvollständig: Kopieren Sie die Datei noch einmal.</translation>
     </message>
@@ -7361,10 +7437,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Film</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
         <source>three numbers in brackets</source>
         <translation>drei Zahlen in eckigen Klammern</translation>
     </message>
@@ -7415,10 +7487,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>it names no model in &quot;model.path&quot;.</source>
         <translation>Sie nennt kein Modell in „model.path“.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; cannot be read: %2.</source>
-        <translation>Die Datei „%1“ kann nicht gelesen werden: %2.</translation>
     </message>
     <message>
         <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
@@ -8169,10 +8237,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>was es enthält, ist keine Geschichte</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be written: %2.</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden: %2.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
         <translation>&apos;%1&apos; kann nicht gepackt werden: Die Geschichte ist nicht die eines Netzes. &apos;tan verify&apos; sagt mehr.</translation>
     </message>
@@ -8233,16 +8297,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Nicht genug Speicher, um den Zwischenspeicher „%1“ durchzusehen. Schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no address of a server. Write it as http://HOST:PORT/NAME.tan.</source>
-        <translation>&apos;%1&apos; ist keine Adresse eines Servers. Schreiben Sie sie als http://HOST:PORT/NAME.tan.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
         <translation>&apos;%1&apos; sendet mehr als %2; mehr wird nicht angenommen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; gives no answer (%2). Check the address, and whether the server runs.</source>
-        <translation>&apos;%1&apos; antwortet nicht (%2). Prüfen Sie die Adresse und ob der Server läuft.</translation>
     </message>
     <message>
         <source>Not enough memory for what the server sends. Ask for less.</source>
@@ -8457,14 +8513,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Anfrage an den Server</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; gives no answer: there is nothing at that host and port. Check the address, and whether the server runs.</source>
-        <translation>„%1“ antwortet nicht: Unter diesem Rechner und Port ist nichts. Prüfen Sie die Adresse und ob der Server läuft.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; gives no answer: its host is not found. Check the address and the network.</source>
-        <translation>„%1“ antwortet nicht: Der Rechner wurde nicht gefunden. Prüfen Sie die Adresse und das Netz.</translation>
-    </message>
-    <message>
         <source>the server gives a web page or a list in place of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
         <translation>Der Server liefert eine Webseite oder eine Liste statt Daten. Öffnen Sie die Adresse in einem Browser: Vielleicht müssen Sie sich anmelden, oder dort eine Datei wählen und deren Adresse angeben.</translation>
     </message>
@@ -8477,12 +8525,172 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Server erlaubt es nicht (403). Fragen Sie seinen Betreiber, oder prüfen Sie, ob die Adresse abgelaufen ist.</translation>
     </message>
     <message>
-        <source>it is no address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
+        <source>&apos;%1&apos; is an address, and datasets are read from this computer only. Download it and give the file.</source>
+        <translation>„%1“ ist eine Adresse, und Datensätze werden nur von diesem Rechner gelesen. Laden Sie die Datei herunter und geben Sie diese an.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: it has more than %2 bytes, too many for such a file.</source>
+        <translation>„%1“ kann nicht gelesen werden: Die Datei hat mehr als %2 Bytes, zu viele für eine solche Datei.</translation>
+    </message>
+    <message>
+        <source>This TAn makes no mesh of the points of &apos;%1&apos;: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <translation>Dieses TAn macht kein Netz aus den Punkten von „%1“: Es wurde ohne CGAL (TAN_CGAL) gebaut. Nehmen Sie eines, das es hat, oder Daten mit einem Gitter oder mit Zellen.</translation>
+    </message>
+    <message>
+        <source>The history has more than %1 sites. Ask for a larger error, or build in blocks.</source>
+        <translation>Die Geschichte hat mehr als %1 Stützstellen. Verlangen Sie einen größeren Fehler, oder bauen Sie in Blöcken.</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; holds numbers that cannot be</source>
+        <translation>Abschnitt „%1“ enthält Zahlen, die es nicht geben kann</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not fit what it holds. This is a fault of TAn: please report it.</source>
+        <translation>„%1“ kann nicht geschrieben werden: Abschnitt „%2“ war mit %3 Bytes geplant, was nicht zu seinem Inhalt passt. Das ist ein Fehler von TAn: Bitte melden Sie ihn.</translation>
+    </message>
+    <message>
+        <source>There is no folder for temporary files: %1.</source>
+        <translation>Es gibt keinen Ordner für Zwischendateien: %1.</translation>
+    </message>
+    <message>
+        <source>The model cannot be packed into &apos;%1&apos;: the errors that it claims make no sense. &apos;tan verify&apos; tells more.</source>
+        <translation>Das Modell kann nicht in „%1“ gepackt werden: Die Fehler, die es angibt, ergeben keinen Sinn. „tan verify“ sagt mehr.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 tetrahedra, too many for the memory of this machine. Ask for a larger error or a part of it.</source>
+        <translation>Das Netz hat %1 Tetraeder, zu viele für den Arbeitsspeicher dieses Rechners. Verlangen Sie einen größeren Fehler oder einen Teil davon.</translation>
+    </message>
+    <message>
+        <source>something lies before section &apos;%1&apos;</source>
+        <translation>vor Abschnitt „%1“ liegt etwas</translation>
+    </message>
+    <message>
+        <source>This TAn makes no mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <translation>Dieses TAn macht kein Netz aus verstreuten Punkten: Es wurde ohne CGAL (TAN_CGAL) gebaut. Nehmen Sie eines, das es hat, oder Daten mit einem Gitter oder mit Zellen.</translation>
+    </message>
+    <message>
+        <source>Cannot use the cache folder &apos;%1&apos;: %2. Set XDG_CACHE_HOME to a folder that is yours alone.</source>
+        <translation>Der Zwischenspeicher „%1“ ist nicht benutzbar: %2. Setzen Sie XDG_CACHE_HOME auf einen Ordner, der Ihnen allein gehört.</translation>
+    </message>
+    <message>
+        <source>it belongs to another user</source>
+        <translation>Er gehört einem anderen Benutzer</translation>
+    </message>
+    <message>
+        <source>others can write in it</source>
+        <translation>Andere können darin schreiben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another user</source>
+        <translation>„%1“ gehört einem anderen Benutzer</translation>
+    </message>
+    <message>
+        <source>everybody can write in &apos;%1&apos;</source>
+        <translation>In „%1“ können alle schreiben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer: %2</source>
+        <translation>„%1“ antwortet nicht: %2</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 seconds, or too slowly. Check the network, and whether the server runs.</source>
+        <translation>%1 Sekunden lang kam nichts, oder es kam zu langsam. Prüfen Sie das Netz, und ob der Server läuft.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the address of a server. Write it as http://HOST:PORT/NAME.tan.</source>
+        <translation>„%1“ ist keine Adresse eines Servers. Schreiben Sie sie als http://HOST:PORT/NAME.tan.</translation>
+    </message>
+    <message>
+        <source>the server says that the file has %1, more than any model has. Check the address.</source>
+        <translation>Der Server sagt, dass die Datei %1 hat, mehr als jedes Modell. Prüfen Sie die Adresse.</translation>
+    </message>
+    <message>
+        <source>it is not the address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
         <translation>Das ist keine Adresse einer Datei. Schreiben Sie sie als https://RECHNER/PFAD, und Leerzeichen darin als %1.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is an address, and datasets are read from this computer only. Download it and give the file.</source>
-        <translation>„%1“ ist eine Adresse, und Datensätze werden nur von diesem Rechner gelesen. Laden Sie die Datei herunter und geben Sie diese an.</translation>
+        <source>This TAn was built without OpenGL (TAN_GL). Draw with the processor.</source>
+        <translation>Dieses TAn wurde ohne OpenGL (TAN_GL) gebaut. Lassen Sie den Prozessor zeichnen.</translation>
+    </message>
+    <message>
+        <source>No server can be at port %1 of &apos;%2&apos;: %3. Choose another port with &apos;--port&apos;, or an address of this machine.</source>
+        <translation>An Port %1 von „%2“ kann kein Server sein: %3. Wählen Sie mit „--port“ einen anderen Port, oder eine Adresse dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The system gives the server no thread: %1. %2</source>
+        <translation>Das System gibt dem Server keinen Thread: %1. %2</translation>
+    </message>
+    <message>
+        <source>The system takes no more connections: %1. %2</source>
+        <translation>Das System nimmt keine Verbindungen mehr an: %1. %2</translation>
+    </message>
+    <message>
+        <source>The file is being changed. Ask again.</source>
+        <translation>Die Datei wird gerade geändert. Fragen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The server cannot look for its models now: %1. Ask again.</source>
+        <translation>Der Server kann jetzt nicht nach seinen Modellen suchen: %1. Fragen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be served: %2. Check its name.</source>
+        <translation>Der Ordner „%1“ kann nicht bereitgestellt werden: %2. Prüfen Sie seinen Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another user, who could put any program there. Copy what you trust into a folder of your own.</source>
+        <translation>„%1“ gehört einem anderen Benutzer, der jedes Programm dorthin legen könnte. Kopieren Sie, wem Sie trauen, in einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Take that right away (chmod o-w), and see what is in it.</source>
+        <translation>Jeder Benutzer dieses Rechners kann in „%1“ schreiben und könnte jedes Programm dorthin legen. Entziehen Sie dieses Recht (chmod o-w), und sehen Sie nach, was darin ist.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; has no number anywhere: it cannot be computed from this solution. %2</source>
+        <translation>Das Feld „%1“ hat nirgends eine Zahl: Es kann aus dieser Lösung nicht berechnet werden. %2</translation>
+    </message>
+    <message>
+        <source>The domain is another one, so the camera keeps its direction and shows all of the model.</source>
+        <translation>Das Gebiet ist ein anderes, daher behält die Kamera ihre Richtung und zeigt das ganze Modell.</translation>
+    </message>
+    <message>
+        <source>The focus is off: it is not within the domain.</source>
+        <translation>Der Fokus ist ausgeschaltet: Er liegt nicht im Gebiet.</translation>
+    </message>
+    <message>
+        <source>The window is off: it is not within the domain.</source>
+        <translation>Das Fenster ist ausgeschaltet: Es liegt nicht im Gebiet.</translation>
+    </message>
+    <message>
+        <source>Nothing is clipped: the clip planes are for another domain.</source>
+        <translation>Nichts wird abgeschnitten: Die Schnittebenen gelten für ein anderes Gebiet.</translation>
+    </message>
+    <message>
+        <source>The film has no key frames: their cameras are for another domain.</source>
+        <translation>Der Film hat keine Schlüsselbilder: Ihre Kameras gelten für ein anderes Gebiet.</translation>
+    </message>
+    <message>
+        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so its usual ones are shown.</source>
+        <translation>Keiner der Isowerte liegt innerhalb der Werte des Modells, %1 bis %2, daher werden die üblichen gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 isovalues are left out: they are not within the model&apos;s values, %3 to %4.</source>
+        <translation>%1 von %2 Isowerten sind weggelassen: Sie liegen nicht innerhalb der Werte des Modells, %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>The transfer function has no point within the model&apos;s values, so the usual one is shown.</source>
+        <translation>Die Transferfunktion hat keinen Punkt innerhalb der Werte des Modells, daher wird die übliche gezeigt.</translation>
+    </message>
+    <message>
+        <source>All values are shown: the model has none of the chosen ones.</source>
+        <translation>Alle Werte werden gezeigt: Das Modell hat keinen der gewählten.</translation>
+    </message>
+    <message>
+        <source>There is no rendering mode &apos;%1&apos; here, so that it is shown as &apos;%2&apos;. It may belong to a plugin that is not installed.</source>
+        <translation>Es gibt hier keine Darstellungsart „%1“, daher wird als „%2“ gezeigt. Vielleicht gehört sie zu einem Plugin, das nicht installiert ist.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; is another one than when the session was saved: it was built anew, or replaced.</source>
+        <translation>Das Modell „%1“ ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt.</translation>
     </message>
 </context>
 <context>
@@ -8549,16 +8757,32 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Sitzungen (*.tansession)</translation>
     </message>
     <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Das Modell %1 ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt. Es wird so gezeigt, wie die Sitzung sagt, soweit das passt.</translation>
-    </message>
-    <message>
         <source>Pictures with their sessions (*.png)</source>
         <translation>Bilder mit ihren Sitzungen (*.png)</translation>
     </message>
     <message>
         <source>Datasets packed by gzip (*.gz)</source>
         <translation>Mit gzip gepackte Datensätze (*.gz)</translation>
+    </message>
+    <message>
+        <source>Apply Look</source>
+        <translation>Aussehen übernehmen</translation>
+    </message>
+    <message>
+        <source>Not all of the look of %1 could be taken over.</source>
+        <translation>Das Aussehen von %1 konnte nicht ganz übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Not all of the session could be kept.</source>
+        <translation>Die Sitzung konnte nicht ganz beibehalten werden.</translation>
+    </message>
+    <message>
+        <source>The session %1 stays as it is; saving asks for another file.</source>
+        <translation>Die Sitzung %1 bleibt, wie sie ist; das Speichern fragt nach einer anderen Datei.</translation>
+    </message>
+    <message>
+        <source>It is shown as the session says.</source>
+        <translation>Es wird so gezeigt, wie die Sitzung sagt.</translation>
     </message>
 </context>
 <context>
@@ -9811,10 +10035,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Show the whole domain (Home)</source>
-        <translation>Das ganze Gebiet zeigen (Pos1)</translation>
-    </message>
-    <message>
         <source>Background colour, also in saved pictures</source>
         <translation>Hintergrundfarbe, auch in gespeicherten Bildern</translation>
     </message>
@@ -9933,6 +10153,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Dra&amp;gging</source>
         <translation>&amp;Ziehen</translation>
+    </message>
+    <message>
+        <source>Frame what is shown, or the focus; once more: the whole domain (Home)</source>
+        <translation>Einpassen, was gezeigt wird, oder den Fokus; noch einmal: das ganze Gebiet (Pos1)</translation>
     </message>
 </context>
 <context>

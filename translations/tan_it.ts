@@ -104,10 +104,6 @@
         <translation>&amp;Adatta</translation>
     </message>
     <message>
-        <source>Show the whole domain</source>
-        <translation>Mostra l&apos;intero dominio</translation>
-    </message>
-    <message>
         <source>&amp;Look From</source>
         <translation>&amp;Guarda da</translation>
     </message>
@@ -351,6 +347,26 @@
         <source>Open a whole model first</source>
         <translation>Aprire prima un modello intero</translation>
     </message>
+    <message>
+        <source>Appl&amp;y Look of…</source>
+        <translation>Applica aspetto da u&amp;n file…</translation>
+    </message>
+    <message>
+        <source>Show the open model as another session or picture shows its own: with its colours, isovalues, camera and settings</source>
+        <translation>Mostra il modello aperto come un&apos;altra sessione o un&apos;immagine mostra il proprio: con i suoi colori, isovalori, camera e impostazioni</translation>
+    </message>
+    <message>
+        <source>Frame what is shown, or the focus; once more: the whole domain</source>
+        <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio</translation>
+    </message>
+    <message>
+        <source>Fit &amp;Whole Domain</source>
+        <translation>Adatta &amp;tutto il dominio</translation>
+    </message>
+    <message>
+        <source>Frame the whole domain</source>
+        <translation>Inquadra l&apos;intero dominio</translation>
+    </message>
 </context>
 <context>
     <name>Annotations</name>
@@ -508,8 +524,8 @@
         <translation>Che cosa disegna l&apos;immagine: auto, cpu o gl.</translation>
     </message>
     <message>
-        <source>A dataset, a .tan model or a session to open.</source>
-        <translation>Un insieme di dati, un modello .tan o una sessione da aprire.</translation>
+        <source>A dataset, a .tan model or a session to open; each in a window of its own.</source>
+        <translation>Un insieme di dati, un modello .tan o una sessione da aprire; ciascuno in una finestra propria.</translation>
     </message>
 </context>
 <context>
@@ -1567,10 +1583,6 @@ deformazione qualsiasi</translation>
         <translation>F&amp;erma e conserva</translation>
     </message>
     <message>
-        <source>Stop the build and keep what is finished as the model, with the accuracy reached so far</source>
-        <translation>Ferma la costruzione; ciò che è pronto diventa il modello, con l&apos;accuratezza raggiunta</translation>
-    </message>
-    <message>
         <source>Cancelling…</source>
         <translation>Annullamento…</translation>
     </message>
@@ -1585,10 +1597,6 @@ deformazione qualsiasi</translation>
     <message>
         <source>&amp;Build</source>
         <translation>&amp;Costruisci</translation>
-    </message>
-    <message>
-        <source>This file exists; it is replaced when the build is done.</source>
-        <translation>Questo file esiste; viene sostituito a costruzione finita.</translation>
     </message>
     <message>
         <source>Starting…</source>
@@ -1717,6 +1725,22 @@ deformazione qualsiasi</translation>
     <message>
         <source>Pausing…</source>
         <translation>Messa in pausa…</translation>
+    </message>
+    <message>
+        <source>&amp;Open the Existing Model</source>
+        <translation>Apri il modello &amp;già esistente</translation>
+    </message>
+    <message>
+        <source>Open the model that is there already; nothing is built or replaced</source>
+        <translation>Apre il modello che c&apos;è già; nulla viene costruito o sostituito</translation>
+    </message>
+    <message>
+        <source>Stop the build and keep what is finished as a model, with the accuracy reached so far. A finished model of the same name stays as it is.</source>
+        <translation>Ferma la costruzione e conserva ciò che è pronto come modello, con l&apos;accuratezza raggiunta. Un modello finito con lo stesso nome resta com&apos;è.</translation>
+    </message>
+    <message>
+        <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
+        <translation>Questo file esiste. Si può aprirlo; se si costruisce, viene sostituito a costruzione finita.</translation>
     </message>
 </context>
 <context>
@@ -2313,6 +2337,10 @@ deformazione qualsiasi</translation>
         <source>There is no isovalue, so the error is %1 everywhere.</source>
         <translation>Non c&apos;è nessun isovalore, quindi l&apos;errore è %1 ovunque.</translation>
     </message>
+    <message>
+        <source>%1 tetrahedra; without the focus %2, with its error everywhere %3.</source>
+        <translation>%1 tetraedri; senza il focus %2, con il suo errore ovunque %3.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::HistogramView</name>
@@ -2548,12 +2576,40 @@ deformazione qualsiasi</translation>
         <translation>Salvata automaticamente il %1. Modello: %2</translation>
     </message>
     <message>
-        <source>TAn ended unexpectedly while %1 was open. Its view can be restored.</source>
-        <translation>TAn è terminato inaspettatamente mentre %1 era aperto. Se ne può ripristinare la vista.</translation>
-    </message>
-    <message>
         <source>%1 contains the session it was made with, which can be restored.</source>
         <translation>%1 contiene la sessione con cui è stata fatta, che si può ripristinare.</translation>
+    </message>
+    <message>
+        <source>%1 had unsaved changes when TAn was ended.</source>
+        <translation>%1 aveva modifiche non salvate quando TAn è stato terminato.</translation>
+    </message>
+    <message>
+        <source>TAn ended unexpectedly while %1 was open.</source>
+        <translation>TAn è terminato inaspettatamente mentre %1 era aperto.</translation>
+    </message>
+    <message>
+        <source>Its view can be restored.</source>
+        <translation>La sua vista si può ripristinare.</translation>
+    </message>
+    <message>
+        <source>The model %1 was not found where it was, in %2.</source>
+        <translation>Il modello %1 non è stato trovato dov&apos;era, in %2.</translation>
+    </message>
+    <message>
+        <source>The model %1 of %2 was not found where it was, in %3, nor near the session.</source>
+        <translation>Il modello %1 di %2 non è stato trovato né dov&apos;era, in %3, né vicino alla sessione.</translation>
+    </message>
+    <message>
+        <source>&amp;Locate Model…</source>
+        <translation>&amp;Trova modello…</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>Trova %1</translation>
+    </message>
+    <message>
+        <source>Models (*.tan)</source>
+        <translation>Modelli (*.tan)</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +2821,18 @@ deformazione qualsiasi</translation>
         <source>Quit and &amp;Resume Later</source>
         <translation>Esci e &amp;riprendi dopo</translation>
     </message>
+    <message>
+        <source>If you stop now, you can keep what is finished as %1, a model of lower accuracy. The finished model %2 stays as it is.</source>
+        <translation>Fermandola ora si può conservare la parte finita come %1, un modello meno accurato. Il modello finito %2 resta com&apos;è.</translation>
+    </message>
+    <message>
+        <source>Stop and Keep</source>
+        <translation>Ferma e conserva</translation>
+    </message>
+    <message>
+        <source>Stop the build of %1 and keep what is finished?</source>
+        <translation>Fermare la costruzione di %1 e conservare ciò che è pronto?</translation>
+    </message>
 </context>
 <context>
     <name>tetra::LensInputs</name>
@@ -2849,10 +2917,6 @@ deformazione qualsiasi</translation>
     <message>
         <source>Sessions to restore</source>
         <translation>Sessioni da ripristinare</translation>
-    </message>
-    <message>
-        <source>TAn ended unexpectedly while %1 was open.</source>
-        <translation>TAn è terminato inaspettatamente mentre %1 era aperto.</translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -3004,6 +3068,22 @@ deformazione qualsiasi</translation>
     <message>
         <source>Packed models (*.tan)</source>
         <translation>Modelli compressi (*.tan)</translation>
+    </message>
+    <message>
+        <source>Apply Look of</source>
+        <translation>Applica aspetto da un file</translation>
+    </message>
+    <message>
+        <source>Sessions and pictures with their sessions (*.tansession *.png)</source>
+        <translation>Sessioni e immagini con le loro sessioni (*.tansession *.png)</translation>
+    </message>
+    <message>
+        <source>What was finished is kept as %1. The model %2 is as it was.</source>
+        <translation>Ciò che era pronto è conservato come %1. Il modello %2 è com&apos;era.</translation>
+    </message>
+    <message>
+        <source>%1 % shown, more is coming</source>
+        <translation>%1 % mostrato, altro sta arrivando</translation>
     </message>
 </context>
 <context>
@@ -5305,10 +5385,6 @@ deformazione qualsiasi</translation>
         <translation>«%1» è un dispositivo o una pipe. Scegliere un file.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be read: %2. %3</source>
-        <translation>«%1» non può essere letto: %2. %3</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is empty. The copy may be incomplete: copy the file again.</source>
         <translation>«%1» è vuoto. La copia potrebbe essere incompleta: copiare di nuovo il file.</translation>
     </message>
@@ -7361,10 +7437,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il filmato</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be written: %2. Choose another place.</source>
-        <translation>«%1» non può essere scritto: %2. Scegliere un altro posto.</translation>
-    </message>
-    <message>
         <source>three numbers in brackets</source>
         <translation>tre numeri tra parentesi quadre</translation>
     </message>
@@ -7415,10 +7487,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>it names no model in &quot;model.path&quot;.</source>
         <translation>non indica un modello in «model.path».</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; cannot be read: %2.</source>
-        <translation>Il file «%1» non può essere letto: %2.</translation>
     </message>
     <message>
         <source>The video could not be made: %1 says &quot;%2&quot;. Choose another format, or PNG pictures.</source>
@@ -8169,10 +8237,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>ciò che contiene non è una storia</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; cannot be written: %2.</source>
-        <translation>Impossibile scrivere &apos;%1&apos;: %2.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; cannot be packed: its history is not that of a mesh. &apos;tan verify&apos; tells more.</source>
         <translation>&apos;%1&apos; non può essere compresso: la sua storia non è quella di una mesh. &apos;tan verify&apos; dice di più.</translation>
     </message>
@@ -8233,16 +8297,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Memoria insufficiente per esaminare la cartella cache &apos;%1&apos;. Chiudere altri programmi.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no address of a server. Write it as http://HOST:PORT/NAME.tan.</source>
-        <translation>&apos;%1&apos; non è l&apos;indirizzo di un server. Scriverlo come http://HOST:PORT/NAME.tan.</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; sends more than %2, the most that is taken.</source>
         <translation>&apos;%1&apos; invia più di %2, il massimo accettato.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; gives no answer (%2). Check the address, and whether the server runs.</source>
-        <translation>&apos;%1&apos; non risponde (%2). Controllare l&apos;indirizzo e che il server sia attivo.</translation>
     </message>
     <message>
         <source>Not enough memory for what the server sends. Ask for less.</source>
@@ -8457,14 +8513,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Richiesta al server</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; gives no answer: there is nothing at that host and port. Check the address, and whether the server runs.</source>
-        <translation>«%1» non risponde: a quell&apos;host e quella porta non c&apos;è nulla. Controllare l&apos;indirizzo e che il server sia attivo.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; gives no answer: its host is not found. Check the address and the network.</source>
-        <translation>«%1» non risponde: l&apos;host non è stato trovato. Controllare l&apos;indirizzo e la rete.</translation>
-    </message>
-    <message>
         <source>the server gives a web page or a list in place of data. Open the address in a browser: you may have to log in, or to choose a file there and give its address.</source>
         <translation>il server dà una pagina web o un elenco al posto dei dati. Aprire l&apos;indirizzo in un browser: forse occorre accedere, oppure scegliere lì un file e indicarne l&apos;indirizzo.</translation>
     </message>
@@ -8477,12 +8525,172 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il server non lo permette (403). Chiedere a chi lo gestisce, o controllare se l&apos;indirizzo è scaduto.</translation>
     </message>
     <message>
-        <source>it is no address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
+        <source>&apos;%1&apos; is an address, and datasets are read from this computer only. Download it and give the file.</source>
+        <translation>«%1» è un indirizzo, e i dati si leggono solo da questo computer. Scaricare il file e indicare quello.</translation>
+    </message>
+    <message>
+        <source>Cannot read &apos;%1&apos;: it has more than %2 bytes, too many for such a file.</source>
+        <translation>Impossibile leggere «%1»: ha più di %2 byte, troppi per un file del genere.</translation>
+    </message>
+    <message>
+        <source>This TAn makes no mesh of the points of &apos;%1&apos;: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <translation>Questo TAn non fa una mesh dei punti di «%1»: è stato compilato senza CGAL (TAN_CGAL). Usarne uno che lo abbia, o dati con una griglia o con celle.</translation>
+    </message>
+    <message>
+        <source>The history has more than %1 sites. Ask for a larger error, or build in blocks.</source>
+        <translation>La storia ha più di %1 siti. Chiedere un errore più grande, o costruire a blocchi.</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; holds numbers that cannot be</source>
+        <translation>la sezione «%1» contiene numeri impossibili</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not fit what it holds. This is a fault of TAn: please report it.</source>
+        <translation>Impossibile scrivere «%1»: la sezione «%2» era prevista di %3 byte, che non corrispondono a ciò che contiene. È un difetto di TAn: si prega di segnalarlo.</translation>
+    </message>
+    <message>
+        <source>There is no folder for temporary files: %1.</source>
+        <translation>Non c&apos;è una cartella per i file temporanei: %1.</translation>
+    </message>
+    <message>
+        <source>The model cannot be packed into &apos;%1&apos;: the errors that it claims make no sense. &apos;tan verify&apos; tells more.</source>
+        <translation>Il modello non può essere compresso in «%1»: gli errori che dichiara non hanno senso. «tan verify» dice di più.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 tetrahedra, too many for the memory of this machine. Ask for a larger error or a part of it.</source>
+        <translation>La mesh ha %1 tetraedri, troppi per la memoria di questo computer. Chiedere un errore più grande o una sua parte.</translation>
+    </message>
+    <message>
+        <source>something lies before section &apos;%1&apos;</source>
+        <translation>c&apos;è qualcosa prima della sezione «%1»</translation>
+    </message>
+    <message>
+        <source>This TAn makes no mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <translation>Questo TAn non fa una mesh di punti sparsi: è stato compilato senza CGAL (TAN_CGAL). Usarne uno che lo abbia, o dati con una griglia o con celle.</translation>
+    </message>
+    <message>
+        <source>Cannot use the cache folder &apos;%1&apos;: %2. Set XDG_CACHE_HOME to a folder that is yours alone.</source>
+        <translation>Impossibile usare la cartella cache «%1»: %2. Impostare XDG_CACHE_HOME su una cartella che sia soltanto propria.</translation>
+    </message>
+    <message>
+        <source>it belongs to another user</source>
+        <translation>appartiene a un altro utente</translation>
+    </message>
+    <message>
+        <source>others can write in it</source>
+        <translation>altri possono scriverci</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another user</source>
+        <translation>«%1» appartiene a un altro utente</translation>
+    </message>
+    <message>
+        <source>everybody can write in &apos;%1&apos;</source>
+        <translation>tutti possono scrivere in «%1»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gives no answer: %2</source>
+        <translation>«%1» non risponde: %2</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 seconds, or too slowly. Check the network, and whether the server runs.</source>
+        <translation>per %1 secondi non è arrivato nulla, o troppo lentamente. Controllare la rete, e che il server sia attivo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the address of a server. Write it as http://HOST:PORT/NAME.tan.</source>
+        <translation>«%1» non è l&apos;indirizzo di un server. Scriverlo come http://HOST:PORT/NAME.tan.</translation>
+    </message>
+    <message>
+        <source>the server says that the file has %1, more than any model has. Check the address.</source>
+        <translation>il server dice che il file ha %1, più di qualsiasi modello. Controllare l&apos;indirizzo.</translation>
+    </message>
+    <message>
+        <source>it is not the address of a file. Write it as https://HOST/PATH, and blanks in it as %1.</source>
         <translation>non è l&apos;indirizzo di un file. Scriverlo come https://HOST/PERCORSO, e gli spazi come %1.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is an address, and datasets are read from this computer only. Download it and give the file.</source>
-        <translation>«%1» è un indirizzo, e i dati si leggono solo da questo computer. Scaricare il file e indicare quello.</translation>
+        <source>This TAn was built without OpenGL (TAN_GL). Draw with the processor.</source>
+        <translation>Questo TAn è stato compilato senza OpenGL (TAN_GL). Far disegnare il processore.</translation>
+    </message>
+    <message>
+        <source>No server can be at port %1 of &apos;%2&apos;: %3. Choose another port with &apos;--port&apos;, or an address of this machine.</source>
+        <translation>Alla porta %1 di «%2» non può esserci un server: %3. Scegliere un&apos;altra porta con «--port», o un indirizzo di questo computer.</translation>
+    </message>
+    <message>
+        <source>The system gives the server no thread: %1. %2</source>
+        <translation>Il sistema non dà thread al server: %1. %2</translation>
+    </message>
+    <message>
+        <source>The system takes no more connections: %1. %2</source>
+        <translation>Il sistema non accetta altre connessioni: %1. %2</translation>
+    </message>
+    <message>
+        <source>The file is being changed. Ask again.</source>
+        <translation>Il file sta cambiando. Chiedere di nuovo.</translation>
+    </message>
+    <message>
+        <source>The server cannot look for its models now: %1. Ask again.</source>
+        <translation>Il server ora non può cercare i suoi modelli: %1. Chiedere di nuovo.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be served: %2. Check its name.</source>
+        <translation>La cartella «%1» non può essere servita: %2. Controllarne il nome.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to another user, who could put any program there. Copy what you trust into a folder of your own.</source>
+        <translation>«%1» appartiene a un altro utente, che potrebbe metterci qualsiasi programma. Copiare ciò di cui ci si fida in una cartella propria.</translation>
+    </message>
+    <message>
+        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Take that right away (chmod o-w), and see what is in it.</source>
+        <translation>Ogni utente di questo computer può scrivere in «%1» e potrebbe metterci qualsiasi programma. Togliere questo permesso (chmod o-w), e controllare che cosa contiene.</translation>
+    </message>
+    <message>
+        <source>the array &apos;%1&apos; has no number anywhere: it cannot be computed from this solution. %2</source>
+        <translation>il vettore «%1» non ha numeri da nessuna parte: non si può calcolare da questa soluzione. %2</translation>
+    </message>
+    <message>
+        <source>The domain is another one, so the camera keeps its direction and shows all of the model.</source>
+        <translation>Il dominio è un altro, perciò la camera conserva la direzione e mostra tutto il modello.</translation>
+    </message>
+    <message>
+        <source>The focus is off: it is not within the domain.</source>
+        <translation>Il focus è disattivato: non è nel dominio.</translation>
+    </message>
+    <message>
+        <source>The window is off: it is not within the domain.</source>
+        <translation>La finestra è disattivata: non è nel dominio.</translation>
+    </message>
+    <message>
+        <source>Nothing is clipped: the clip planes are for another domain.</source>
+        <translation>Nulla viene tagliato: i piani di taglio sono per un altro dominio.</translation>
+    </message>
+    <message>
+        <source>The film has no key frames: their cameras are for another domain.</source>
+        <translation>Il filmato non ha fotogrammi chiave: le loro camere sono per un altro dominio.</translation>
+    </message>
+    <message>
+        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so its usual ones are shown.</source>
+        <translation>Nessuno degli isovalori è fra i valori del modello, da %1 a %2, perciò si mostrano quelli consueti.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 isovalues are left out: they are not within the model&apos;s values, %3 to %4.</source>
+        <translation>%1 di %2 isovalori sono omessi: non sono fra i valori del modello, da %3 a %4.</translation>
+    </message>
+    <message>
+        <source>The transfer function has no point within the model&apos;s values, so the usual one is shown.</source>
+        <translation>La funzione di trasferimento non ha punti fra i valori del modello, perciò si mostra quella consueta.</translation>
+    </message>
+    <message>
+        <source>All values are shown: the model has none of the chosen ones.</source>
+        <translation>Si mostrano tutti i valori: il modello non ha nessuno di quelli scelti.</translation>
+    </message>
+    <message>
+        <source>There is no rendering mode &apos;%1&apos; here, so that it is shown as &apos;%2&apos;. It may belong to a plugin that is not installed.</source>
+        <translation>Qui non c&apos;è una modalità di resa «%1», perciò si mostra come «%2». Forse appartiene a un plugin che non è installato.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; is another one than when the session was saved: it was built anew, or replaced.</source>
+        <translation>Il modello «%1» non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito.</translation>
     </message>
 </context>
 <context>
@@ -8549,16 +8757,32 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Sessioni (*.tansession)</translation>
     </message>
     <message>
-        <source>The model %1 is another one than when the session was saved: it was built anew, or replaced. It is shown as the session says, as far as that fits.</source>
-        <translation>Il modello %1 non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito. Lo si mostra come dice la sessione, per quanto possibile.</translation>
-    </message>
-    <message>
         <source>Pictures with their sessions (*.png)</source>
         <translation>Immagini con le loro sessioni (*.png)</translation>
     </message>
     <message>
         <source>Datasets packed by gzip (*.gz)</source>
         <translation>Dati compressi con gzip (*.gz)</translation>
+    </message>
+    <message>
+        <source>Apply Look</source>
+        <translation>Applica aspetto</translation>
+    </message>
+    <message>
+        <source>Not all of the look of %1 could be taken over.</source>
+        <translation>Non è stato possibile riprendere tutto l&apos;aspetto di %1.</translation>
+    </message>
+    <message>
+        <source>Not all of the session could be kept.</source>
+        <translation>Non è stato possibile mantenere tutta la sessione.</translation>
+    </message>
+    <message>
+        <source>The session %1 stays as it is; saving asks for another file.</source>
+        <translation>La sessione %1 resta com&apos;è; il salvataggio chiede un altro file.</translation>
+    </message>
+    <message>
+        <source>It is shown as the session says.</source>
+        <translation>Lo si mostra come dice la sessione.</translation>
     </message>
 </context>
 <context>
@@ -9811,10 +10035,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Adatta</translation>
     </message>
     <message>
-        <source>Show the whole domain (Home)</source>
-        <translation>Mostra l&apos;intero dominio (Home)</translation>
-    </message>
-    <message>
         <source>Background colour, also in saved pictures</source>
         <translation>Colore di sfondo, anche nelle immagini salvate</translation>
     </message>
@@ -9933,6 +10153,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>Dra&amp;gging</source>
         <translation>&amp;Trascina</translation>
+    </message>
+    <message>
+        <source>Frame what is shown, or the focus; once more: the whole domain (Home)</source>
+        <translation>Inquadra ciò che si mostra, o il focus; ancora una volta: l&apos;intero dominio (Home)</translation>
     </message>
 </context>
 <context>

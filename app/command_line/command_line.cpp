@@ -148,6 +148,8 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
     line.clear();
     if (!outcome)
         return fail(streams, trueReason(outcome.error(), host));
+    if (!outcome->isHeard)
+        return 0;
     const std::string text = arguments->has("json") ? jsonText(outcome->figures) : outcome->text;
     return print(streams, text, outcome->isYes ? 0 : 1);
 }

@@ -7,9 +7,9 @@
 #include "app/command_line/plugin_options.h"
 #include "app/command_line/queried_mesh.h"
 #include "app/command_line/query_options.h"
+#include "app/command_line/server_mesh.h"
 #include "app/command_line/subcommands.h"
 #include "app/command_line/table.h"
-#include "app/server/server_mesh.h"
 #include "core/base/text.h"
 #include "core/verify/verify_mesh.h"
 #include "plugins/host/dataset_opening.h"
@@ -122,7 +122,7 @@ Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::share
     if (!extracted)
         return extracted.error();
     const ExtractedMesh& found = **extracted;
-    if (const Status some = checkNotEmpty(task.arguments, task.model, found.mesh); !some)
+    if (const Status some = checkNotEmpty(query, task.model, found.mesh); !some)
         return some.error();
     if (found.overlaps && isSurfaceFileOnly(task.host, task.output))
         return noBoundary();
@@ -160,7 +160,7 @@ Result<Outcome> extractAtServer(const Invocation& invocation, const MeshQuery& q
     const auto token = tokenOption(arguments, arguments.positionals[0]);
     if (!token)
         return token.error();
-    const auto mesh = meshAtServer(meshAddress(arguments.positionals[0], arguments), *token,
+    const auto mesh = meshAtServer(arguments.positionals[0], queryWords(arguments), *token,
                                    invocation.progress.part(0, extractionEnd));
     if (!mesh)
         return mesh.error();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/serve/mesh_facts.h"
 #include "plugins/api/written_content.h"
 
 #include <tan/query.h>
@@ -10,8 +11,5 @@ namespace tetra {
 /// A mesh for a file: the array "value" of its vertices; of a range of accuracies also "birth_error" and "death_error"
 /// of the tetrahedra; and meshFacts(). Points into `mesh`.
 MeshContent contentOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
-
-/// What a mesh was extracted from, and how.
-MeshFacts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
 
 } // namespace tetra

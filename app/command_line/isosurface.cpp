@@ -192,7 +192,7 @@ Result<Outcome> runIsosurface(const Invocation& invocation)
     if (!extracted)
         return extracted.error();
     const ExtractedMesh& mesh = **extracted;
-    if (const Status some = checkNotEmpty(arguments, *model, mesh.mesh); !some)
+    if (const Status some = checkNotEmpty(*query, *model, mesh.mesh); !some)
         return some.error();
     if (const Status fits = checkMemoryForSurfaces(mesh.mesh, *isovalues); !fits)
         return fits.error();

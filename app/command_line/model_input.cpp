@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/model_input.h"
 
+#include "app/command_line/server_mesh.h"
 #include "app/command_line/table.h"
-#include "app/server/server_mesh.h"
 #include "core/base/text.h"
 #include "core/remote/address.h"
 

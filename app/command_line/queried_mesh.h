@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/arguments.h"
+#include "app/command_line/subcommand.h"
+#include "core/serve/mesh_facts.h"
 
 #include <tan/query.h>
 
@@ -18,11 +19,7 @@ template <class Value> Result<Value> confirmed(const Model& model, Result<Value>
     return right ? std::move(read) : Result<Value>(right.error());
 }
 
-/// An error (WrongUsage) if the mesh that the arguments' window and values chose from a model has no tetrahedra, which
-/// is hardly what was meant.
-Status checkNotEmpty(const Arguments& arguments, const Model& model, const TetrahedralMesh& mesh);
-
-/// What there is to tell of a mesh that a query gave: its size, what it keeps, and what it was chosen from.
+/// meshFigures(), for the outcome of a command.
 QJsonObject figuresOf(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
 
 /// Says of which of these values the data have none, whose surfaces are empty: that is usual among the files of a

@@ -364,7 +364,7 @@ Result<PreparedScene> prepareScene(const Invocation& invocation, ModelView view,
     if (!built)
         return built.error();
     const ExtractedMesh& mesh = *pipeline.mesh();
-    if (const Status some = checkNotEmpty(invocation.arguments, *view.model, mesh.mesh); !some && !view.isOfSession)
+    if (const Status some = checkNotEmpty(view.scene.query, *view.model, mesh.mesh); !some && !view.isOfSession)
         return some.error();
     QJsonObject figures = figuresOf(*view.model, view.scene.query, mesh);
     figures["extraction_seconds"] = built->extractionSeconds;

@@ -1,39 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/option_values.h"
+#include "app/command_line/server_mesh.h"
 #include "app/command_line/subcommands.h"
-#include "app/server/http_server.h"
-#include "app/server/model_server.h"
-#include "app/server/server_mesh.h"
+#include "core/serve/http_server.h"
+#include "core/serve/line_log.h"
+#include "core/serve/model_server.h"
 
 #include <QDateTime>
 
-#include <mutex>
+#include <atomic>
 
 #include <malloc.h>
+#include <unistd.h>
 
 namespace tetra {
 namespace {
 
 constexpr std::int64_t defaultPort = 8080;
-
-/// A line of the log. Tokens are in headers, which are not logged.
-std::string logLine(const HttpRecord& record)
-{
-    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString() + " " + record.peer + " \"" +
-           record.request + "\" " + std::to_string(record.status) + " " + std::to_string(record.bytes) + " bytes " +
-           QString::number(record.time.count(), 'f', 3).toStdString() + " s" +
-           (record.note.empty() ? "" : ", " + record.note) + "\n";
-}
-
-/// Lets the C library give memory that is freed back to the system. Otherwise large arrays that are freed teach it to
-/// keep up to 64 MB at the end of the share of the heap of each thread that ever worked, which is also what
-/// malloc_trim() leaves there.
-void keepNoFreedMemory()
-{
-    constexpr int mostAtTheEnd = 128 << 10, leastMapped = 512 << 10;
-    ::mallopt(M_TRIM_THRESHOLD, mostAtTheEnd);
-    ::mallopt(M_MMAP_THRESHOLD, leastMapped);
-}
 
 } // namespace
 
@@ -45,8 +28,8 @@ Syntax serveSyntax(PluginHost&)
             "A server for the models of a folder and of those within it: '/' lists them, '/NAME.tan' gives a file or "
             "ranges of it, and '/NAME.tan?error=1&window=...', with the options of 'tan extract' as the query, a "
             "mesh, packed, for which 'tan extract --at-server' asks. It answers this machine only, "
-            "unless it is given another address and a token. Each request is a line on standard error; Ctrl+C ends "
-            "it.",
+            "unless it is given another address and a token; without a token every user of this machine can read "
+            "the models. Each request is a line on standard error; Ctrl+C ends it.",
         .positionals = {{"FOLDER", "Where the models are."}},
         .options = {{.name = "port",
                      .placeholder = "N",
@@ -60,6 +43,11 @@ Syntax serveSyntax(PluginHost&)
                     {.name = "token-file",
                      .placeholder = "FILE",
                      .explanation = "Answer only clients that send the token in the first line of this file."},
+                    {.name = "allow-origin",
+                     .placeholder = "ORIGIN",
+                     .explanation = "Let pages of the web from there read the models by the browser that shows them "
+                                    "(CORS), such as https://viewer.example; no others can.",
+                     .repeatable = true},
                     {.name = "limit",
                      .placeholder = "N",
                      .explanation = "The most tetrahedra that a mesh may have.",
@@ -74,60 +62,131 @@ Syntax serveSyntax(PluginHost&)
                       "SSH or a proxy with TLS."}}};
 }
 
-Result<Outcome> runServe(const Invocation& invocation)
+#ifndef TAN_SERVER
+
+Result<Outcome> runServe(const Invocation&)
 {
-    const Arguments& arguments = invocation.arguments;
-    const std::string address = arguments.value("address").value_or("127.0.0.1");
-    std::string token;
+    return Error{ErrorKind::WrongUsage,
+                 "This 'tan' was built without its server (CMake option TAN_SERVER). Any HTTP server that gives ranges "
+                 "of files can offer models, too, but finds no meshes."};
+}
+
+#else
+
+namespace {
+
+/// A line of the log. Tokens are in headers, which are not logged.
+std::string logLine(const HttpRecord& record)
+{
+    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString() + " " + record.peer + " \"" +
+           record.request + "\" " + std::to_string(record.status) + " " + std::to_string(record.bytes) + " bytes " +
+           QString::number(record.time.count(), 'f', 3).toStdString() + " s" +
+           (record.note.empty() ? "" : ", " + record.note);
+}
+
+/// Lets the C library give memory that is freed back to the system. Otherwise large arrays that are freed teach it to
+/// keep up to 64 MB at the end of the share of the heap of each thread that ever worked, which is also what
+/// malloc_trim() leaves there.
+void keepNoFreedMemory()
+{
+    constexpr int mostAtTheEnd = 128 << 10, leastMapped = 512 << 10;
+    ::mallopt(M_TRIM_THRESHOLD, mostAtTheEnd);
+    ::mallopt(M_MMAP_THRESHOLD, leastMapped);
+}
+
+/// Who is answered, by the options.
+Result<ServedTo> servedTo(const Arguments& arguments, const std::string& address)
+{
+    ServedTo whom;
     if (const auto file = arguments.value("token-file")) {
-        const auto read = tokenIn(*file);
+        auto read = tokenIn(*file);
         if (!read)
             return read.error();
-        token = *read;
+        whom.token = *std::move(read);
     } else if (!isLoopback(address)) {
         return Error{ErrorKind::WrongUsage, Message::say("At '%1' others can reach the server, so it needs a token: "
                                                          "'--token-file FILE'.",
                                                          printable(address))};
     }
-    constexpr std::int64_t lastPort = 65535, mostTetrahedra = 1'000'000'000, mostSeconds = 86400;
+    whom.origins = arguments.values("allow-origin");
+    for (const std::string& origin : whom.origins)
+        if (!isOrigin(origin))
+            return Error{ErrorKind::WrongUsage,
+                         Message::say("'%1' does not fit '--allow-origin': it takes where pages come from as a browser "
+                                      "says it, http:// or https:// and a host in small letters, perhaps with a port, "
+                                      "and nothing behind: https://viewer.example.",
+                                      printable(origin))};
+    return whom;
+}
+
+Result<ModelServerLimits> limitsOf(const Arguments& arguments)
+{
+    constexpr std::int64_t mostTetrahedra = 1'000'000'000, mostSeconds = 86400;
     ModelServerLimits limits;
-    const auto port = wholeNumberOption(arguments, "port", defaultPort, 0, lastPort);
     const auto tetrahedra =
         wholeNumberOption(arguments, "limit", static_cast<std::int64_t>(limits.tetrahedra), 1, mostTetrahedra);
     const auto seconds = wholeNumberOption(arguments, "seconds", limits.time.count() / 1000, 1, mostSeconds);
-    for (const auto* number : {&port, &tetrahedra, &seconds})
+    for (const auto* number : {&tetrahedra, &seconds})
         if (!*number)
             return number->error();
     limits.tetrahedra = static_cast<std::uint64_t>(*tetrahedra);
     limits.time = std::chrono::seconds(*seconds);
+    return limits;
+}
+
+/// Where the server is, and who else can read there.
+std::string greeting(const std::string& folder, const std::string& address, int port, bool hasToken)
+{
+    const std::string host = address.find(':') == std::string::npos ? address : "[" + address + "]";
+    return "Serving '" + printable(folder) + "' at http://" + host + ":" + std::to_string(port) + "/ until Ctrl+C.\n" +
+           (hasToken ? ""
+                     : "Every user of this machine can read these models there; '--token-file' lets only those "
+                       "who have the token.\n");
+}
+
+} // namespace
+
+Result<Outcome> runServe(const Invocation& invocation)
+{
+    const Arguments& arguments = invocation.arguments;
+    const std::string address = arguments.value("address").value_or("127.0.0.1");
+    auto whom = servedTo(arguments, address);
+    if (!whom)
+        return whom.error();
+    const bool hasToken = !whom->token.empty();
+    constexpr std::int64_t lastPort = 65535;
+    const auto port = wholeNumberOption(arguments, "port", defaultPort, 0, lastPort);
+    if (!port)
+        return port.error();
+    const auto limits = limitsOf(arguments);
+    if (!limits)
+        return limits.error();
     auto folder = ServedFolder::open(arguments.positionals[0]);
     if (!folder)
         return folder.error();
 
     keepNoFreedMemory();
-    ModelServer models(std::move(*folder), token, limits);
-    std::mutex mutex; // of what follows
-    std::uint64_t requests = 0, bytes = 0;
-    HttpServer server(
-        {}, [&](const ServedRequest& request) { return models.answer(request); },
-        [&](const HttpRecord& record) {
-            const std::lock_guard lock(mutex);
-            ++requests;
-            bytes += record.bytes;
-            invocation.messages << logLine(record) << std::flush;
-        });
+    ModelServer models(std::move(*folder), *std::move(whom), *limits);
+    std::atomic<std::uint64_t> requests = 0, bytes = 0;
+    std::optional<LineLog> log;
+    HttpServer server({}, models.handler(), [&](const HttpRecord& record) {
+        ++requests;
+        bytes += record.bytes;
+        log->add(logLine(record));
+    });
     const auto bound = server.bind(address, static_cast<int>(*port));
     if (!bound)
         return bound.error();
-    const std::string host = address.find(':') == std::string::npos ? address : "[" + address + "]";
-    invocation.messages << "Serving '" + arguments.positionals[0] + "' at http://" + host + ":" +
-                               std::to_string(*bound) + "/ until Ctrl+C.\n"
-                        << std::flush;
+    invocation.messages << greeting(arguments.positionals[0], address, *bound, hasToken) << std::flush;
+    log.emplace(STDERR_FILENO);
     if (const Status ran = server.run(invocation.progress); !ran)
         return ran.error();
-    const std::lock_guard lock(mutex);
+    log.reset();
     return Outcome{.figures = {{"requests", static_cast<qint64>(requests)}, {"bytes", static_cast<qint64>(bytes)}},
-                   .text = std::to_string(requests) + " requests, " + std::to_string(bytes) + " bytes\n"};
+                   .text = std::to_string(requests) + " requests, " + std::to_string(bytes) + " bytes\n",
+                   .isHeard = takesText(STDOUT_FILENO)};
 }
+
+#endif
 
 } // namespace tetra

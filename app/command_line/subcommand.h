@@ -26,8 +26,9 @@ struct Invocation {
 /// What a subcommand gives: the same figures twice, for programs (--json) and for people.
 struct Outcome {
     QJsonObject figures;
-    std::string text;  ///< lines
-    bool isYes = true; ///< the answer, of a subcommand that is a question
+    std::string text;    ///< lines
+    bool isYes = true;   ///< the answer, of a subcommand that is a question
+    bool isHeard = true; ///< false: nobody reads standard output, and the program would wait for ever to say this
 };
 
 /// Something that `tan` does. The syntax is asked for first; it may depend on the plugins that are there.

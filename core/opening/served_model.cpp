@@ -5,8 +5,8 @@
 #include "core/history/query_words.h"
 #include "core/packed/packed_mesh.h"
 #include "core/remote/fetch.h"
-#include "core/remote/percent_encoding.h"
 #include "core/remote/remote_file.h"
+#include "core/serve/served_query.h"
 
 #include <algorithm>
 #include <array>
@@ -34,76 +34,6 @@ constexpr FetchLimits limitsOfFacts{"application/json", 64 << 10};
 /// For its sizes a model is opened, and may have to be unpacked.
 constexpr FetchLimits limitsOfSizes{"application/json", 4 << 20, longestThinking};
 
-constexpr std::size_t longestQuestion = 7'000; ///< of the 8,192 bytes that a server takes for an address
-
-/// Puts a question together.
-class Question {
-public:
-    void add(std::string_view name, std::string_view value)
-    {
-        std::string withoutBlanks(value); // between words they say nothing
-        std::erase(withoutBlanks, ' ');
-        text_ += text_.empty() ? "" : "&";
-        text_ += name;
-        text_ += '=';
-        text_ += percentEncoded(withoutBlanks);
-    }
-    void add(std::string_view name, std::initializer_list<double> numbers)
-    {
-        std::string list;
-        for (const double number : numbers)
-            list += (list.empty() ? "" : ",") + formatNumber(number);
-        add(name, list);
-    }
-    const std::string& text() const noexcept { return text_; }
-
-private:
-    std::string text_;
-};
-
-/// A field that is one number; limits are at most 100.
-std::optional<double> numberOf(const ErrorField& field)
-{
-    if (!field.isConstant())
-        return {};
-    return std::min(field.bounds().minimum, anyError);
-}
-
-Status addRange(const LifeRange& range, bool warps, Question& question)
-{
-    question.add("range", {range.one.error, range.other.error});
-    const bool asError = range.one.warping == range.one.error && range.other.warping == range.other.error;
-    if (warps && !asError && range.one.warping != range.other.warping)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("A server cannot be asked for a range of accuracies whose two ends have warpings of "
-                                  "their own. Give both the same.")};
-    if (warps && !asError)
-        question.add("warping", {std::min(range.one.warping, anyWarping)});
-    constexpr double all = std::numeric_limits<double>::infinity();
-    for (const auto& [name, lives] : {std::pair{"births", range.births}, std::pair{"deaths", range.deaths}})
-        if (lives.minimum != -all || lives.maximum != all)
-            question.add(name, {std::max(lives.minimum, 0.0), std::max(lives.maximum, 0.0)});
-    return {};
-}
-
-/// How accurate one mesh is. What says nothing is left out: a server takes it for a contradiction.
-void addFields(const MeshQuery& query, bool warps, Question& question)
-{
-    const auto error = numberOf(query.error), warping = numberOf(query.warping);
-    if (error)
-        question.add("error", {*error});
-    else
-        question.add("field", toText(query.error));
-    const bool isApart = warps && query.warping != query.error;
-    if (isApart && warping)
-        question.add("warping", {*warping});
-    else if (isApart)
-        question.add("warping-field", toText(query.warping));
-    if (query.budget)
-        question.add("budget", std::to_string(*query.budget));
-    if (query.method != VariableMethod::Automatic && (!error || (isApart && warping)))
-        question.add("method", wordOf(methodWords, query.method));
-}
 
 std::string_view textIn(const FetchedAnswer& answer)
 {
@@ -228,6 +158,19 @@ bool takeFigures(const JsonValue& told, ExtractedMesh& mesh)
     return true;
 }
 
+/// The answer to a question for a mesh.
+Result<UnpackedMesh> fetchMesh(const std::string& address, const std::string& question, const std::string& token,
+                               ServerConnection& connection, const Progress& progress)
+{
+    constexpr double fetchedAt = 0.7;
+    const auto answer = connection.fetch(address + "?" + question, token, limitsOfMesh(packedMeshType), progress.part(0, fetchedAt));
+    if (!answer)
+        return answer.error();
+    if (answer->status != 200 || answer->contentType != packedMeshType)
+        return saidOtherwise(address, *answer);
+    return unpackMesh(answer->content, mostFoundTetrahedra, progress.part(fetchedAt, 1));
+}
+
 bool isFinite(const TetrahedralMesh& mesh)
 {
     return std::ranges::all_of(mesh.positions, [](const auto& place) { return place.allFinite(); }) &&
@@ -235,53 +178,6 @@ bool isFinite(const TetrahedralMesh& mesh)
 }
 
 } // namespace
-
-Result<std::string> meshQuestion(const MeshQuery& query, bool warps)
-{
-    Question question;
-    if (query.range) {
-        if (const Status added = addRange(*query.range, warps, question); !added)
-            return added.error();
-    } else {
-        addFields(query, warps, question);
-    }
-    for (const ValueRange& range : query.values)
-        question.add("values", {range.minimum, range.maximum});
-    if (query.window) {
-        const Eigen::Vector3d &least = query.window->box.least, &largest = query.window->box.largest;
-        question.add("window", {least.x(), least.y(), least.z(), largest.x(), largest.y(), largest.z()});
-        question.add("border", wordOf(borderWords, query.window->border));
-    }
-    if (question.text().size() > longestQuestion)
-        return Error{ErrorKind::WrongUsage,
-                     Message::say("What says where which error is allowed is too long for a question to a server: %1 "
-                                  "of at most %2 characters. Use fewer regions, isovalues or points of the transfer "
-                                  "function.",
-                                  question.text().size(), longestQuestion)};
-    return question.text();
-}
-
-WholeSizes sizesOfWhole(const Model& model)
-{
-    constexpr double step = 0.98, leastPart = 1e-7;
-    WholeSizes sizes{model.siteCount(), model.tetrahedronCount(), model.fileSize(), {}};
-    const auto add = [&sizes](const MeshSize& size) {
-        if (size.sites > 0 && (sizes.meshes.empty() || size.sites > sizes.meshes.back().sites))
-            sizes.meshes.push_back(size);
-    };
-    const double extent = model.description().range.extent();
-    const double weighted = model.description().warpingWeight * model.diagonal();
-    const auto percent = [](double key, double whole) { return whole > 0 ? 100 * key / whole : 0; };
-    const double largest = std::max(extent, weighted);
-    add(meshSizeAt(model, {anyError, anyWarping}));
-    double key = largest;
-    while (key > leastPart * largest) {
-        add(meshSizeAt(model, {percent(key, extent), weighted > 0 ? percent(key, weighted) : anyWarping}));
-        key *= step;
-    }
-    add(meshSizeAt(model, {0, weighted > 0 ? 0 : anyWarping}));
-    return sizes;
-}
 
 Result<ServerOffer> askServer(const std::string& address, const std::string& token, const Progress& progress)
 {
@@ -339,17 +235,10 @@ Result<std::shared_ptr<const ServedModel>> ServedModel::ask(const std::string& a
 Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuery& query,
                                                                   const Progress& progress) const
 {
-    constexpr double fetchedAt = 0.7;
-    const auto question = meshQuestion(query, warps_);
+    const auto question = QueryWords::of(query, warps_);
     if (!question)
         return question.error();
-    const auto answer = connection_->fetch(address_ + "?empty=yes&" + *question, token_, limitsOfMesh(packedMeshType),
-                                           progress.part(0, fetchedAt));
-    if (!answer)
-        return answer.error();
-    if (answer->status != 200 || answer->contentType != packedMeshType)
-        return saidOtherwise(address_, *answer);
-    auto unpacked = unpackMesh(answer->content, mostFoundTetrahedra, progress.part(fetchedAt, 1));
+    auto unpacked = fetchMesh(address_, "empty=yes&" + question->toUrl(), token_, *connection_, progress);
     if (!unpacked)
         return unpacked.error();
     const auto told = parseJson(unpacked->facts);
@@ -366,6 +255,16 @@ Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuer
     mesh->birthErrors = std::move(unpacked->birthErrors);
     mesh->deathErrors = std::move(unpacked->deathErrors);
     return std::shared_ptr<const ExtractedMesh>(std::move(mesh));
+}
+
+Result<UnpackedMesh> servedMesh(const std::string& address, const std::string& question, const std::string& token,
+                                const Progress& progress)
+{
+    ServerConnection connection;
+    auto mesh = fetchMesh(address, question, token, connection, progress);
+    if (mesh && !isFinite(mesh->mesh))
+        return saysNonsense(address);
+    return mesh;
 }
 
 bool wantsToken(const Error& error)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/history/whole_elsewhere.h"
+#include "core/packed/packed_mesh.h"
 #include "core/remote/fetch.h"
 
 #include <tan/base.h>
@@ -15,20 +16,6 @@
 #include <string_view>
 
 namespace tetra {
-
-/// The query of a URL by which a server is asked for a mesh, percent-encoded (docs/command-line.md, `tan serve`). With
-/// `warps` the data warp. Errors: WrongUsage for what cannot be asked: a range of accuracies whose warpings follow no
-/// rule, and more text than a request may have.
-TAN_INTERNAL Result<std::string> meshQuestion(const MeshQuery& query, bool warps);
-
-/// What meshQuestion() asks for the sizes of a model's meshes, and for what askServer() tells.
-inline constexpr std::string_view sizesQuestion = "sizes";
-inline constexpr std::string_view aboutQuestion = "about";
-
-/// Sizes of a model's uniform meshes, for those who do not have it: by keys that fall by a fiftieth or more from one to
-/// the next, so that they are some hundreds, and tell how large the mesh of an error is to a few percent. O(log sites)
-/// each.
-TAN_INTERNAL WholeSizes sizesOfWhole(const Model& model);
 
 /// What a server says of a model that it has.
 struct ServerOffer {
@@ -44,6 +31,11 @@ struct ServerOffer {
 /// Errors: it cannot be reached, or has no such model; cancelled.
 TAN_INTERNAL Result<ServerOffer> askServer(const std::string& address, const std::string& token,
                                            const Progress& progress = {});
+
+/// Asks `tan serve` for the mesh that words of a URL ask for (QueryWords), and takes it apart. Errors: those of
+/// fetchOnce(), what the server says in place of a mesh, and BadInput for an answer that is not one.
+TAN_INTERNAL Result<UnpackedMesh> servedMesh(const std::string& address, const std::string& question,
+                                             const std::string& token, const Progress& progress = {});
 
 /// A model at `tan serve`, which finds its meshes; all questions go over one connection.
 class TAN_INTERNAL ServedModel final : public WholeElsewhere {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/server/http_server.h"
-#include "app/server/model_server.h"
+#include "core/serve/http_server.h"
+#include "core/serve/model_server.h"
 
 #include "tests/waiting.h"
 
@@ -27,18 +27,21 @@ public:
     /// `port`: 0 is any that is free.
     explicit LocalServer(
         const QString& folder, const std::string& token = {}, HttpLimits limits = {},
-        ModelServerLimits modelLimits = {}, Before before = [](const ServedRequest&) {}, int atPort = 0)
-        : models_(*ServedFolder::open(folder.toStdString()), token, modelLimits), before_(std::move(before)),
-          server_(
-              limits,
-              [this](const ServedRequest& request) {
-                  before_(request);
-                  return models_.answer(request);
-              },
-              [this](const HttpRecord& record) {
-                  const std::lock_guard lock(mutex_);
-                  records_.push_back(record);
-              })
+        ModelServerLimits modelLimits = {}, Before before = [](const ServedRequest&) {}, int atPort = 0,
+        std::vector<std::string> origins = {})
+        : models_(*ServedFolder::open(folder.toStdString()), {.token = token, .origins = std::move(origins)},
+                  modelLimits),
+          before_(std::move(before)), server_(limits,
+                                              {.takesLong = ModelServer::takesLong,
+                                               .answer =
+                                                   [this](const ServedRequest& request) {
+                                                       before_(request);
+                                                       return models_.answer(request);
+                                                   }},
+                                              [this](const HttpRecord& record) {
+                                                  const std::lock_guard lock(mutex_);
+                                                  records_.push_back(record);
+                                              })
     {
         const auto bound = server_.bind("127.0.0.1", atPort);
         port = bound ? *bound : 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/command_line/arguments.h"
 #include "core/packed/packed_mesh.h"
+#include "core/serve/served_query.h"
 #include "plugins/api/written_content.h"
 
 #include <tan/base.h>
@@ -24,15 +24,13 @@ struct ServerMesh {
     std::string source() const;
 };
 
-/// The address of a mesh: of the model, http://HOST/NAME.tan, with those of the arguments that are queryOptions() as
-/// the query.
-std::string meshAddress(const std::string& model, const Arguments& arguments);
+/// Asks a server for a mesh: of the model at http://HOST/NAME.tan, the one that the words ask for. Errors: those of
+/// servedMesh(), and BadInput for a mesh without tetrahedra, which a server refuses.
+Result<ServerMesh> meshAtServer(const std::string& model, const QueryWords& words, const std::string& token,
+                                const Progress& progress = {});
 
-/// Asks a server for a mesh and takes it apart. Errors: those of fetchOnce(), what the server says in place of a mesh,
-/// and BadInput for an answer that is none.
-Result<ServerMesh> meshAtServer(const std::string& address, const std::string& token, const Progress& progress = {});
-
-/// A token: the first line of a file, of visible characters. Errors: WrongUsage.
+/// A token: the first line of a file, of visible characters, however the line ends. Errors (WrongUsage): less than 16
+/// characters or more than a server takes, and what no header can carry.
 Result<std::string> tokenIn(const std::string& file);
 
 } // namespace tetra

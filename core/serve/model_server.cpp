@@ -1,41 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/server/model_server.h"
+#include "core/serve/model_server.h"
 
-#include "app/command_line/extracted_content.h"
-#include "app/command_line/option_values.h"
-#include "app/command_line/queried_mesh.h"
-#include "app/command_line/query_options.h"
 #include "core/base/checksum.h"
 #include "core/base/text.h"
 #include "core/history/format.h"
 #include "core/history/query_words.h"
-#include "core/opening/served_model.h"
 #include "core/packed/packed_mesh.h"
 #include "core/remote/percent_encoding.h"
+#include "core/serve/json_text.h"
+#include "core/serve/mesh_facts.h"
+#include "core/serve/served_query.h"
+#include "core/serve/served_sizes.h"
 
 #include <tan/open.h>
 #include <tan/query.h>
 
-#include <QDateTime>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <ctime>
 #include <future>
+#include <limits>
 
 #include <malloc.h>
 
 namespace tetra {
 namespace {
 
+constexpr int notModel = 422, noRoom = 507;
+
+std::tm utc(std::int64_t seconds)
+{
+    const std::time_t time = seconds;
+    std::tm parts{};
+    ::gmtime_r(&time, &parts);
+    return parts;
+}
+
+/// A number with so many digits or more, zeros before it.
+std::string padded(int number, std::size_t digits = 2)
+{
+    const std::string text = std::to_string(number);
+    return std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+std::string clockText(const std::tm& time)
+{
+    return padded(time.tm_hour) + ":" + padded(time.tm_min) + ":" + padded(time.tm_sec);
+}
+
+/// "Thu, 26 Nov 2026 09:05:00 GMT", in every locale.
 std::string httpDate(std::int64_t seconds)
 {
-    return QLocale::c()
-        .toString(QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC), "ddd, dd MMM yyyy hh:mm:ss 'GMT'")
-        .toStdString();
+    constexpr std::array days = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
+    constexpr std::array months = {"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+    const std::tm time = utc(seconds);
+    return std::string(days[static_cast<std::size_t>(time.tm_wday)]) + ", " + padded(time.tm_mday) + " " +
+           months[static_cast<std::size_t>(time.tm_mon)] + " " + padded(time.tm_year + 1900, 4) + " " +
+           clockText(time) + " GMT";
+}
+
+/// "2026-11-26T09:05:00Z"
+std::string isoDate(std::int64_t seconds)
+{
+    const std::tm time = utc(seconds);
+    return padded(time.tm_year + 1900, 4) + "-" + padded(time.tm_mon + 1) + "-" + padded(time.tm_mday) + "T" +
+           clockText(time) + "Z";
 }
 
 /// Whether they are equal, in a time that does not tell where they differ.
@@ -94,40 +123,50 @@ std::optional<AskedRange> askedRange(std::string_view header, std::uint64_t size
     return AskedRange{*first, std::min(size - 1, last.value_or(size - 1)) - *first + 1};
 }
 
-ServedAnswer jsonAnswer(const QJsonObject& object)
+ServedAnswer jsonAnswer(const JsonObjectText& object)
 {
-    return textAnswer(200, "application/json", QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString());
+    return textAnswer(200, "application/json", object.text() + "\n");
 }
 
-/// A query of a URL as the words of a command line: "error=1&window=..." is --error=1 --window=...
-std::optional<std::vector<std::string>> wordsOf(std::string_view query)
+Error beingChanged()
 {
-    std::vector<std::string> words;
-    while (!query.empty()) {
-        const std::size_t end = query.find('&');
-        const auto word = percentDecoded(query.substr(0, end));
-        if (!word)
-            return {};
-        if (!word->empty())
-            words.push_back("--" + *word);
-        query.remove_prefix(end == std::string_view::npos ? query.size() : end + 1);
-    }
-    return words;
+    return {ErrorKind::OutOfResource, Message::say("The file is being changed. Ask again.")};
 }
 
-int statusOf(const Error& error)
+ServedAnswer notAModel(const ServedFile& file)
 {
+    return errorAnswer(notModel, "'" + printable(file.name) + "' cannot be opened as a model.");
+}
+
+ServedAnswer comeAgain(ServedAnswer refusal)
+{
+    refusal.headers.emplace_back("Retry-After", "2");
+    return refusal;
+}
+
+/// What is said of an error. Those about files name where they lie, which is nobody's business, so that only what is
+/// wrong with a question is told as it is.
+ServedAnswer refusal(const Error& error, const ServedFile& file)
+{
+    const std::string name = "'" + printable(file.name) + "'";
     switch (error.kind) {
-    case ErrorKind::WrongUsage: return 400;
-    case ErrorKind::OutOfResource: return 503;
-    case ErrorKind::Cancelled: return 504;
-    default: return 500;
+    case ErrorKind::WrongUsage: return errorAnswer(400, error.text());
+    case ErrorKind::CannotWrite:
+        return errorAnswer(noRoom, "The disk of the server's cache folder has no room to unpack " + name +
+                                       ", or cannot be written. Whoever runs the server can mend that; the file "
+                                       "itself can be fetched.");
+    case ErrorKind::OutOfResource:
+        return comeAgain(errorAnswer(503, "The server lacks memory, threads or open files for " + name +
+                                              ", or the file is being changed. Ask again later."));
+    case ErrorKind::Cancelled: return errorAnswer(504, "Nobody waits for this any more.");
+    case ErrorKind::BadInput: break;
     }
+    return errorAnswer(500, "The file of " + name + " was found damaged. Whoever runs the server can replace it.");
 }
 
-ServedAnswer refusal(const Error& error)
+ServedAnswer cannotLook(const Error& error)
 {
-    return errorAnswer(statusOf(error), error.text());
+    return comeAgain(errorAnswer(503, error.text()));
 }
 
 /// The most tetrahedra that the whole mesh of a query has, as far as the sizes of uniform meshes tell.
@@ -143,77 +182,42 @@ std::uint64_t expectedTetrahedra(const Model& model, const MeshQuery& query)
     return meshSizeAt(model, {query.error.bounds().minimum, query.warping.bounds().minimum}).tetrahedra;
 }
 
-Error beingChanged()
+ServedAnswer tooLarge(std::uint64_t most)
 {
-    return {ErrorKind::OutOfResource, Message::say("The file is being changed. Ask again.")};
-}
-
-Error notAModel(const ServedFile& file)
-{
-    return {ErrorKind::BadInput, Message::say("'%1' cannot be opened as a model.", printable(file.name))};
-}
-
-Error tooLarge(std::uint64_t most)
-{
-    return {
-        ErrorKind::OutOfResource,
-        Message::say("The mesh has more than %1 tetrahedra, the most that this server gives. Ask for a larger error, "
-                     "or for the best mesh of so many with 'budget'.",
-                     most)};
-}
-
-/// What else a program may ask than the command line offers, beside queryOptions().
-std::vector<Option> furtherOptions()
-{
-    return {{.name = "warping-field",
-             .placeholder = "TEXT",
-             .explanation = "In place of --warping, the largest one at each place, as --field."},
-            {.name = "empty",
-             .placeholder = "ANSWER",
-             .explanation = "With 'yes' a mesh without tetrahedra is an answer and no refusal."}};
-}
-
-Result<MeshQuery> questionIn(const Arguments& arguments)
-{
-    auto query = queryOf(arguments);
-    const auto warping = arguments.value("warping-field");
-    if (!query || !warping)
-        return query;
-    const auto field = parseErrorField(*warping);
-    if (!field || arguments.has("warping"))
-        return Error{ErrorKind::WrongUsage,
-                     "'--warping-field': " + (field ? "'--warping' does not go with it." : field.error().text())};
-    query->warping = *field;
-    return query;
+    return errorAnswer(413, "The mesh has more than " + std::to_string(most) +
+                                " tetrahedra, the most that this server gives. Ask for a larger error, or for the "
+                                "best mesh of so many with 'budget'.");
 }
 
 /// What the receiver is told besides the mesh: the figures of `tan extract`, the facts that it writes into files, and
 /// what ExtractedMesh says.
 std::string factsText(const ServedFile& file, const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
-    QJsonArray facts;
+    JsonArrayText facts;
     for (const auto& [name, value] : meshFacts(model, query, mesh)) {
-        const QString key = QString::fromStdString(name);
+        JsonArrayText fact;
+        fact.add(name);
         if (const auto* text = std::get_if<std::string>(&value))
-            facts.append(
-                QJsonArray{key, QString::fromStdString(
-                                    name == "model" ? std::filesystem::path(file.name).filename().string() : *text)});
+            fact.add(name == "model" ? std::filesystem::path(file.name).filename().string() : *text);
         else
-            facts.append(QJsonArray{key, std::get<double>(value)});
+            fact.add(std::get<double>(value));
+        facts.addText(fact.text());
     }
-    const QJsonObject ofMesh{{"whole_sites", static_cast<qint64>(mesh.wholeSites)},
-                             {"whole_tetrahedra", static_cast<qint64>(mesh.wholeTetrahedra)},
-                             {"kept_sites", static_cast<qint64>(mesh.keptSites)},
-                             {"kept_tetrahedra", static_cast<qint64>(mesh.keptTetrahedra)},
-                             {"scale", mesh.scale},
-                             {"method", wordOf(methodWords, mesh.method)}};
-    return QJsonDocument(QJsonObject{{"figures", figuresOf(model, query, mesh)},
-                                     {"facts", facts},
-                                     {"mesh", ofMesh},
-                                     {"overlaps", mesh.overlaps},
-                                     {"tag", QString::fromStdString(file.tag)}})
-        .toJson(QJsonDocument::Compact)
-        .toStdString();
+    const std::string ofMesh = JsonObjectText()
+                                   .add("whole_sites", mesh.wholeSites)
+                                   .add("whole_tetrahedra", mesh.wholeTetrahedra)
+                                   .add("kept_sites", mesh.keptSites)
+                                   .add("kept_tetrahedra", mesh.keptTetrahedra)
+                                   .add("scale", mesh.scale)
+                                   .add("method", wordOf(methodWords, mesh.method))
+                                   .text();
+    return JsonObjectText()
+        .addText("figures", meshFigures(model, query, mesh))
+        .addText("facts", facts.text())
+        .addText("mesh", ofMesh)
+        .add("overlaps", mesh.overlaps)
+        .add("tag", file.tag)
+        .text();
 }
 
 } // namespace
@@ -223,6 +227,16 @@ bool isLoopback(std::string_view address)
     return address == "localhost" || address == "::1" ||
            (address.starts_with("127.") &&
             std::ranges::all_of(address, [](char c) { return c == '.' || (c >= '0' && c <= '9'); }));
+}
+
+bool isOrigin(std::string_view text)
+{
+    const std::size_t scheme = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : text.size();
+    const std::string_view host = text.substr(scheme);
+    return !host.empty() && std::ranges::all_of(host, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
+               std::string_view("-.:[]").find(c) != std::string_view::npos;
+    });
 }
 
 /// One of the few meshes that are worked on at a time.
@@ -259,29 +273,80 @@ private:
     bool isTaken_ = false;
 };
 
-ModelServer::ModelServer(ServedFolder folder, std::string token, ModelServerLimits limits)
-    : folder_(std::move(folder)), token_(std::move(token)), limits_(limits)
+ModelServer::ModelServer(ServedFolder folder, ServedTo whom, ModelServerLimits limits)
+    : folder_(std::move(folder)), whom_(std::move(whom)), limits_(limits)
 {
 }
 
-bool ModelServer::isAllowed(const ServedRequest& request) const
+bool ModelServer::takesLong(const ServedRequest& request)
 {
-    if (token_.empty())
-        return isThisMachine(request.header("Host").value_or("localhost"));
+    return request.target == "/" || request.target.find('?') != std::string::npos;
+}
+
+HttpServer::Handler ModelServer::handler()
+{
+    return {.takesLong = takesLong, .answer = [this](const ServedRequest& request) { return answer(request); }};
+}
+
+bool ModelServer::isFromKnownOrigin(const ServedRequest& request) const
+{
+    const auto origin = request.header("origin");
+    return origin && std::ranges::find(whom_.origins, *origin) != whom_.origins.end();
+}
+
+/// Why somebody is not answered, if so.
+std::optional<ServedAnswer> ModelServer::refusalOf(const ServedRequest& request) const
+{
+    if (whom_.token.empty()) {
+        if (isThisMachine(request.header("host").value_or("localhost")))
+            return {};
+        return errorAnswer(403, "This server answers requests for localhost only.");
+    }
     constexpr std::string_view scheme = "Bearer ";
-    const std::string given = request.header("Authorization").value_or("");
-    return given.starts_with(scheme) && isEqualInSecret(token_, std::string_view(given).substr(scheme.size()));
+    const std::string given = request.header("authorization").value_or("");
+    if (given.starts_with(scheme) && isEqualInSecret(whom_.token, std::string_view(given).substr(scheme.size())))
+        return {};
+    ServedAnswer refused = errorAnswer(401, "A token is needed: Authorization: Bearer TOKEN.");
+    refused.headers.emplace_back("WWW-Authenticate", "Bearer");
+    return refused;
 }
 
+/// Pages of the origins that were named may read what their browser gets, whatever it is; a browser asks first, without
+/// the token, whether it may send one.
 ServedAnswer ModelServer::answer(const ServedRequest& request)
 try {
-    if (!isAllowed(request)) {
-        if (token_.empty())
-            return errorAnswer(403, "This server answers requests for localhost only.");
-        ServedAnswer refused = errorAnswer(401, "A token is needed: Authorization: Bearer TOKEN.");
-        refused.headers.emplace_back("WWW-Authenticate", "Bearer");
-        return refused;
+    const bool isKnown = isFromKnownOrigin(request);
+    if (request.method == HttpMethod::Options) {
+        ServedAnswer told = isKnown ? ServedAnswer() : errorAnswer(405, "Method Not Allowed");
+        if (isKnown) {
+            told.status = 204;
+            told.headers = {{"Access-Control-Allow-Origin", *request.header("origin")},
+                            {"Access-Control-Allow-Methods", "GET, HEAD"},
+                            {"Access-Control-Allow-Headers", "Authorization, Range, If-Range, If-None-Match"},
+                            {"Access-Control-Max-Age", "600"},
+                            {"Vary", "Origin"}};
+        }
+        if (!isKnown)
+            told.headers = {{"Allow", "GET, HEAD"}, {"Connection", "close"}};
+        return told;
     }
+    ServedAnswer answer = answerWhoMay(request);
+    if (!whom_.origins.empty())
+        answer.headers.emplace_back("Vary", "Origin");
+    if (isKnown) {
+        answer.headers.emplace_back("Access-Control-Allow-Origin", *request.header("origin"));
+        answer.headers.emplace_back("Access-Control-Expose-Headers",
+                                    "Accept-Ranges, Content-Length, Content-Range, ETag, Last-Modified, Retry-After");
+    }
+    return answer;
+} catch (const std::exception&) {
+    return comeAgain(errorAnswer(503, "The server has not enough memory for this answer."));
+}
+
+ServedAnswer ModelServer::answerWhoMay(const ServedRequest& request)
+{
+    if (auto refused = refusalOf(request))
+        return *std::move(refused);
     const std::size_t mark = request.target.find('?');
     const std::string_view path =
         std::string_view(request.target).substr(1, mark == std::string::npos ? mark : mark - 1);
@@ -290,7 +355,7 @@ try {
     const auto name = percentDecoded(path);
     const auto found = name ? folder_.find(*name) : Result<std::optional<ServedFile>>(std::nullopt);
     if (!found)
-        return refusal(found.error());
+        return cannotLook(found.error());
     const std::optional<ServedFile>& file = *found;
     if (!file)
         return errorAnswer(404, "There is no such model here. '/' lists those that there are.");
@@ -300,35 +365,34 @@ try {
     return query == aboutQuestion   ? aboutAnswer(request, *file)
            : query == sizesQuestion ? sizesAnswer(request, *file)
                                     : meshAnswer(request, *file, query);
-} catch (const std::exception&) {
-    return errorAnswer(503, "Not enough memory for this answer.");
 }
 
 ServedAnswer ModelServer::list() const
 {
-    QJsonArray models;
+    JsonArrayText models;
     const auto names = folder_.names(limits_.listed);
     if (!names)
-        return refusal(names.error());
+        return cannotLook(names.error());
     for (const std::string& name : *names) {
         const auto found = folder_.find(name);
         if (!found)
-            return refusal(found.error());
+            return cannotLook(found.error());
         const std::optional<ServedFile>& file = *found;
         format::Header header;
         if (!file || file->size < sizeof header || !file->read(0, {reinterpret_cast<char*>(&header), sizeof header}) ||
             header.magic != format::magic)
             continue;
-        models.append(
-            QJsonObject{{"file", QString::fromStdString(name)},
-                        {"url", QString::fromStdString("/" + percentEncoded(name))},
-                        {"bytes", static_cast<qint64>(file->size)},
-                        {"changed", QDateTime::fromSecsSinceEpoch(file->changed, Qt::UTC).toString(Qt::ISODate)},
-                        {"tag", QString::fromStdString(file->tag)},
-                        {"sites", static_cast<qint64>(header.siteCount)},
-                        {"tetrahedra", static_cast<qint64>(header.tetrahedronCount)}});
+        models.addText(JsonObjectText()
+                           .add("file", name)
+                           .add("url", "/" + percentEncoded(name))
+                           .add("bytes", file->size)
+                           .add("changed", isoDate(file->changed))
+                           .add("tag", file->tag)
+                           .add("sites", std::uint64_t(header.siteCount))
+                           .add("tetrahedra", std::uint64_t(header.tetrahedronCount))
+                           .text());
     }
-    return jsonAnswer({{"models", models}});
+    return jsonAnswer(JsonObjectText().addText("models", models.text()));
 }
 
 ServedAnswer ModelServer::fileAnswer(const ServedRequest& request, const ServedFile& file) const
@@ -339,12 +403,12 @@ ServedAnswer ModelServer::fileAnswer(const ServedRequest& request, const ServedF
                       {"Last-Modified", httpDate(file.changed)},
                       {"Accept-Ranges", "bytes"},
                       {"Cache-Control", "no-cache"}};
-    if (const auto known = request.header("If-None-Match"); known && hasTag(*known, file.tag)) {
+    if (const auto known = request.header("if-none-match"); known && hasTag(*known, file.tag)) {
         answer.status = 304;
         return answer;
     }
-    const auto condition = request.header("If-Range");
-    const auto wanted = request.header("Range");
+    const auto condition = request.header("if-range");
+    const auto wanted = request.header("range");
     std::optional<AskedRange> range;
     if (wanted && (!condition || *condition == file.tag)) // by its date a file is not known well enough
         range = askedRange(*wanted, file.size);
@@ -382,12 +446,8 @@ Result<std::shared_ptr<const Model>> ModelServer::modelOf(const ServedFile& file
     if (!path)
         return beingChanged();
     const auto found = openModel(path->string(), {}, progress); // one that is packed is unpacked into the cache
-    if (!found) {
-        const ErrorKind kind = found.error().kind;
-        const bool isTold = kind == ErrorKind::Cancelled || kind == ErrorKind::OutOfResource;
-        return Error{isTold ? kind : ErrorKind::BadInput,
-                     notAModel(file).message}; // where it lies is nobody's business
-    }
+    if (!found)
+        return found.error();
     const std::shared_ptr<const Model>& model = found->model;
     if (file.path() != path) // another file may have come there meanwhile
         return beingChanged();
@@ -405,47 +465,46 @@ ServedAnswer ModelServer::aboutAnswer(const ServedRequest& request, const Served
     const auto path = file.path();
     const auto facts = path ? modelFacts(path->string(), Progress(request.gone, {})) : beingChanged();
     if (!facts)
-        return errorAnswer(500, notAModel(file).text()); // where it lies is nobody's business
-    return jsonAnswer({{"form", facts->form == ModelForm::Packed ? "packed" : "explicit"},
-                       {"bytes", static_cast<qint64>(facts->fileBytes)},
-                       {"unpacked_bytes", static_cast<qint64>(facts->unpackedBytes)},
-                       {"sites", static_cast<qint64>(facts->sites)},
-                       {"tetrahedra", static_cast<qint64>(facts->tetrahedra)},
-                       {"tag", QString::fromStdString(file.tag)}});
+        return facts.error().kind == ErrorKind::BadInput ? notAModel(file) : refusal(facts.error(), file);
+    return jsonAnswer(JsonObjectText()
+                          .add("form", facts->form == ModelForm::Packed ? "packed" : "explicit")
+                          .add("bytes", facts->fileBytes)
+                          .add("unpacked_bytes", facts->unpackedBytes)
+                          .add("sites", facts->sites)
+                          .add("tetrahedra", facts->tetrahedra)
+                          .add("tag", file.tag));
 }
 
 ServedAnswer ModelServer::sizesAnswer(const ServedRequest& request, const ServedFile& file)
 {
-    return inTurn(request, [&](const Progress& progress) -> Result<ServedAnswer> {
+    return inTurn(request, file, [&](const Progress& progress) -> Result<ServedAnswer> {
         const auto model = modelOf(file, progress);
         if (!model)
-            return model.error();
+            return model.error().kind == ErrorKind::BadInput ? notAModel(file) : Result<ServedAnswer>(model.error());
         const WholeSizes sizes = sizesOfWhole(**model);
         if (const Status intact = (*model)->checkIntact(); !intact)
-            return notAModel(file);
-        QJsonArray meshes;
+            return intact.error();
+        JsonArrayText meshes;
         for (const MeshSize& size : sizes.meshes)
-            meshes.append(QJsonArray{static_cast<qint64>(size.sites), static_cast<qint64>(size.tetrahedra), size.error,
-                                     size.warping});
-        return jsonAnswer({{"sites", static_cast<qint64>(sizes.sites)},
-                           {"tetrahedra", static_cast<qint64>(sizes.tetrahedra)},
-                           {"bytes", static_cast<qint64>(file.size)},
-                           {"warps", (*model)->description().warpingWeight > 0},
-                           {"meshes", meshes},
-                           {"tag", QString::fromStdString(file.tag)}});
+            meshes.addText(
+                JsonArrayText().add(size.sites).add(size.tetrahedra).add(size.error).add(size.warping).text());
+        return jsonAnswer(JsonObjectText()
+                              .add("sites", sizes.sites)
+                              .add("tetrahedra", sizes.tetrahedra)
+                              .add("bytes", file.size)
+                              .add("warps", (*model)->description().warpingWeight > 0)
+                              .addText("meshes", meshes.text())
+                              .add("tag", file.tag));
     });
 }
 
 /// What is worked on when it is its turn, for as long as that may take and somebody waits for it.
-ServedAnswer ModelServer::inTurn(const ServedRequest& request,
+ServedAnswer ModelServer::inTurn(const ServedRequest& request, const ServedFile& file,
                                  const std::function<Result<ServedAnswer>(const Progress& progress)>& work)
 {
     const Turn turn(*this, request.gone);
-    if (!turn.isTaken()) {
-        ServedAnswer busy = errorAnswer(503, "Too many meshes are asked for at once. Ask again.");
-        busy.headers.emplace_back("Retry-After", "2");
-        return busy;
-    }
+    if (!turn.isTaken())
+        return comeAgain(errorAnswer(503, "Too many meshes are asked for at once. Ask again."));
     // In a thread that ends with it, so that the next one takes over its stack and its share of the heap: the threads
     // of all connections would each keep theirs.
     std::stop_source over;
@@ -456,7 +515,7 @@ ServedAnswer ModelServer::inTurn(const ServedRequest& request,
     if (answer)
         return *answer;
     if (answer.error().kind != ErrorKind::Cancelled)
-        return refusal(answer.error());
+        return refusal(answer.error(), file);
     return errorAnswer(504, over.stop_requested()
                                 ? "This mesh takes longer than the server may work on one. Ask for a larger error."
                                 : "Nobody waits for this mesh any more.");
@@ -464,18 +523,10 @@ ServedAnswer ModelServer::inTurn(const ServedRequest& request,
 
 ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedFile& file, std::string_view query)
 {
-    const auto words = wordsOf(query);
-    if (!words)
-        return errorAnswer(400, "The query is not encoded as it should be: '%' and two digits.");
-    Syntax syntax;
-    syntax.options = queryOptions();
-    std::ranges::move(furtherOptions(), std::back_inserter(syntax.options));
-    const auto arguments = parseArguments(syntax, *words);
-    if (!arguments)
-        return refusal(arguments.error());
-    const auto asked = questionIn(*arguments);
+    const auto words = QueryWords::fromUrl(query);
+    const auto asked = words ? words->query() : words.error();
     if (!asked)
-        return refusal(asked.error());
+        return errorAnswer(400, asked.error().text());
 
     // The same question to the same file has the same answer.
     const std::string question = file.tag + " " + std::string(query);
@@ -484,29 +535,33 @@ ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedF
     ServedAnswer answer;
     answer.type = packedMeshType;
     answer.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};
-    if (const auto known = request.header("If-None-Match"); known && hasTag(*known, tag)) {
+    if (const auto known = request.header("if-none-match"); known && hasTag(*known, tag)) {
         answer.status = 304;
         return answer;
     }
 
-    return inTurn(request, [&](const Progress& progress) -> Result<ServedAnswer> {
+    return inTurn(request, file, [&](const Progress& progress) -> Result<ServedAnswer> {
         const auto model = modelOf(file, progress);
         if (!model)
-            return model.error();
-        if (const Status warps = checkWarpingOption(*arguments, **model); !warps)
-            return warps.error();
+            return model.error().kind == ErrorKind::BadInput ? notAModel(file) : Result<ServedAnswer>(model.error());
+        if ((words->has("warping") || words->has("warping-field")) && !((*model)->description().warpingWeight > 0))
+            return errorAnswer(400, "'warping' is for models of curvilinear or irregular data only, and the data of '" +
+                                        printable(file.name) + "' cannot warp. Leave it out.");
         if (const Status sound = checkQuery(**model, *asked); !sound)
             return sound.error();
         const auto isTooLarge = [this](std::uint64_t tetrahedra) { return tetrahedra > limits_.tetrahedra; };
         if (isTooLarge(expectedTetrahedra(**model, *asked)) || isTooLarge(asked->budget.value_or(0)))
-            return errorAnswer(413, tooLarge(limits_.tetrahedra).text());
-        const auto mesh = confirmed(**model, MeshExtractor(*model).extract(*asked, progress), progress);
+            return tooLarge(limits_.tetrahedra);
+        auto mesh = MeshExtractor(*model).extract(*asked, progress);
+        // A damaged file is told in place of what came of it.
+        if (mesh || mesh.error().kind != ErrorKind::Cancelled)
+            if (const Status right = (*model)->confirm(progress.withCallback({})); !right)
+                return right.error();
         if (!mesh)
             return mesh.error();
         if (isTooLarge((*mesh)->wholeTetrahedra) || isTooLarge((*mesh)->mesh.tetrahedra.size()))
-            return errorAnswer(413, tooLarge(limits_.tetrahedra).text());
-        if (const Status some = checkNotEmpty(*arguments, **model, (*mesh)->mesh);
-            !some && arguments->value("empty") != "yes")
+            return tooLarge(limits_.tetrahedra);
+        if (const Status some = checkNotEmpty(*asked, **model, (*mesh)->mesh); !some && words->value("empty") != "yes")
             return some.error();
         auto packed = packMesh((*mesh)->mesh, (*mesh)->birthErrors, (*mesh)->deathErrors,
                                factsText(file, **model, *asked, **mesh), progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/server/served_folder.h"
+#include "core/serve/served_folder.h"
 
 #include "core/base/system_error.h"
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/serve/mesh_facts.h"
+
+#include "core/history/query_words.h"
+#include "core/serve/json_text.h"
+#include "core/verify/verify_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace tetra {
+namespace {
+
+using Facts = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+
+/// A number where the field is one, else its text.
+void addField(Facts& facts, const std::string& name, const ErrorField& field, double scale)
+{
+    if (field.isConstant())
+        facts.emplace_back(name, keptPercent(field.bounds().minimum, scale));
+    else
+        facts.emplace_back(name + "_field", toText(field));
+}
+
+std::string sizeFigures(const MeshSize& size)
+{
+    return JsonObjectText()
+        .add("error", size.error)
+        .add("warping", size.warping)
+        .add("sites", size.sites)
+        .add("tetrahedra", size.tetrahedra)
+        .text();
+}
+
+/// Six digits of a number, as many as a place needs to be found.
+std::string shortNumber(double number)
+{
+    constexpr int digits = 6;
+    std::array<char, 32> text{}; // -1.23457e-308 has 13 characters
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, digits);
+    return {text.data(), end};
+}
+
+/// Whether only some of the lives are asked for.
+bool isLimited(const ValueRange& lives)
+{
+    constexpr double all = std::numeric_limits<double>::infinity();
+    return lives.minimum != -all || lives.maximum != all;
+}
+
+} // namespace
+
+Facts meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+{
+    Facts facts = {{"model", model.path().filename().string()}, {"source", model.description().sourceName}};
+    if (query.range) {
+        // Of a model at a server the sizes are known only about.
+        const auto errorOf = [&model](const Accuracy& end) {
+            return model.elsewhere() != nullptr ? end.error : meshSizeAt(model, end).error;
+        };
+        const double one = errorOf(query.range->one), other = errorOf(query.range->other);
+        facts.emplace_back("coarsest_error", std::max(one, other));
+        facts.emplace_back("finest_error", std::min(one, other));
+        return facts;
+    }
+    addField(facts, "error", query.error, mesh.scale);
+    if (model.description().warpingWeight > 0)
+        addField(facts, "warping", query.warping, mesh.scale);
+    facts.emplace_back("error_scale", mesh.scale);
+    return facts;
+}
+
+std::string meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
+{
+    JsonObjectText figures;
+    figures.add("sites", mesh.mesh.positions.size()).add("tetrahedra", mesh.mesh.tetrahedra.size());
+    if (query.range) {
+        if (model.elsewhere() != nullptr) // the sizes of its meshes are known only about
+            return figures.text();
+        MeshSize coarse = meshSizeAt(model, query.range->one), fine = meshSizeAt(model, query.range->other);
+        if (coarse.sites > fine.sites)
+            std::swap(coarse, fine);
+        return figures.addText("coarse", sizeFigures(coarse)).addText("fine", sizeFigures(fine)).text();
+    }
+    const Accuracy kept = keptEverywhere(query, mesh.scale);
+    const bool warps = model.description().warpingWeight > 0;
+    // Of a mesh of one accuracy it is known what it reaches, which may be less than what was asked for.
+    if (query.error.isConstant() && query.warping.isConstant() && model.elsewhere() == nullptr) {
+        const MeshSize reached = meshSizeAt(model, kept);
+        figures.add("reached_error", reached.error).add("reached_warping", warps ? reached.warping : 0.0);
+    }
+    return figures.add("error", kept.error)
+        .add("warping", warps ? kept.warping : 0.0)
+        .add("scale", mesh.scale)
+        .add("method", wordOf(methodWords, mesh.method))
+        .add("kept_sites", mesh.keptSites)
+        .add("kept_tetrahedra", mesh.keptTetrahedra)
+        .add("whole_sites", mesh.wholeSites)
+        .add("whole_tetrahedra", mesh.wholeTetrahedra)
+        .text();
+}
+
+Status checkNotEmpty(const MeshQuery& query, const Model& model, const TetrahedralMesh& mesh)
+{
+    if (!mesh.tetrahedra.empty())
+        return {};
+    const ModelDescription& data = model.description();
+    const auto place = [](const Eigen::Vector3d& p) {
+        return "(" + shortNumber(p[0]) + ", " + shortNumber(p[1]) + ", " + shortNumber(p[2]) + ")";
+    };
+    const bool isOfLives = query.range && (isLimited(query.range->births) || isLimited(query.range->deaths));
+    const std::string asked = isOfLives               ? "has such a life there"
+                              : !query.window         ? "has such values"
+                              : !query.values.empty() ? "is in that window with such values"
+                                                      : "is in that window";
+    return Error{ErrorKind::WrongUsage, "No tetrahedron " + asked + ", so nothing was written. The data lie between " +
+                                            place(data.bounds.min()) + " and " + place(data.bounds.max()) +
+                                            ", with values from " + shortNumber(data.range.minimum) + " to " +
+                                            shortNumber(data.range.maximum) + "."};
+}
+
+} // namespace tetra

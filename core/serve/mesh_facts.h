@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tan/model.h>
+#include <tan/query.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace tetra {
+
+// What there is to tell of a mesh that a query gave; the same at a server and at hand.
+
+/// What a mesh was extracted from, and how, for the file that it is written into: MeshFacts of the writers.
+std::vector<std::pair<std::string, std::variant<double, std::string>>>
+meshFacts(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+
+/// Its size, what it keeps, and what it was chosen from, as JSON.
+std::string meshFigures(const Model& model, const MeshQuery& query, const ExtractedMesh& mesh);
+
+/// An error (WrongUsage) if the mesh that the query's window and values chose from a model has no tetrahedra, which is
+/// hardly what was meant.
+Status checkNotEmpty(const MeshQuery& query, const Model& model, const TetrahedralMesh& mesh);
+
+} // namespace tetra
