@@ -286,7 +286,7 @@ void RegionToolsTest::theWindowHasHandlesToo()
 void RegionToolsTest::handlesAreSeenOnAnyGround()
 {
     trigger("action.focusSphere");
-    for (const double grey : {0.0, 0.15, 0.9, 1.0}) {
+    for (const float grey : {0.0F, 0.15F, 0.9F, 1.0F}) {
         session().setBackground(Colour{grey, grey, grey});
         const QColor ground = QColor::fromRgbF(grey, grey, grey);
         QImage picture(tools().size(), QImage::Format_ARGB32_Premultiplied);
