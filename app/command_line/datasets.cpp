@@ -187,7 +187,7 @@ std::string datasetText(const DatasetSummary& summary)
                " x " + rounded(lattice.spacing[1]) + " x " + rounded(lattice.spacing[2]);
     if (summary.domain != DomainClass::RegularLattice)
         text += ", from " + placeText(summary.bounds.min()) + " to " + placeText(summary.bounds.max());
-    return text + ", values " + rounded(summary.range.minimum, 6) + " to " + rounded(summary.range.maximum, 6);
+    return text + ", values " + rangeText(summary.range.minimum, summary.range.maximum);
 }
 
 void addRemarks(const Dataset& dataset, Outcome& outcome)

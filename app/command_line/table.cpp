@@ -36,6 +36,16 @@ std::string rounded(double number, int digits)
     return problem == std::errc() ? std::string(text, end) : std::string();
 }
 
+std::string rangeText(double least, double largest)
+{
+    constexpr int fewest = 6, most = 17;
+    const double extent = largest - least;
+    const double size = std::max(std::abs(least), std::abs(largest));
+    const double wanted = extent > 0 ? 4 + std::ceil(std::log10(size / extent)) : fewest;
+    const int digits = std::isfinite(wanted) ? static_cast<int>(std::clamp<double>(wanted, fewest, most)) : fewest;
+    return rounded(least, digits) + " to " + rounded(largest, digits);
+}
+
 std::string byteText(std::uint64_t bytes)
 {
     constexpr const char* units[] = {"bytes", "kB", "MB", "GB", "TB"};

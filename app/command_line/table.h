@@ -13,6 +13,9 @@ std::string table(std::vector<std::vector<std::string>> rows);
 /// The number with at most `digits` significant digits, whatever the locale: for people, not for programs.
 std::string rounded(double number, int digits = 4);
 
+/// "101325.0 to 101325.4": both ends, with as many digits as tell a thousandth of what lies between them apart.
+std::string rangeText(double least, double largest);
+
 /// "1.5 MB".
 std::string byteText(std::uint64_t bytes);
 

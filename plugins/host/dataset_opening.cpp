@@ -6,12 +6,64 @@
 #include "plugins/host/parameter_values.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
 
 namespace tetra {
 namespace {
 
+/// What others make and people try to open; each is told by its beginning or by its ending.
+struct OtherKind {
+    std::string_view begins;
+    std::string_view ending;
+    bool isSurface; ///< else a picture
+};
+constexpr std::array otherKinds{OtherKind{"\x89PNG", ".png", false}, OtherKind{"\xff\xd8\xff", ".jpg", false},
+                                OtherKind{"GIF8", ".gif", false},    OtherKind{"BM", ".bmp", false},
+                                OtherKind{"solid ", ".stl", true},   OtherKind{"ply\n", ".ply", true},
+                                OtherKind{"ply\r\n", ".ply", true},  OtherKind{"glTF", ".glb", true},
+                                OtherKind{"OFF\n", ".off", true},    OtherKind{"", ".obj", true}};
+
+const OtherKind* otherKind(const std::filesystem::path& path, std::span<const std::byte> bytes)
+{
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const auto isIt = [&](const OtherKind& kind) {
+        return ending == kind.ending || (kind.begins.size() > 2 && text.starts_with(kind.begins));
+    };
+    const auto* found = std::ranges::find_if(otherKinds, isIt);
+    return found == otherKinds.end() ? nullptr : found;
+}
+
+/// One of each kind of files: ".nrrd, .vti, .csv".
+std::string readEndings(PluginHost& host)
+{
+    std::string text;
+    std::set<std::string> told;
+    for (const std::string& filter : readableFiles(host))
+        if (const auto start = filter.find("*."); start != std::string::npos) {
+            const std::string ending = filter.substr(start + 1, filter.find_first_of(" )", start) - start - 1);
+            if (told.insert(ending).second)
+                text += (text.empty() ? "" : ", ") + ending;
+        }
+    return text;
+}
+
 Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
+    if (const OtherKind* kind = otherKind(path, bytes))
+        return {
+            ErrorKind::BadInput,
+            kind->isSurface
+                ? Message::say("'%1' holds a surface. TAn reads volumes: values everywhere in a body, not only on "
+                               "its skin.",
+                               path.string())
+                : Message::say("'%1' is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens "
+                               "pictures that it has saved with their session.",
+                               path.string())};
     if (const std::string program = unpackingProgram(bytes); !program.empty())
         return {ErrorKind::BadInput, Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.",
                                                   path.string(), program)};
@@ -19,9 +71,9 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
             Message::say("'%1' has an unknown format. %2%3", path.string(),
                          host.readers().empty()
                              ? Message::say("No reader is installed.")
-                             : Message::say("The manual and 'tan info --help' list the files that are "
-                                            "read; samples alone, without a header, are read as a raw "
-                                            "file."),
+                             : Message::say("TAn reads files such as %1; the manual lists all of them. "
+                                            "Samples alone, without a header, are read as a raw file.",
+                                            readEndings(host)),
                          host.explainMissing(PluginKind::Reader))};
 }
 

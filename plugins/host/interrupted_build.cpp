@@ -36,18 +36,6 @@ std::string noteRead(const std::filesystem::path& workFolder)
     return note ? *note : std::string();
 }
 
-/// Empty if there is none, or if somebody is building.
-std::string noteLeft(const std::filesystem::path& output)
-{
-    if (output.empty() || !isThere(noteIn(workFolderOf(output))))
-        return {};
-    auto folder = WorkFolder::open(workFolderOf(output), WorkFolder::Leftovers::Keep);
-    if (!folder)
-        return {};
-    folder->keep();
-    return noteRead(folder->path());
-}
-
 /// The first lines of a note.
 std::string headOf(const Dataset& dataset)
 {
@@ -70,24 +58,33 @@ void leaveNote(const std::filesystem::path& workFolder, std::string_view note)
         (void)writeWholeFile(noteIn(workFolder), std::as_bytes(std::span(note)));
 }
 
-LeftBuild leftBuild(PluginHost& host, const Dataset& dataset, const std::string& builder, const ParameterValues& values,
-                    const std::filesystem::path& output)
+std::string interruptedNote(const std::filesystem::path& output)
 {
-    const std::string left = noteLeft(output);
-    if (left.empty())
-        return LeftBuild::None;
-    const auto chosen = host.builder(builder);
-    return chosen && left == buildNote(dataset, *chosen, values) ? LeftBuild::Same : LeftBuild::Other;
+    if (output.empty() || !isThere(noteIn(workFolderOf(output))))
+        return {};
+    auto folder = WorkFolder::open(workFolderOf(output), WorkFolder::Leftovers::Keep);
+    if (!folder)
+        return {};
+    folder->keep();
+    return noteRead(folder->path());
 }
 
-std::optional<InterruptedBuild> interruptedBuild(PluginHost& host, const Dataset& dataset,
-                                                 const std::filesystem::path& output)
+LeftBuild leftBuild(PluginHost& host, const Dataset& dataset, const std::string& builder, const ParameterValues& values,
+                    std::string_view note)
 {
-    const std::string left = noteLeft(output), head = headOf(dataset);
-    if (!left.starts_with(head))
+    if (note.empty())
+        return LeftBuild::None;
+    const auto chosen = host.builder(builder);
+    return chosen && note == buildNote(dataset, *chosen, values) ? LeftBuild::Same : LeftBuild::Other;
+}
+
+std::optional<InterruptedBuild> interruptedBuild(PluginHost& host, const Dataset& dataset, std::string_view note)
+{
+    const std::string head = headOf(dataset);
+    if (!note.starts_with(head))
         return std::nullopt;
     std::map<std::string, std::string> texts;
-    std::istringstream lines(left.substr(head.size()));
+    std::istringstream lines(std::string(note.substr(head.size())));
     for (std::string line; std::getline(lines, line);)
         if (const std::size_t end = line.find(' '); end != std::string::npos)
             texts.emplace(line.substr(0, end), line.substr(end + 1));

@@ -24,24 +24,28 @@ std::string buildNote(const Dataset& dataset, const Provided<Builder>& builder, 
 /// costs no more than a word to the user later.
 void leaveNote(const std::filesystem::path& workFolder, std::string_view note);
 
+/// The note that an interrupted build has left where the model `output` is to be; empty if there is none, or if another
+/// program is building. Reads a small file, for which a disk may take its time, and keeps others from building there
+/// meanwhile: for a worker thread, and not while this program is building there.
+std::string interruptedNote(const std::filesystem::path& output);
+
 /// What is there to be gone on with where the model `output` is to be.
 enum class LeftBuild {
     None,  ///< nothing, or another program is building
     Same,  ///< of the same build
     Other, ///< of other data, of another builder or values, or of another version of TAn
 };
-/// Reads a small file, and keeps others from building there meanwhile: not to be called while this program is.
+/// Of a note that was found there.
 LeftBuild leftBuild(PluginHost& host, const Dataset& dataset, const std::string& builder, const ParameterValues& values,
-                    const std::filesystem::path& output);
+                    std::string_view note);
 
 /// A build of these data that can be gone on with.
 struct InterruptedBuild {
     std::string builder; ///< id
     ParameterValues values;
 };
-/// Nothing if leftBuild() would not find Same whatever was chosen. Reads a small file.
-std::optional<InterruptedBuild> interruptedBuild(PluginHost& host, const Dataset& dataset,
-                                                 const std::filesystem::path& output);
+/// Nothing if leftBuild() would not find Same whatever was chosen.
+std::optional<InterruptedBuild> interruptedBuild(PluginHost& host, const Dataset& dataset, std::string_view note);
 
 /// Removes what any interrupted build of this model left. May take a while: call it from a worker thread. Errors:
 /// another program is building it; the folder is none of TAn's.

@@ -19,6 +19,8 @@ public:
     explicit ColourButton(QWidget* parent = nullptr);
     void setColour(const QColor& colour);
     const QColor& colour() const noexcept { return colour_; }
+    /// Brings up the dialog for any colour.
+    void chooseOther();
 
 signals:
     /// By the user.
@@ -26,7 +28,6 @@ signals:
 
 private:
     void fillMenu(QMenu* menu);
-    void chooseOther();
 
     QColor colour_;
 };

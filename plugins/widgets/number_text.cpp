@@ -55,6 +55,16 @@ int decimalsFor(double extent)
     return std::clamp(3 - static_cast<int>(std::floor(std::log10(extent))), 0, 12);
 }
 
+QString numberInRange(double value, double least, double largest)
+{
+    constexpr int fewest = 6, most = 17;
+    const double extent = largest - least;
+    const double size = std::max(std::abs(least), std::abs(largest));
+    const double wanted = extent > 0 ? 4 + std::ceil(std::log10(size / extent)) : fewest;
+    const int digits = std::isfinite(wanted) ? static_cast<int>(std::clamp<double>(wanted, fewest, most)) : fewest;
+    return QLocale().toString(value, 'g', digits);
+}
+
 QString valueText(double value, double extent)
 {
     return QLocale().toString(value, 'f', decimalsFor(extent));

@@ -17,6 +17,9 @@ QString durationText(double seconds);
 QString bytesText(std::uint64_t bytes);
 /// Enough digits to tell values apart in a range of this extent.
 QString valueText(double value, double extent);
+/// A number in this range, an end of it, say: at least six significant digits, and as many as tell a thousandth of the
+/// range apart.
+QString numberInRange(double value, double least, double largest);
 /// Decimals after the point that resolve a thousandth of `extent`; none for integers over a wide range.
 int decimalsFor(double extent);
 

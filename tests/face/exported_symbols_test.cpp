@@ -23,7 +23,8 @@ QStringList marked(const QString& folder, const QString& mark)
     const QRegularExpression pattern(declaration.pattern().arg(mark));
     QSet<QString> names;
     for (QDirIterator files(folder, {"*.h"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
-        const QString text = contentOf(files.next());
+        static const QRegularExpression macros("^#define .*$", QRegularExpression::MultilineOption);
+        const QString text = contentOf(files.next()).remove(macros); // of the mark itself, for one
         for (auto found = pattern.globalMatch(text); found.hasNext();) {
             const auto match = found.next();
             names.insert(match.captured(1).isEmpty() ? match.captured(2) : match.captured(1));

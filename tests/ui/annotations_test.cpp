@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 using namespace tetra;
 
@@ -85,6 +86,8 @@ private slots:
     void ticksAreRoundAndFew();
     void ticksOfBadRangesAreNone();
     void tickTextsTellTicksApart();
+    void anIsovalueIsMorePreciseThanTheTicks();
+    void oneUnitIsNotMany();
     void longTextsAreCutAtOnce();
     void lengthsAreRound();
     void everythingFitsInALargePicture();
@@ -126,6 +129,29 @@ void AnnotationsTest::ticksOfBadRangesAreNone()
     QVERIFY(niceTicks(1, 1, 5).empty() && niceTicks(2, 1, 5).empty() && niceTicks(0, infinity, 5).empty());
     QVERIFY(niceTicks(0, std::nan(""), 5).empty() && niceTicks(0, 1, 0).empty());
     QVERIFY(niceTicks(1, 1 + 1e-15, 5).empty());
+}
+
+void AnnotationsTest::anIsovalueIsMorePreciseThanTheTicks()
+{
+    const auto among = [](double value, double least, double largest) {
+        return numberAmong(value, niceTicks(least, largest, 6));
+    };
+    QCOMPARE(among(101325.22, 101325.0, 101325.4), QString("101325.22"));
+    QCOMPARE(among(1000030880, 1000020000, 1000040000), QString("1.0000309e+09"));
+    QCOMPARE(among(76.5, 0, 255), QString("76.5"));
+    QCOMPARE(among(128, 0, 255), QString("128"));
+    QCOMPARE(among(0.123456, 0, 1), QString("0.1235"));
+    QCOMPARE(among(0, -1, 1), QString("0"));
+    QCOMPARE(numberAmong(1518.123, {}), QString("1518"));
+    // Whatever the scale: what is read back lies between the same ticks, a tenth of their distance off at most.
+    for (const double offset : {0.0, 3.0, 1e3, -1e6})
+        for (double scale = 1e-9; scale < 1e12; scale *= 7) {
+            const double least = offset * scale, value = least + 0.377 * scale;
+            const auto ticks = niceTicks(least, least + scale, 6);
+            QVERIFY(ticks.size() > 1);
+            const double read = QLocale().toDouble(numberAmong(value, ticks));
+            QVERIFY2(std::abs(read - value) <= 0.1 * (ticks[1] - ticks[0]), qPrintable(numberAmong(value, ticks)));
+        }
 }
 
 void AnnotationsTest::tickTextsTellTicksApart()
@@ -253,6 +279,20 @@ void AnnotationsTest::theScaleBarIsAsLongAsItSays()
         QVERIFY(std::abs(layout.scaleBar->bar.length() - QLineF(*from, *to).length()) < 1e-9);
         QCOMPARE(layout.scaleBar->label.text.contains("target"), perspective);
     }
+}
+
+void AnnotationsTest::oneUnitIsNotMany()
+{
+    AnnotationContent content = fullContent();
+    std::set<QString> texts;
+    for (const bool perspective : {false, true})
+        for (double distance = 1; distance < 20; distance *= 1.2) {
+            content.camera = {.target = {1, 2, 3}, .distance = distance, .perspective = perspective};
+            const AnnotationLayout layout = layOutAnnotations(content, {800, 600}, measure);
+            if (layout.scaleBar && layout.scaleBar->length == 1)
+                texts.insert(layout.scaleBar->label.text);
+        }
+    QCOMPARE(texts, (std::set<QString>{"1 unit", "1 unit at the target"}));
 }
 
 void AnnotationsTest::theBarTellsWhatThePictureFollows()

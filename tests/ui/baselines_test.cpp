@@ -174,7 +174,7 @@ QImage regionPicture(RegionKind kind, const MovableRegion& region, bool dark, Ho
     const QPalette palette = paletteOf(dark);
     const auto handles = handlesOf(region, projection);
     RegionLook look;
-    look.colour = regionColour(kind, palette);
+    look.colour = regionColour(kind, palette.color(QPalette::Window));
     look.rim = palette.color(QPalette::Base);
     look.selected = hold == Hold::Selected;
     look.dragged = hold == Hold::Dragged;

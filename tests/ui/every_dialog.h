@@ -62,24 +62,24 @@ inline std::vector<OpenableDialog> everyDialog(const QString& volume, const QStr
         {"leaving.build",
          [](WindowFixture& window) {
              askAboutBuild({LeavingWay::Quit, "headsq_64x64x93_int16.nhdr", "7 % done, about 1 min 20 s left.",
-                            "headsq_64x64x93_int16.tan", true},
+                            "headsq_64x64x93_int16.tan", "headsq_64x64x93_int16.tan", true},
                            &window.window);
          }},
         {"leaving.build",
          [](WindowFixture& window) {
              askAboutBuild({LeavingWay::OpenModel, "headsq_64x64x93_int16.nhdr", "7 % done, about 1 min 20 s left.",
-                            "headsq_64x64x93_int16.tan", true},
+                            "headsq_64x64x93_int16.tan", "headsq_64x64x93_int16-7-percent.tan", true},
                            &window.window);
          }},
         {"leaving.film",
          [](WindowFixture& window) {
              askAboutFilm(
-                 {LeavingWay::OpenModel, "headsq_64x64x93_int16-film.png", "7 % done, about 1 min 20 s left.", {}},
+                 {LeavingWay::OpenModel, "headsq_64x64x93_int16-film.png", "7 % done, about 1 min 20 s left.", {}, {}},
                  &window.window);
          }},
         {"leaving.session",
          [](WindowFixture& window) {
-             askAboutSession({LeavingWay::Quit, "headsq_64x64x93_int16.tansession", {}, {}}, &window.window);
+             askAboutSession({LeavingWay::Quit, "headsq_64x64x93_int16.tansession", {}, {}, {}}, &window.window);
          }},
         {"leaving.saving", [](WindowFixture& window) { askAboutSaving(LeavingWay::Quit, &window.window); }},
         {"leaving.saving", [](WindowFixture& window) { askAboutSaving(LeavingWay::OpenModel, &window.window); }},

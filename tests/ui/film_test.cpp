@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Films of what the window shows: key frames, the preview, and what is written.
 #include "tests/ui/sample_window.h"
+#include "ui/window/film_dialog.h"
 #include "ui/window/picture_orders.h"
 #include "ui/workbench/film_file.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -30,6 +32,7 @@ private slots:
     void aPreviewLeavesTheViewAlone();
     void aPreviewEndsWithItsModel();
     void aFilmIsWrittenAsPictures();
+    void aVideoIsProposedWhereItCanBeMade();
     void aFilmThatIsCancelledLeavesNothing();
     void filesInTheWayAreFoundAtOnce();
     void aSlowFolderStopsNobody();
@@ -153,6 +156,9 @@ void FilmTest::aFilmIsWrittenAsPictures()
     window_->find<QAction>("action.saveFilm").trigger();
     QVERIFY(window_->find<QWidget>("filmOptions").isVisible());
     QTRY_VERIFY(window_->find<QLabel>("film.summary").text().contains("takes about"));
+    auto& format = window_->find<QComboBox>("film.format");
+    format.setCurrentIndex(format.findData("png"));
+    window_->find<QCheckBox>("film.keepProportions").setChecked(false);
     window_->find<QSpinBox>("film.width").setValue(160);
     window_->find<QSpinBox>("film.height").setValue(120);
     auto& target = window_->find<QLineEdit>("film.target");
@@ -169,7 +175,25 @@ void FilmTest::aFilmIsWrittenAsPictures()
     QVERIFY(QImage(folder.filePath(files[0])) != QImage(folder.filePath(files[1])));
     QCOMPARE(QImage(folder.filePath(files[3])).size(), QSize(160, 120));
     QTRY_COMPARE(window_->find<QPushButton>("film.save").text(), QString("&Replace and Save"));
-    QVERIFY(window_->find<QLabel>("film.hint").text().contains('4'));
+    auto& hint = window_->find<QLabel>("film.hint");
+    QVERIFY(hint.text().contains('4'));
+    QTRY_VERIFY(hint.height() >= hint.heightForWidth(hint.width())); // none of its lines is cut off
+}
+
+/// What shows films needs no resolution for print, and takes videos rather than many pictures.
+void FilmTest::aVideoIsProposedWhereItCanBeMade()
+{
+    QVERIFY(QFile::rename(writeScript("exit 0"), window_->folder.filePath("ffmpeg")));
+    const QByteArray path = qgetenv("PATH");
+    for (const bool isThere : {true, false}) {
+        qputenv("PATH", isThere ? window_->folder.path().toUtf8() : QByteArray("/none"));
+        QSettings().remove("film/format");
+        FilmDialog dialog(window_->workbench, window_->viewport(), nullptr);
+        qputenv("PATH", path);
+        QCOMPARE(dialog.findChild<QComboBox*>("film.format")->currentData().toString(), isThere ? "mp4" : "png");
+        QVERIFY(dialog.findChild<QWidget*>("film.dpi") == nullptr);
+        QVERIFY(dialog.findChild<QWidget*>("film.printSize") == nullptr);
+    }
 }
 
 void FilmTest::aFilmThatIsCancelledLeavesNothing()

@@ -9,7 +9,9 @@ using namespace tetra;
 class GlViewportTest : public QObject {
     Q_OBJECT
 private slots:
+    void initTestCase();
     void showsThePictureOfTheCpu();
+    void onePictureThatIsRefusedIsDrawnByTheCpu();
 
 private:
     static QImage pictureOf(BackendChoice backend, const QString& backendName);
@@ -31,13 +33,17 @@ QImage GlViewportTest::pictureOf(BackendChoice backend, const QString& backendNa
     return window.viewport().picture();
 }
 
-void GlViewportTest::showsThePictureOfTheCpu()
+void GlViewportTest::initTestCase()
 {
     if (QGuiApplication::platformName() != "xcb")
         QSKIP("skipped: needs an X display");
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("gl_viewport");
     QSettings().clear();
+}
+
+void GlViewportTest::showsThePictureOfTheCpu()
+{
     const QImage gl = pictureOf(BackendChoice::Gl, "OpenGL");
     const QImage cpu = pictureOf(BackendChoice::Cpu, "CPU");
     QCOMPARE(gl.size(), cpu.size());
@@ -51,6 +57,41 @@ void GlViewportTest::showsThePictureOfTheCpu()
         for (int x = 0; x < gl.width(); ++x)
             orange += qRed(gl.pixel(x, y)) > qBlue(gl.pixel(x, y)) + 60;
     QVERIFY(orange > gl.width() * gl.height() / 20);
+}
+
+/// More clip planes than OpenGL takes: nothing is wrong with it, and it draws what comes next.
+void GlViewportTest::onePictureThatIsRefusedIsDrawnByTheCpu()
+{
+    WindowFixture window(BackendChoice::Gl);
+    window.window.resize(800, 500);
+    const auto model = buildSampleModel(*window.host, sampleDataset(10), window.folderPath());
+    window.window.show();
+    window.window.open(QString::fromStdString(model));
+    Session& session = window.workbench.session();
+    QTRY_VERIFY(session.model() && window.settled());
+    const QImage before = window.viewport().picture();
+
+    QStringList planes;
+    for (int plane = 0; plane < 17; ++plane)
+        planes << "1,0,0,4";
+    session.setSetting("clip", planes.join(';').toStdString());
+    QTRY_COMPARE(window.messages().size(), 1);
+    QVERIFY2(window.messages().first().startsWith("OpenGL cannot draw this picture; the processor draws it instead."),
+             qPrintable(window.messages().first()));
+    QTRY_VERIFY(window.settled());
+    QCOMPARE(window.viewport().backendName(), QString("OpenGL"));
+    const QImage refused = window.viewport().picture();
+    QVERIFY(difference(refused, before).strikingPixels > 0.01);          // it is cut
+    session.setCamera(seenFrom(session.view().camera, NamedView::Left)); // again, and nothing more is said
+    QTRY_VERIFY(window.settled());
+    QVERIFY(window.viewport().picture() != refused);
+    QCOMPARE(window.messages().size(), 1);
+
+    session.undoStack().undo();
+    session.undoStack().undo();
+    QTRY_VERIFY(window.settled());
+    QCOMPARE(window.viewport().backendName(), QString("OpenGL"));
+    QCOMPARE(window.viewport().picture(), before);
 }
 
 QTEST_MAIN(GlViewportTest)

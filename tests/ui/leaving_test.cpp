@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
 
+#include "ui/panels/build_panel.h"
 #include "ui/session/files.h"
 #include "ui/window/picture_orders.h"
 #include "ui/workbench/recent_files.h"
@@ -135,6 +136,7 @@ void LeavingTest::startBuild(std::uint32_t size)
     target_ = window_->folder.filePath("into/built.tan");
     QVERIFY(QDir().mkpath(window_->folder.filePath("into")));
     target.setText(target_);
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
     window_->find<QPushButton>("build.start").click();
     QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
     QVERIFY(window_->workbench.building().running());

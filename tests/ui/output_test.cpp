@@ -27,6 +27,7 @@ private slots:
     void annotationsAreUndoable();
     void thePictureShowsItsAnnotations();
     void aPictureIsSavedAsAskedFor();
+    void aPictureKeepsItsProportions();
     void aPictureSaysHowItWasMade();
     void aPictureRestoresItsView();
     void aPictureOfAPreviewIsOfOneView();
@@ -122,6 +123,7 @@ void OutputTest::aPictureIsSavedAsAskedFor()
     preset.setCurrentIndex(2);
     emit preset.activated(2);
     QCOMPARE(window_->find<QSpinBox>("picture.width").value(), 1280);
+    window_->find<QCheckBox>("picture.keepProportions").click();
     window_->find<QSpinBox>("picture.width").setValue(300);
     window_->find<QSpinBox>("picture.height").setValue(200);
     window_->find<QSpinBox>("picture.dpi").setValue(254);
@@ -137,6 +139,41 @@ void OutputTest::aPictureIsSavedAsAskedFor()
     const auto form = std::make_unique<PictureForm>("picture");
     QCOMPARE(form->settings().size, QSize(300, 200));
     QCOMPARE(form->settings().dotsPerInch, 254);
+    QVERIFY(!form->findChild<QCheckBox*>("picture.keepProportions")->isChecked());
+}
+
+/// Of the view, of a size that was chosen, and of one that was let go: no picture is wider than what is seen by
+/// accident.
+void OutputTest::aPictureKeepsItsProportions()
+{
+    PictureForm form("proportions");
+    form.setView({1200, 800}, {});
+    auto& width = *form.findChild<QSpinBox*>("proportions.width");
+    auto& height = *form.findChild<QSpinBox*>("proportions.height");
+    auto& preset = *form.findChild<QComboBox*>("proportions.preset");
+    auto& keeps = *form.findChild<QCheckBox*>("proportions.keepProportions");
+    QVERIFY(keeps.isChecked());
+    width.setValue(2400);
+    QCOMPARE(height.value(), 1600);
+    height.setValue(400);
+    QCOMPARE(width.value(), 600);
+    width.selectAll();
+    QTest::keyClicks(&width, "1");
+    QTest::keyClicks(&width, "500"); // by digits, of which the first one alone is a very small picture
+    QCOMPARE(form.settings().size, QSize(1500, 1000));
+    height.setValue(height.maximum()); // what is too wide then is not cut off
+    QCOMPARE(width.value(), width.maximum());
+    QVERIFY(std::abs(1.5 * height.value() - width.value()) <= 1);
+    preset.setCurrentIndex(preset.findText("Full HD"));
+    emit preset.activated(preset.currentIndex());
+    width.setValue(960);
+    QCOMPARE(height.value(), 540);
+    keeps.click();
+    height.setValue(960);
+    QCOMPARE(width.value(), 960);
+    keeps.click();
+    width.setValue(500);
+    QCOMPARE(height.value(), 500);
 }
 
 void OutputTest::aPictureSaysHowItWasMade()

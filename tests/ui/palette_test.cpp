@@ -24,6 +24,13 @@ private slots:
     void aCommandIsFoundAndDone();
     void panelsAndAccuraciesAreFound();
     void escapeGivesTheKeysBack();
+    void whatHadTheKeysMayBeGone();
+    void settingsAreFoundAndGoneTo_data();
+    void settingsAreFoundAndGoneTo();
+    void whatSomebodyTypesGivesWhatTheyExpect_data();
+    void whatSomebodyTypesGivesWhatTheyExpect();
+    void settingsOfOtherModesSayWhereTheyAre();
+    void whatFitsLessIsNotDoneByEnter();
     void nothingIsCutOff_data() { addLanguageRows(); }
     void nothingIsCutOff();
 
@@ -74,7 +81,7 @@ void PaletteTest::openSample() const
 void PaletteTest::everyActionOfTheMenusIsThere()
 {
     openSample();
-    const auto commands = paletteCommands(window_->window, window_->workbench.session());
+    const auto commands = paletteCommands(window_->window, window_->workbench);
     const auto has = [&commands](const QString& name) {
         return std::ranges::any_of(commands, [&name](const PaletteCommand& command) { return command.name == name; });
     };
@@ -120,8 +127,11 @@ void PaletteTest::aCommandIsFoundAndDone()
     QTest::keyClick(&search(), Qt::Key_Up);
     QVERIFY(list().currentItem() == first);
     search().setText("zzzz");
-    QCOMPARE(list().topLevelItemCount(), 0);
+    QCOMPARE(list().topLevelItemCount(), 1);
+    QCOMPARE(list().topLevelItem(0)->text(0), QString("Nothing found"));
+    QVERIFY(list().topLevelItem(0)->isDisabled());
     QTest::keyClick(&search(), Qt::Key_Return);
+    QVERIFY(search().isVisible());
 }
 
 void PaletteTest::panelsAndAccuraciesAreFound()
@@ -151,6 +161,105 @@ void PaletteTest::escapeGivesTheKeysBack()
     QTest::keyClick(&search(), Qt::Key_Escape);
     QVERIFY(!window_->find<QWidget>("palette").isVisible());
     QVERIFY(window_->window.focusWidget() == &window_->viewport());
+}
+
+/// A form may make its rows anew while the palette is open.
+void PaletteTest::whatHadTheKeysMayBeGone()
+{
+    openSample();
+    auto* line = new QLineEdit(&window_->window);
+    line->show();
+    line->setFocus();
+    openPalette();
+    delete line;
+    QTest::keyClick(&search(), Qt::Key_Escape);
+    QVERIFY(!window_->find<QWidget>("palette").isVisible());
+}
+
+void PaletteTest::settingsAreFoundAndGoneTo_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("control");
+    QTest::newRow("a parameter of the mode") << "clip planes"
+                                             << "rendering.setting.clip";
+    QTest::newRow("far down in a panel") << "background"
+                                         << "view.background";
+    QTest::newRow("a box to check") << "shaded"
+                                    << "rendering.setting.shaded";
+    QTest::newRow("of a panel that was closed") << "rate"
+                                                << "animation.rate";
+    QTest::newRow("by what is read out of it") << "frames per"
+                                               << "animation.rate";
+}
+
+void PaletteTest::settingsAreFoundAndGoneTo()
+{
+    QFETCH(QString, typed);
+    QFETCH(QString, control);
+    openSample();
+    window_->find<QAction>("action.mode.volume").trigger();
+    auto& wanted = window_->find<QWidget>(control);
+    openPalette();
+    search().setText(typed);
+    QVERIFY(list().currentItem() != nullptr);
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QTRY_VERIFY(window_->window.focusWidget() == &wanted);
+    QTRY_COMPARE(wanted.visibleRegion().boundingRect(), wanted.rect()); // all of it
+}
+
+void PaletteTest::whatSomebodyTypesGivesWhatTheyExpect_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("found");
+    QTest::newRow("shad") << "shad"
+                          << "Rendering: Shaded";
+    QTest::newRow("shaded") << "shaded"
+                            << "Rendering: Shaded";
+    QTest::newRow("clip") << "clip"
+                          << "Rendering: Clip planes";
+    QTest::newRow("clip planes") << "clip planes"
+                                 << "Rendering: Clip planes";
+    QTest::newRow("fit") << "fit"
+                         << "View: Fit";
+    QTest::newRow("save pic") << "save pic"
+                              << "File: Save Picture";
+    QTest::newRow("volume") << "volume"
+                            << "View: Show: Volume";
+}
+
+void PaletteTest::whatSomebodyTypesGivesWhatTheyExpect()
+{
+    QFETCH(QString, typed);
+    QFETCH(QString, found);
+    openSample();
+    window_->find<QAction>("action.mode.volume").trigger();
+    openPalette();
+    search().setText(typed);
+    QCOMPARE(list().topLevelItem(0)->text(0), found);
+}
+
+void PaletteTest::settingsOfOtherModesSayWhereTheyAre()
+{
+    openSample();
+    QCOMPARE(window_->workbench.session().view().appearance.mode, std::string("isosurface"));
+    openPalette();
+    search().setText("order");
+    const auto found = list().findItems("Rendering: Order", Qt::MatchExactly);
+    QCOMPARE(found.size(), 1);
+    QVERIFY(found.front()->isDisabled());
+    QVERIFY2(found.front()->text(1).startsWith("Only in "), qPrintable(found.front()->text(1)));
+}
+
+/// Without a model "panel save" is not there, but what "save" means is: nothing else is done in its place.
+void PaletteTest::whatFitsLessIsNotDoneByEnter()
+{
+    openPalette();
+    search().setText("picture");
+    QVERIFY(list().topLevelItem(0)->isDisabled());
+    QVERIFY(list().currentItem() == nullptr || !list().currentItem()->isDisabled());
+    const auto* current = list().currentItem();
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QCOMPARE(search().isVisible(), current == nullptr);
 }
 
 /// Neither names nor, of what cannot be done, the reasons.

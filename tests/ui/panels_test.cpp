@@ -54,6 +54,7 @@ private slots:
     void theDetailStaysWithAnotherBuilder();
     void weightsAreCheckedWhileTheyAreTyped();
     void aStepFromZeroIsATenth();
+    void formsKeepSignificantDigits();
     void lengthsOfATinyDomainAreEdited();
 
 private:
@@ -133,6 +134,7 @@ void PanelsTest::theCurveIsChosenByMouseKeyAndWheel()
     QCOMPARE(session().view().query.error, 0.8);
     QTest::keyClick(&curve, Qt::Key_End);
     QCOMPARE(session().view().query.error, 0.0);
+    curve.setFocus();
     QWheelEvent down(at, curve.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&curve, &down);
     QCOMPARE(session().view().query.error, finestOnScale);
@@ -489,6 +491,40 @@ void PanelsTest::aStepFromZeroIsATenth()
     QCOMPARE(valueAfter(skip, Qt::Key_Up), 1.0);
     QCOMPARE(valueAfter(skip, Qt::Key_Up), 2.0);
     QCOMPARE(valueAfter(skip, Qt::Key_PageDown), 0.0);
+}
+
+/// Of defaults, of what is shown, and of what is typed: data in metres have places of some micrometres.
+void PanelsTest::formsKeepSignificantDigits()
+{
+    ParameterForm form("form");
+    Parameter tolerance, place;
+    tolerance.id = "tolerance";
+    tolerance.defaultValue = 2e-5;
+    tolerance.maximum = 1e-3;
+    place.id = "place";
+    place.defaultValue = Eigen::Vector3d(1e-5, 2e-5, 1.0 / 3);
+    form.setParameters({tolerance, place});
+    const auto number = [&] { return std::get<double>(form.value("tolerance")); };
+    QCOMPARE(number(), 2e-5);
+    QCOMPARE(std::get<Eigen::Vector3d>(form.value("place")), Eigen::Vector3d(1e-5, 2e-5, 1.0 / 3));
+    form.setValues({{"tolerance", 0.000123456789}, {"place", Eigen::Vector3d(0.123456789, -1e-12, 408201.5)}});
+    QCOMPARE(number(), 0.000123456789);
+    QCOMPARE(std::get<Eigen::Vector3d>(form.value("place")), Eigen::Vector3d(0.123456789, -1e-12, 408201.5));
+
+    auto& box = *form.findChild<QDoubleSpinBox*>("form.tolerance");
+    QCOMPARE(box.text(), QString("0.000123456789"));
+    for (const auto& [typed, value] : {std::pair("3e-7", 3e-7), {"0.00004", 4e-5}}) {
+        box.selectAll();
+        QTest::keyClicks(&box, typed);
+        QTest::keyClick(&box, Qt::Key_Return);
+        QVERIFY2(number() == value, typed);
+    }
+    QTest::keyClick(&box, Qt::Key_Up);
+    QCOMPARE(number(), 4.1e-5);
+    box.selectAll();
+    QTest::keyClicks(&box, "1"); // too much
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(number(), 4.1e-5);
 }
 
 void PanelsTest::lengthsOfATinyDomainAreEdited()

@@ -28,6 +28,7 @@ private slots:
     void theCameraStillTurnsBesideTheHandles();
     void theWindowHasHandlesToo();
     void outlinesDoNotBelongToThePicture();
+    void handlesAreSeenOnAnyGround();
 
 private:
     Session& session() const { return window_->workbench.session(); }
@@ -279,6 +280,21 @@ void RegionToolsTest::theWindowHasHandlesToo()
     QTest::mousePress(&window_->viewport(), Qt::LeftButton, {}, focus);
     QCOMPARE(tools().selected(), RegionKind::Focus);
     QTest::mouseRelease(&window_->viewport(), Qt::LeftButton, {}, focus);
+}
+
+/// Whatever the colours of the window around it.
+void RegionToolsTest::handlesAreSeenOnAnyGround()
+{
+    trigger("action.focusSphere");
+    for (const float grey : {0.0F, 0.15F, 0.9F, 1.0F}) {
+        session().setBackground(Colour{grey, grey, grey});
+        const QColor ground = QColor::fromRgbF(grey, grey, grey);
+        QImage picture(tools().size(), QImage::Format_ARGB32_Premultiplied);
+        picture.fill(ground);
+        tools().render(&picture, {}, {}, QWidget::DrawChildren);
+        const QColor handle = picture.pixelColor(pixelOf(0) + QPoint(0, 4)); // beside the dot in the middle
+        QVERIFY2(std::abs(handle.lightness() - ground.lightness()) > 80, qPrintable(handle.name() + ground.name()));
+    }
 }
 
 void RegionToolsTest::outlinesDoNotBelongToThePicture()

@@ -30,6 +30,7 @@ private slots:
     void theModeChangesWithoutAnotherMesh();
     void settingsStayWhenTheModeChanges();
     void aDefaultThatIsConfirmedIsNoEdit();
+    void whatCouldNotBeDrawnIsForgottenWithTheNextPicture();
     void aSettingOfAnotherTypeIsLeftOut();
     void theFrameRateIsKept();
     void whatIsDrawnWhileMovingIsKept();
@@ -154,6 +155,17 @@ void RenderingTest::aDefaultThatIsConfirmedIsNoEdit()
     QTest::keyClick(&clip, Qt::Key_Return);
     QCOMPARE(undoSteps(), steps + 2);
     QTRY_VERIFY(window_->settled() && window_->viewport().scene()->clipPlanes.empty());
+}
+
+/// What was told of something else stays.
+void RenderingTest::whatCouldNotBeDrawnIsForgottenWithTheNextPicture()
+{
+    showVolume();
+    window_->find<MessageBar>("messages").add("Something else");
+    session().setSetting("clip", std::string("no plane"));
+    QTRY_COMPARE(window_->messages().size(), 2);
+    undo();
+    QTRY_COMPARE(window_->messages(), QStringList{"Something else"});
 }
 
 void RenderingTest::aSettingOfAnotherTypeIsLeftOut()

@@ -127,6 +127,8 @@ private:
         add("a folder", errorOf(openDataset(*host_, folder_)));
         refused("an empty file", "empty.nrrd", "");
         refused("an unknown format", "letter.odt", "Dear Sir");
+        refused("a picture", "photo.png", "\x89PNG and so on");
+        refused("a surface", "part.stl", "solid part");
         refused("an archive", "data.zip", "PK\3\4 and so on");
         refused("a damaged .gz", "data.nrrd.gz", "\x1f\x8b\x08 and so on");
         refused("NRRD, cut short", "short.nrrd", nrrd(raw, "1234"));

@@ -263,6 +263,7 @@ void ServedModelTest::aServerThatGoesIsTold()
     QCOMPARE(again.port, port);
     session().setError(6);
     QTRY_VERIFY(window_->settled() && session().showsQuery());
+    QCOMPARE(window_->messages(), QStringList()); // it is there again
 }
 
 /// A token is in no file: who opens the session is asked for it again.

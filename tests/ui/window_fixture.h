@@ -23,7 +23,7 @@ public:
         : host(std::move(plugins)), workbench(*host, views.empty() ? filePath(folder.filePath("views")) : views),
           window(workbench, backend)
     {
-        window.resize(1000, 650); // drawing is what takes the time in most of these tests
+        window.resize(1000, 700); // drawing is what takes the time in most of these tests
     }
 
     /// The test ends at once if there is no such widget or action.

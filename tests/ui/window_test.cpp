@@ -2,6 +2,7 @@
 #include "plugins/host/model_building.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/waiting.h"
+#include "ui/panels/build_panel.h"
 #include "ui/widgets/mnemonics.h"
 #include "ui/workbench/recent_files.h"
 
@@ -21,12 +22,15 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSet>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QUrl>
 
 #include <algorithm>
+#include <atomic>
+#include <semaphore>
 
 using namespace tetra;
 
@@ -68,6 +72,7 @@ private slots:
     void aBuildIsPaused();
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
+    void aFolderThatDoesNotAnswerStopsNobody();
     void aMaximisedWindowIsOneTheNextTime();
     void anExistingModelIsOfferedFirst();
     void aFinishedModelIsNotReplacedByWhatIsKept();
@@ -79,6 +84,7 @@ private slots:
     void closingTheModelLeavesTheInvitation();
     void closingLeadsToTheStartPage();
     void aDatasetBesideAModelStaysWhenThatIsClosed();
+    void aModelTakesThePlaceOfADataset();
     void thePictureGoesWithItsTitle();
     void aDatasetThatIsNotBuiltIsSaid();
     void aPictureOfAnotherStateIsMarked();
@@ -312,7 +318,7 @@ void WindowTest::aBuildIsCancelledAndLeavesNoFile()
     QTRY_VERIFY(window_->workbench.opening().dataset());
     const QString target = window_->find<QLineEdit>("build.target").text();
     QTest::mouseClick(&window_->find<QPushButton>("build.start"), Qt::LeftButton);
-    QVERIFY(window_->find<QWidget>("build.progress").isVisible());
+    QTRY_VERIFY(window_->find<QWidget>("build.progress").isVisible());
     QVERIFY(!window_->find<QWidget>("build.target").isEnabled());
     QTRY_VERIFY(window_->find<QProgressBar>("build.progress").value() > 0);
     QTest::mouseClick(&window_->find<QPushButton>("build.cancel"), Qt::LeftButton);
@@ -378,6 +384,7 @@ void WindowTest::aBuildWithNothingToKeepSaysSo()
     QTRY_VERIFY(window_->workbench.opening().dataset());
     setBlock("8");
     const QString target = window_->find<QLineEdit>("build.target").text();
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
     window_->find<QPushButton>("build.start").click();
     QVERIFY(!window_->workbench.building().canKeepBuild());
     window_->find<QPushButton>("build.keep").click();
@@ -415,9 +422,9 @@ void WindowTest::anInterruptedBuildGoesOn()
     leaveBuild(builder, values, target);
 
     auto& start = window_->find<QPushButton>("build.start");
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QCOMPARE(window_->find<QComboBox>("build.builder").currentData().toString(), builder);
     QCOMPARE(window_->find<QDoubleSpinBox>(refines ? "build.option.error" : "build.option.finest").value(), 0.25);
-    QVERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(start.accessibleDescription().contains("goes on where it stopped"));
     QCOMPARE(start.text(), QString("Resume &Build"));
     const auto& resume = window_->find<QCheckBox>("build.resume");
@@ -429,7 +436,7 @@ void WindowTest::anInterruptedBuildGoesOn()
     QTRY_VERIFY(!window_->workbench.building().running());
     QVERIFY(contentOf(target) == contentOf(QString::fromStdString(reference)));
     QVERIFY(!QDir(target + ".work").exists());
-    QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
+    QTRY_VERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     QCOMPARE(window_->messages(), QStringList());
 }
 
@@ -438,6 +445,7 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
 {
     const QString target = openDataset(writeNrrd(sampleDataset(32), window_->folderPath()));
     leaveBuild("refinement", {}, target);
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     auto& start = window_->find<QPushButton>("build.start");
     auto& error = window_->find<QDoubleSpinBox>("build.option.error");
     error.setValue(5);
@@ -451,7 +459,8 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
     start.click();
     QTRY_COMPARE(window_->messages().size(), 1);
     QVERIFY2(window_->messages().first().contains("is damaged"), qPrintable(window_->messages().first()));
-    QVERIFY(QFile::exists(state) && window_->find<QWidget>("build.interrupted").isVisible());
+    QVERIFY(QFile::exists(state));
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
 
     auto& anew = window_->find<QPushButton>("build.beginAnew");
     QVERIFY(!anew.accessibleDescription().isEmpty());
@@ -460,7 +469,7 @@ void WindowTest::whatIsLeftIsGoneOnWithOrDeleted()
     QTRY_VERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(!QDir(target + ".work").exists());
     QCOMPARE(start.text(), QString("&Build"));
-    QVERIFY(start.isEnabled() && start.hasFocus());
+    QTRY_VERIFY(start.isEnabled() && start.hasFocus());
     const auto& resume = window_->find<QCheckBox>("build.resume");
     QVERIFY(!resume.isChecked() && resume.isEnabled());
 }
@@ -475,10 +484,10 @@ void WindowTest::whatIsLeftOfOtherDataStays()
     openDataset(writeNrrd(sampleDataset(23), other));
     QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     window_->find<QLineEdit>("build.target").setText(target);
-    QVERIFY(window_->find<QWidget>("build.interrupted").isVisible());
+    QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(!window_->find<QWidget>("build.start").isEnabled());
     openDataset(data);
-    QVERIFY(window_->find<QWidget>("build.start").isEnabled());
+    QTRY_VERIFY(window_->find<QWidget>("build.start").isEnabled());
     QCOMPARE(window_->find<QDoubleSpinBox>("build.option.error").value(), 0.25);
 }
 
@@ -507,8 +516,8 @@ void WindowTest::aBuildIsPaused()
     again.find<QPushButton>("build.cancel").click();
     QTRY_VERIFY_WITH_TIMEOUT(!again.workbench.building().running(), 30'000);
     QVERIFY(!QFile::exists(target) && !QDir(target + ".work").exists());
+    QTRY_VERIFY(!again.find<QWidget>("build.interrupted").isVisible());
     QVERIFY(again.find<QCheckBox>("build.resume").isChecked()); // as the user has left it
-    QVERIFY(!again.find<QWidget>("build.interrupted").isVisible());
 }
 
 void WindowTest::aBuildThatCannotWriteSaysSo()
@@ -527,12 +536,47 @@ void WindowTest::anExistingModelIsReplacedOnlyWithAWord()
     buildSampleModel(*window_->host, sampleDataset(8), window_->folderPath());
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
-    QVERIFY(window_->find<QLabel>("build.targetHint").isVisible());
+    QTRY_VERIFY(window_->find<QLabel>("build.targetHint").isVisible());
     QCOMPARE(window_->find<QPushButton>("build.start").text(), QString("&Build and Replace"));
     window_->find<QLineEdit>("build.target").setText(window_->folder.filePath("other.tan"));
-    QVERIFY(!window_->find<QLabel>("build.targetHint").isVisible());
+    QTRY_VERIFY(!window_->find<QLabel>("build.targetHint").isVisible());
     QVERIFY(!window_->find<QPushButton>("build.openExisting").isVisible());
     QCOMPARE(window_->find<QWidget>("build").focusProxy()->objectName(), QString("build.start"));
+}
+
+/// At each letter of a file's name it is looked for, which may take as long as it likes. Nothing is built before it is
+/// known what would be replaced, and not if that is more than what was agreed to.
+void WindowTest::aFolderThatDoesNotAnswerStopsNobody()
+{
+    std::counting_semaphore<> answers(0);
+    std::atomic<int> looks = 0;
+    BuildPanel panel(window_->workbench, [&](const std::filesystem::path&) {
+        ++looks;
+        answers.acquire();
+        return TargetFacts{.exists = true};
+    });
+    const auto end = qScopeGuard([&] { answers.release(1000); });
+    panel.show();
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_COMPARE(looks.load(), 1);
+    auto& target = *panel.findChild<QLineEdit*>("build.target");
+    auto& start = *panel.findChild<QPushButton*>("build.start");
+    const auto& hint = *panel.findChild<QLabel*>("build.targetHint");
+    target.clear();
+    QTest::keyClicks(&target, window_->folder.filePath("model.tan"));
+    QCOMPARE(target.text(), window_->folder.filePath("model.tan"));
+    QCOMPARE(start.text(), QString("&Build"));
+    start.click();
+    QCoreApplication::processEvents();
+    QVERIFY(!window_->workbench.building().running());
+    QCOMPARE(looks.load(), 1);
+    answers.release(2); // the first look, and of those at each letter only the last one
+    QTRY_VERIFY(hint.isVisible());
+    QCOMPARE(looks.load(), 2);
+    QCOMPARE(start.text(), QString("&Build and Replace"));
+    QVERIFY(!window_->workbench.building().running());
+    start.click();
+    QTRY_VERIFY(QFile::exists(target.text()) && !window_->workbench.building().running());
 }
 
 /// Also after a program that could not end as it should.
@@ -554,9 +598,11 @@ void WindowTest::anExistingModelIsOfferedFirst()
     window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
     QTRY_VERIFY(window_->workbench.opening().dataset());
     auto& existing = window_->find<QPushButton>("build.openExisting");
-    QVERIFY(existing.isVisible() && existing.y() < window_->find<QWidget>("build.start").y());
+    QTRY_VERIFY(existing.isVisible());
+    QTRY_VERIFY(existing.y() < window_->find<QWidget>("build.start").y());
     QCOMPARE(window_->find<QWidget>("build").focusProxy(), &existing);
-    QTest::keyClick(window_->find<QWidget>("build").focusProxy(), Qt::Key_Return);
+    QCOMPARE(window_->window.focusWidget(), &existing);
+    QTest::keyClick(window_->window.focusWidget(), Qt::Key_Return);
     QTRY_VERIFY(window_->workbench.session().model() != nullptr);
     QCOMPARE(window_->workbench.session().model()->path(), model);
     QVERIFY(std::filesystem::last_write_time(model) == written);
@@ -575,6 +621,7 @@ void WindowTest::aFinishedModelIsNotReplacedByWhatIsKept()
     window_->window.open(pathText(dataset));
     QTRY_VERIFY(window_->workbench.opening().dataset());
     QCOMPARE(window_->find<QLineEdit>("build.target").text(), pathText(finished));
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
     window_->find<QPushButton>("build.start").click();
     QTRY_VERIFY(window_->workbench.building().canKeepBuild());
     const auto question = [&]() -> QMessageBox* {
@@ -733,6 +780,16 @@ void WindowTest::aDatasetBesideAModelStaysWhenThatIsClosed()
     QVERIFY(window_->find<QWidget>("build.start").isVisible());
     window_->find<QAction>("action.close").trigger();
     QVERIFY(window_->find<QWidget>("empty.open").isVisible());
+    QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
+}
+
+/// The panel for builds is not left with data that the user has turned away from.
+void WindowTest::aModelTakesThePlaceOfADataset()
+{
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
+    openSample();
+    QVERIFY(!window_->workbench.opening().dataset());
     QVERIFY(!window_->find<QWidget>("dock.build").isVisible());
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double largestPlain = 1e6; ///< numbers from here on are written in powers of ten
 constexpr double smallestPlain = 1e-4;
+constexpr int fewestDigits = 4; ///< of a number by itself
 
 /// 1, 2 or 5 times a power of ten, not below `step`.
 double niceStep(double step)
@@ -43,6 +44,14 @@ QString plain(double value, int decimals)
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(value, 'f', decimals);
+}
+
+/// Significant ones, as many as the number needs.
+QString withDigits(double value, int digits)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', digits);
 }
 
 double largestMagnitude(const std::vector<double>& values)
@@ -113,9 +122,18 @@ std::vector<QString> tickTexts(const std::vector<double>& values)
 
 QString shortNumber(double value)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'g', 4);
+    return withDigits(value, fewestDigits);
+}
+
+QString numberAmong(double value, const std::vector<double>& ticks)
+{
+    const double apart = ticks.empty() ? 0 : smallestDistance(ticks);
+    if (!(apart > 0) || value == 0 || !std::isfinite(value))
+        return shortNumber(value);
+    constexpr int mostDigits = 15;
+    // From the first of the number down to the one below the first of the distance.
+    const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(apart)) + 2;
+    return withDigits(value, static_cast<int>(std::clamp<double>(digits, fewestDigits, mostDigits)));
 }
 
 } // namespace tetra

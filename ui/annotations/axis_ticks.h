@@ -21,4 +21,8 @@ std::vector<QString> tickTexts(const std::vector<double>& values);
 /// One number, with the digits that it needs, at most four significant ones.
 QString shortNumber(double value);
 
+/// A number that stands among these ticks: with a digit more than they have, so that it is seen where between them it
+/// lies, and at least four significant ones; no more than it needs.
+QString numberAmong(double value, const std::vector<double>& ticks);
+
 } // namespace tetra

@@ -25,11 +25,12 @@ std::vector<double> ticksFor(const AnnotationContent& content, double height, co
 double labelWidth(const AnnotationContent& content, double height, const TextMeasure& measure)
 {
     double widest = 0;
-    for (const QString& text : tickTexts(ticksFor(content, height, measure)))
+    const auto ticks = ticksFor(content, height, measure);
+    for (const QString& text : tickTexts(ticks))
         widest = std::max(widest, measure.width(text));
     if (content.isovalues && !content.transfer)
         for (const Isovalue& isovalue : *content.isovalues)
-            widest = std::max(widest, measure.width(shortNumber(isovalue.value)));
+            widest = std::max(widest, measure.width(numberAmong(isovalue.value, ticks)));
     return std::ceil(widest);
 }
 
@@ -81,13 +82,13 @@ ColourBarLayout layOutColourBar(const AnnotationContent& content, const QRectF& 
     layout.bar =
         QRectF(place.left() + markWidth, place.top() + above, barWidth, place.height() - above - measure.height / 2);
     LabelColumn labels(layout.bar, measure);
+    const auto ticks = ticksFor(content, place.height(), measure);
     for (const Isovalue& isovalue : content.isovalues.value_or(std::vector<Isovalue>{})) {
         AxisMark mark{positionOf(isovalue.value, content.range, layout.bar), {}};
         if (!content.transfer) // else the axis is there to tell
-            labels.label(mark, shortNumber(isovalue.value));
+            labels.label(mark, numberAmong(isovalue.value, ticks));
         layout.isovalues.push_back(mark);
     }
-    const auto ticks = ticksFor(content, place.height(), measure);
     const auto texts = tickTexts(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         AxisMark mark{positionOf(ticks[i], content.range, layout.bar), {}};

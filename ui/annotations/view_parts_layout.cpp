@@ -48,6 +48,8 @@ double barUnits(const AnnotationContent& content, const QSizeF& picture)
 QString barText(const AnnotationContent& content, double units)
 {
     const QString number = shortNumber(units);
+    if (units == 1)
+        return content.camera.perspective ? Texts::tr("1 unit at the target") : Texts::tr("1 unit");
     return content.camera.perspective ? Texts::tr("%1 units at the target").arg(number)
                                       : Texts::tr("%1 units").arg(number);
 }

@@ -159,7 +159,7 @@ QLayout* AccuracyPanel::makePresets()
     for (const double percent : accuracyPresets) {
         auto* button = new QToolButton;
         button->setObjectName("accuracy.preset." + QString::number(percent));
-        button->setText(QLocale().toString(percent, 'g', 3));
+        button->setText(percentText(percent));
         button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         const QString name =

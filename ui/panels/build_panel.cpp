@@ -13,7 +13,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -24,6 +23,7 @@
 #include <QStackedWidget>
 
 #include <cmath>
+#include <utility>
 
 namespace tetra {
 namespace {
@@ -89,16 +89,16 @@ QString shapeOf(const Dataset& dataset)
 QString factsOf(const Dataset& dataset)
 {
     const ValueRange range = dataset.values.range();
-    const QLocale locale;
     return BuildPanel::tr("%1, %2, values %3 to %4")
         .arg(shapeOf(dataset), QString::fromUtf8(sampleTypeName(dataset.values.type())),
-             locale.toString(range.minimum, 'g', 6), locale.toString(range.maximum, 'g', 6));
+             numberInRange(range.minimum, range.minimum, range.maximum),
+             numberInRange(range.maximum, range.minimum, range.maximum));
 }
 
 } // namespace
 
-BuildPanel::BuildPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), pages_(new QStackedWidget)
+BuildPanel::BuildPanel(Workbench& workbench, TargetLook::Look look, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), look_(new TargetLook(std::move(look), this)), pages_(new QStackedWidget)
 {
     setObjectName("build");
     nothingPage_ = makeNothingPage();
@@ -107,9 +107,9 @@ BuildPanel::BuildPanel(Workbench& workbench, QWidget* parent)
     layout->addWidget(pages_);
     for (QWidget* page : {nothingPage_, buildPage_})
         pages_->addWidget(page);
+    setFocusProxy(build_);
     connectWorkbench();
     showRunning(false);
-    showTarget();
 }
 
 QWidget* BuildPanel::makeNothingPage()
@@ -135,7 +135,7 @@ QWidget* BuildPanel::makeBuildPage()
     reason_ = wrappedLabel("build.reason");
     reason_->setForegroundRole(QPalette::PlaceholderText);
     options_ = new ParameterForm("build.option");
-    build_ = new QPushButton;
+    build_ = new QPushButton(tr("&Build"));
     build_->setObjectName("build.start");
     build_->setIcon(glyphIcon(Glyph::Build));
     openExisting_ = new QPushButton(tr("&Open the Existing Model"));
@@ -237,6 +237,7 @@ QLayout* BuildPanel::makeTargetRow()
     browse_ = new QPushButton(tr("Browse…"));
     browse_->setObjectName("build.browse");
     targetHint_ = wrappedLabel("build.targetHint");
+    targetHint_->hide();
     auto* label = new QLabel(tr("&Model file"));
     label->setBuddy(target_);
     auto* row = new QHBoxLayout;
@@ -246,10 +247,7 @@ QLayout* BuildPanel::makeTargetRow()
     column->addWidget(label);
     column->addLayout(row);
     column->addWidget(targetHint_);
-    connect(target_, &QLineEdit::textChanged, this, [this] {
-        takeUpInterrupted();
-        showTarget();
-    });
+    connect(target_, &QLineEdit::textChanged, this, [this] { beginLook(true); });
     connect(browse_, &QPushButton::clicked, this, &BuildPanel::browse);
     return column;
 }
@@ -322,16 +320,23 @@ void BuildPanel::connectWorkbench()
     connect(&workbench_.opening(), &Opening::datasetOpened, this, &BuildPanel::showDataset);
     connect(&workbench_.opening(), &Opening::datasetClosed, this, [this] { pages_->setCurrentWidget(nothingPage_); });
     connect(&workbench_.building(), &Building::buildStopping, this, &BuildPanel::showStopping);
-    connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
+    connect(look_, &TargetLook::found, this, [this] {
+        if (std::exchange(takesUp_, false))
+            takeUpInterrupted();
         showTarget();
-        build_->setFocus(); // the button that had it is gone
+        if (const auto then = std::exchange(then_, {}))
+            then();
+    });
+    connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
+        beginLook(false);
+        then_ = [this] { build_->setFocus(); }; // the button that had it is gone
     });
     LongTask& building = workbench_.building().task();
     connect(&building, &LongTask::started, this, [this] { showRunning(true); });
     connect(&building, &LongTask::progressed, this, &BuildPanel::showProgress);
     connect(&building, &LongTask::finished, this, [this] {
-        takeUpInterrupted(); // other data may have been opened meanwhile
         showRunning(false);
+        beginLook(true); // other data may have been opened meanwhile
     });
 }
 
@@ -347,8 +352,10 @@ void BuildPanel::showDataset()
     const QSignalBlocker blocker(builder_);
     builder_->clear();
     double best = 0;
+    const std::vector<Acceptance>& acceptances = workbench_.opening().acceptances();
     for (const Provided<Builder>& provided : workbench_.host().builders()) {
-        const Acceptance acceptance = provided.plugin->accepts(dataset);
+        const auto number = static_cast<std::size_t>(builder_->count());
+        const Acceptance acceptance = number < acceptances.size() ? acceptances[number] : Acceptance();
         builder_->addItem(inUsersLanguage(provided.name, provided.names), QString::fromStdString(provided.id));
         const int index = builder_->count() - 1;
         builder_->setItemData(index, translatedMessage(acceptance.reason), Qt::ToolTipRole);
@@ -365,8 +372,7 @@ void BuildPanel::showDataset()
         target_->setText(proposedModelPath(dataset.source.path, name != nullptr ? *name : std::string()));
     }
     showBuilder(firstDetail(dataset));
-    takeUpInterrupted();
-    showTarget();
+    beginLook(true);
     pages_->setCurrentWidget(buildPage_);
 }
 
@@ -429,18 +435,55 @@ void BuildPanel::showDetail()
     detail_->setExclusive(true);
 }
 
+/// While a build runs that is where it works, and what was known before remains.
+void BuildPanel::beginLook(bool takesUp)
+{
+    if (workbench_.building().running())
+        return;
+    takesUp_ = takesUp_ || takesUp;
+    then_ = {}; // that was about another file
+    look_->begin(filePath(target_->text()));
+}
+
+/// At once, or when it is known what is there; but not if what the user reads is then not what they have agreed to.
+void BuildPanel::whenLooked(const std::function<void()>& then)
+{
+    if (!look_->running())
+        return then();
+    then_ = [this, then, agreed = build_->text()] {
+        const TargetFacts& there = *look_->facts();
+        const bool isNothingThere = !there.exists && there.note.empty();
+        if (isNothingThere || build_->text() == agreed)
+            then();
+    };
+}
+
+/// As far as it is known.
 void BuildPanel::showTarget()
 {
-    const bool exists = QFileInfo::exists(target_->text());
+    if (!look_->facts())
+        return;
+    const bool exists = look_->facts()->exists;
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
     targetHint_->setText(
         exists ? tr("This file exists. You can open it; if you build, it is replaced when the build is done.")
                : QString());
     targetHint_->setVisible(exists);
-    const bool offers = exists && !workbench_.building().running();
-    openExisting_->setVisible(offers);
-    setFocusProxy(offers ? openExisting_ : build_);
     showInterrupted();
+    offerExisting(exists && !workbench_.building().running());
+}
+
+/// Enter opens the model that is there, also if what had the keys until that was known would have built another one.
+void BuildPanel::offerExisting(bool offers)
+{
+    QPushButton* const first = offers ? openExisting_ : build_;
+    QPushButton* const other = offers ? build_ : openExisting_;
+    const bool hasKeys = window()->focusWidget() == other;
+    const bool isNew = focusProxy() != first;
+    setFocusProxy(first);
+    openExisting_->setVisible(offers);
+    if (hasKeys && isNew)
+        first->setFocus();
 }
 
 void BuildPanel::takeUpInterrupted()
@@ -448,7 +491,7 @@ void BuildPanel::takeUpInterrupted()
     const auto& dataset = workbench_.opening().dataset();
     if (!dataset || workbench_.building().running())
         return;
-    const auto left = interruptedBuild(workbench_.host(), *dataset, filePath(target_->text()));
+    const auto left = interruptedBuild(workbench_.host(), *dataset, look_->facts()->note);
     if (!left)
         return;
     const QSignalBlocker blocker(builder_);
@@ -464,9 +507,9 @@ void BuildPanel::showInterrupted()
         return;
     const auto& dataset = workbench_.opening().dataset();
     const std::string builder = builder_->currentData().toString().toStdString();
-    const LeftBuild left = dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(),
-                                               filePath(target_->text()))
-                                   : LeftBuild::None;
+    const LeftBuild left =
+        dataset ? leftBuild(workbench_.host(), *dataset, builder, options_->matteringValues(), look_->facts()->note)
+                : LeftBuild::None;
     if (left == LeftBuild::Same)
         build_->setText(tr("Resume &Build"));
     build_->setEnabled(left != LeftBuild::Other && workbench_.host().builder(builder));
@@ -486,9 +529,11 @@ void BuildPanel::showInterrupted()
 /// Until nothing is left there is nothing to do here.
 void BuildPanel::beginAnew()
 {
-    build_->setEnabled(false);
-    beginAnew_->setEnabled(false);
-    workbench_.building().discardInterrupted(filePath(target_->text()));
+    whenLooked([this] {
+        build_->setEnabled(false);
+        beginAnew_->setEnabled(false);
+        workbench_.building().discardInterrupted(filePath(target_->text()));
+    });
 }
 
 void BuildPanel::showRunning(bool running)
@@ -497,6 +542,7 @@ void BuildPanel::showRunning(bool running)
     differently_->setEnabled(!running);
     build_->setVisible(!running);
     interrupted_->hide(); // showTarget() tells
+    offerExisting(false); // likewise
     progress_->setVisible(running);
     cancel_->setEnabled(true);
     keep_->setEnabled(true);
@@ -543,10 +589,13 @@ void BuildPanel::showStopping(BuildEnd end)
 
 void BuildPanel::build()
 {
-    workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
-                                 .values = options_->matteringValues(),
-                                 .target = filePath(target_->text()),
-                                 .resume = resume_->isChecked() && !resume_->isHidden()});
+    whenLooked([this] {
+        if (build_->isEnabled())
+            workbench_.building().build({.builder = builder_->currentData().toString().toStdString(),
+                                         .values = options_->matteringValues(),
+                                         .target = filePath(target_->text()),
+                                         .resume = resume_->isChecked() && !resume_->isHidden()});
+    });
 }
 
 } // namespace tetra

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "plugins/host/interrupted_build.h"
+#include "ui/workbench/target_look.h"
 #include "ui/workbench/workbench.h"
 
 #include <QWidget>
 
 #include <array>
+#include <functional>
 
 class QButtonGroup;
 class QCheckBox;
@@ -21,11 +23,15 @@ namespace tetra {
 
 class ParameterForm;
 
-/// Where a model is built of a dataset.
+/// Where a model is built of a dataset. What is there already where the model is to be is looked for in a worker; until
+/// that is known nothing is built and nothing deleted.
 class BuildPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit BuildPanel(Workbench& workbench, QWidget* parent = nullptr);
+    /// `look`: how files are looked for.
+    explicit BuildPanel(Workbench& workbench, TargetLook::Look look = &lookAtTarget, QWidget* parent = nullptr);
+    /// Whether it is still to be found out what is there already.
+    bool looking() const noexcept { return look_->running(); }
 
 signals:
     /// The build is to be stopped, and what is finished kept.
@@ -49,7 +55,10 @@ private:
     void chooseDetail(int index);
     void showDetail();
     std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
+    void beginLook(bool takesUp);
     void showTarget();
+    void offerExisting(bool offers);
+    void whenLooked(const std::function<void()>& then);
     /// Shows the builder and the options of an interrupted build of these data, as it goes on with no others.
     void takeUpInterrupted();
     void showInterrupted();
@@ -61,6 +70,9 @@ private:
     void showStopping(BuildEnd end);
 
     Workbench& workbench_;
+    TargetLook* look_;
+    bool takesUp_ = false;       ///< an interrupted build, if the look finds one
+    std::function<void()> then_; ///< what the user has asked for meanwhile
     QStackedWidget* pages_;
     QWidget* nothingPage_;
     QLabel* name_;

@@ -3,6 +3,7 @@
 
 #include "plugins/widgets/colour_button.h"
 #include "plugins/widgets/icons.h"
+#include "plugins/widgets/number_text.h"
 #include "plugins/widgets/value_box.h"
 #include "ui/widgets/value_slider.h"
 
@@ -20,9 +21,9 @@ IsovalueRow::IsovalueRow(Session& session, int index, QWidget* parent)
 {
     const ValueRange range = session.range();
     value_->setRange(range.minimum, range.maximum);
-    value_->setTexts(tr("Isovalue"),
-                     tr("Isovalue, in the units of the data: %1 to %2")
-                         .arg(QLocale().toString(range.minimum, 'g', 6), QLocale().toString(range.maximum, 'g', 6)));
+    value_->setTexts(tr("Isovalue"), tr("Isovalue, in the units of the data: %1 to %2")
+                                         .arg(numberInRange(range.minimum, range.minimum, range.maximum),
+                                              numberInRange(range.maximum, range.minimum, range.maximum)));
     opacity_->setRange(1, 100);
     opacity_->box()->setDecimals(0);
     opacity_->box()->setSuffix(tr(" %"));

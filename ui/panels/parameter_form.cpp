@@ -40,58 +40,96 @@ Control controlFor(const Parameter& parameter, bool value)
             [box](const ParameterValue& shown) { box->setChecked(std::get<bool>(shown)); }};
 }
 
-/// Shows no more digits than the number has. Its steps are a tenth of the number's magnitude, but `least` from 0 to ten
-/// times that: Qt's own begin with the last of the decimals.
+/// QDoubleSpinBox rounds its value to its decimals; this many keep any double.
+constexpr int allDecimals = 323;
+
+/// Takes and keeps any number, plain or with an exponent, and shows no more digits than it has. Its steps are a tenth
+/// of the number's magnitude, but `least` from 0 to ten times that.
 class NumberBox : public QDoubleSpinBox {
 public:
-    explicit NumberBox(double least) : least_(least) { setStepType(AdaptiveDecimalStepType); }
+    explicit NumberBox(double least) : least_(least) {}
 
-    QString textFromValue(double value) const override { return locale().toString(value, 'g', 15); }
+    /// In the fewest digits that are this number again, from 15 on, so that 0.1 is not 0.10000000000000001.
+    QString textFromValue(double value) const override
+    {
+        QString text;
+        for (int digits = 15; digits <= 17; ++digits)
+            if (text = locale().toString(value, 'g', digits); locale().toDouble(text) == value)
+                break;
+        return text;
+    }
+
+    double valueFromText(const QString& text) const override { return locale().toDouble(text.trimmed()); }
+
+    QValidator::State validate(QString& text, int& position) const override
+    {
+        Q_UNUSED(position);
+        bool isNumber = false;
+        const double value = locale().toDouble(text.trimmed(), &isNumber);
+        const bool fits =
+            isNumber && value >= minimum() && value <= maximum() && (decimals() > 0 || value == std::trunc(value));
+        return fits ? QValidator::Acceptable : QValidator::Intermediate;
+    }
 
     void stepBy(int steps) override
     {
         const int direction = steps > 0 ? 1 : -1;
         for (int step = 0; step != steps; step += direction) {
-            if (stepsLeast(direction))
-                setValue(value() + direction * least_);
-            else
-                QDoubleSpinBox::stepBy(direction);
+            const double next = value() + direction * stepTowards(direction);
+            setValue(QString::number(next, 'g', stepDigits).toDouble()); // 0.3, not 0.30000000000000004
         }
         selectAll();
     }
 
 private:
-    bool stepsLeast(int direction) const
+    static constexpr int stepDigits = 12;
+
+    double stepTowards(int direction) const
     {
         const double size = std::abs(value());
         const bool towardsZero = value() * direction < 0;
-        return size == 0 || (size >= least_ && (towardsZero ? size <= 10 * least_ : size < 10 * least_));
+        if (size == 0 || (size >= least_ && (towardsZero ? size <= 10 * least_ : size < 10 * least_)))
+            return least_;
+        // From 10 down as below it, not as above.
+        const double step = std::pow(10, std::floor(std::log10(towardsZero ? size / 1.01 : size)) - 1);
+        return decimals() > 0 ? step : std::max(step, 1.0);
     }
 
     double least_;
 };
 
-QDoubleSpinBox* numberBox(const Parameter& parameter, int decimals, double value)
+/// The step from 0: no more than a tenth of what may be chosen.
+double leastStep(const Parameter& parameter)
+{
+    constexpr double usual = 0.1;
+    const double tenth = (parameter.maximum - parameter.minimum) / 10;
+    return isBounded(parameter) && tenth < usual ? std::pow(10, std::floor(std::log10(tenth))) : usual;
+}
+
+/// For whole numbers, or any.
+QDoubleSpinBox* numberBox(const Parameter& parameter, bool isWhole, double value)
 {
     constexpr double unbounded = 1e15; // whole numbers up to here are exact
-    auto* box = new NumberBox(decimals > 0 ? 0.1 : 1);
-    box->setDecimals(decimals);
-    box->setRange(isBounded(parameter) ? parameter.minimum : -unbounded,
-                  isBounded(parameter) ? parameter.maximum : unbounded);
+    constexpr double any = 1e300;      // short to write: boxes have room for their limits
+    const double largest = isWhole ? unbounded : any;
+    auto* box = new NumberBox(isWhole ? 1 : leastStep(parameter));
+    box->setDecimals(isWhole ? 0 : allDecimals);
+    box->setRange(isBounded(parameter) ? parameter.minimum : -largest,
+                  isBounded(parameter) ? parameter.maximum : largest);
     box->setValue(value);
     return box;
 }
 
 Control controlFor(const Parameter& parameter, std::int64_t value)
 {
-    auto* box = numberBox(parameter, 0, static_cast<double>(value));
+    auto* box = numberBox(parameter, true, static_cast<double>(value));
     return {box, [box] { return static_cast<std::int64_t>(box->value()); },
             [box](const ParameterValue& shown) { box->setValue(static_cast<double>(std::get<std::int64_t>(shown))); }};
 }
 
 Control controlFor(const Parameter& parameter, double value)
 {
-    auto* box = numberBox(parameter, 4, value);
+    auto* box = numberBox(parameter, false, value);
     return {box, [box] { return box->value(); },
             [box](const ParameterValue& shown) { box->setValue(std::get<double>(shown)); }};
 }
@@ -152,7 +190,7 @@ Control controlFor(const Parameter& parameter, const Eigen::Vector3d& value)
     layout->setContentsMargins({});
     std::array<QDoubleSpinBox*, 3> boxes{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        boxes[axis] = numberBox(parameter, 4, value[static_cast<Eigen::Index>(axis)]);
+        boxes[axis] = numberBox(parameter, false, value[static_cast<Eigen::Index>(axis)]);
         boxes[axis]->setMinimumWidth(48);
         layout->addWidget(boxes[axis]);
     }

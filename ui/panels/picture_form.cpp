@@ -14,6 +14,9 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tetra {
 namespace {
 
@@ -54,34 +57,37 @@ void addRow(QFormLayout& form, const QString& text, QWidget& first, QLayout& row
 
 } // namespace
 
-PictureForm::PictureForm(const QString& name, QWidget* parent)
+PictureForm::PictureForm(const QString& name, PictureUse use, QWidget* parent)
     : QWidget(parent), preset_(new QComboBox),
       width_(makeBox(name + ".width", largestPictureSide, tr(" px"), tr("Width"), tr("Width in pixels"))),
       height_(makeBox(name + ".height", largestPictureSide, tr(" px"), tr("Height"), tr("Height in pixels"))),
-      dpi_(makeBox(name + ".dpi", 2400, tr(" dpi"), tr("Resolution"),
-                   tr("Print resolution in pixels per inch; the number of pixels does not change"))),
-      printSize_(new QLabel), transparent_(new QCheckBox(tr("Trans&parent background")))
+      keepProportions_(new QCheckBox(tr("&Keep proportions"))),
+      transparent_(new QCheckBox(tr("Trans&parent background")))
 {
     setObjectName(name);
     auto* form = new QFormLayout(this);
     form->setContentsMargins({});
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     addSize(*form);
+    if (use == PictureUse::Print)
+        addPrint(*form);
+    addBackground(*form);
     addAnnotations(*form);
     const QSettings settings;
     preset_->setCurrentIndex(settings.value(name + "/preset", AsSeen).toInt());
     width_->setValue(settings.value(name + "/width", view_.width()).toInt());
     height_->setValue(settings.value(name + "/height", view_.height()).toInt());
-    dpi_->setValue(settings.value(name + "/dpi", usualDpi).toInt());
+    keepProportions_->setChecked(settings.value(name + "/keepProportions", true).toBool());
     transparent_->setChecked(settings.value(name + "/transparent", false).toBool());
     connect(preset_, &QComboBox::activated, this, &PictureForm::choosePreset);
     for (QSpinBox* box : {width_, height_})
-        connect(box, &QSpinBox::valueChanged, this, [this] {
+        connect(box, &QSpinBox::valueChanged, this, [this, box] {
             preset_->setCurrentIndex(Custom);
+            keepProportions(*box);
             showPrintSize();
             emit changed();
         });
-    connect(dpi_, &QSpinBox::valueChanged, this, &PictureForm::showPrintSize);
+    connect(keepProportions_, &QCheckBox::clicked, this, [this] { keepProportions(*width_); });
     choosePreset();
 }
 
@@ -98,12 +104,29 @@ void PictureForm::addSize(QFormLayout& form)
     pixels->addWidget(new QLabel(QString(QChar(0xd7))));
     pixels->addWidget(height_, 1);
     addRow(form, tr("Pixe&ls"), *width_, *pixels);
+    keepProportions_->setObjectName(name + ".keepProportions");
+    keepProportions_->setToolTip(tr("Width and height follow each other, so that nothing is added or cut off"));
+    form.addRow(QString(), keepProportions_);
+}
+
+void PictureForm::addPrint(QFormLayout& form)
+{
+    const QString name = objectName();
+    dpi_ = makeBox(name + ".dpi", 2400, tr(" dpi"), tr("Resolution"),
+                   tr("Print resolution in pixels per inch; the number of pixels does not change"));
+    dpi_->setValue(QSettings().value(name + "/dpi", usualDpi).toInt());
+    connect(dpi_, &QSpinBox::valueChanged, this, &PictureForm::showPrintSize);
+    printSize_ = new QLabel;
     printSize_->setObjectName(name + ".printSize");
     auto* print = new QHBoxLayout;
     print->addWidget(dpi_, 1);
     print->addWidget(printSize_, 1);
     addRow(form, tr("Pri&nt resolution"), *dpi_, *print);
-    transparent_->setObjectName(name + ".transparent");
+}
+
+void PictureForm::addBackground(QFormLayout& form)
+{
+    transparent_->setObjectName(objectName() + ".transparent");
     transparent_->setToolTip(tr("Leave out the background, to place the picture over something else"));
     form.addRow(tr("Background"), transparent_);
 }
@@ -131,7 +154,7 @@ void PictureForm::setView(QSize pixels, const AnnotationState& annotations)
 PictureSettings PictureForm::settings() const
 {
     PictureSettings settings{
-        {width_->value(), height_->value()}, dpi_->value(), transparent_->isChecked(), annotations_};
+        {width_->value(), height_->value()}, dpi_ ? dpi_->value() : 0, transparent_->isChecked(), annotations_};
     for (std::size_t i = 0; i < annotationCount; ++i)
         settings.annotations.places[i].shown = shown_[i]->isChecked();
     return settings;
@@ -143,7 +166,9 @@ void PictureForm::remember() const
     settings.setValue(objectName() + "/preset", preset_->currentIndex());
     settings.setValue(objectName() + "/width", width_->value());
     settings.setValue(objectName() + "/height", height_->value());
-    settings.setValue(objectName() + "/dpi", dpi_->value());
+    settings.setValue(objectName() + "/keepProportions", keepProportions_->isChecked());
+    if (dpi_)
+        settings.setValue(objectName() + "/dpi", dpi_->value());
     settings.setValue(objectName() + "/transparent", transparent_->isChecked());
 }
 
@@ -155,12 +180,33 @@ void PictureForm::choosePreset()
         width_->setValue(size.width());
         height_->setValue(size.height());
     }
+    widthPerHeight_ = static_cast<double>(width_->value()) / height_->value();
     showPrintSize();
     emit changed();
 }
 
+/// The other side follows the one that was edited, as far as pictures can be that large. Sides that were let go have
+/// the proportions to be kept from then on.
+void PictureForm::keepProportions(QSpinBox& edited)
+{
+    if (!keepProportions_->isChecked()) {
+        widthPerHeight_ = static_cast<double>(width_->value()) / height_->value();
+        return;
+    }
+    const double largestWidth = std::min<double>(largestPictureSide, largestPictureSide * widthPerHeight_);
+    const double wanted = &edited == width_ ? width_->value() : height_->value() * widthPerHeight_;
+    const double width = std::min(wanted, largestWidth);
+    const QSignalBlocker widthBlocker(width_), heightBlocker(height_);
+    if (&edited != width_ || width < wanted)
+        width_->setValue(static_cast<int>(std::lround(width)));
+    if (&edited == width_ || width < wanted)
+        height_->setValue(static_cast<int>(std::lround(width / widthPerHeight_)));
+}
+
 void PictureForm::showPrintSize()
 {
+    if (!dpi_)
+        return;
     const auto centimetres = [this](int pixels) {
         return QLocale().toString(pixels * centimetresPerInch / dpi_->value(), 'f', 1);
     };

@@ -18,19 +18,23 @@ namespace tetra {
 
 /// How a picture or the frames of a film are to be.
 struct PictureSettings {
-    QSize size; ///< pixels
-    int dotsPerInch = 0;
+    QSize size;          ///< pixels
+    int dotsPerInch = 0; ///< 0: none is told
     bool transparent = false;
     AnnotationState annotations;
 };
 
-/// Asks for the size, the background and the annotations of pictures. What was chosen last is remembered. Its controls
-/// are NAME.preset, .width, .height, .dpi, .printSize, .transparent and .annotation.ID.
+/// Whether a picture may be printed, and says at which resolution.
+enum class PictureUse { Print, Screen };
+
+/// Asks for the size, the background and the annotations of pictures. Width and height follow each other unless the
+/// user lets them go. What was chosen last is remembered. Its controls are NAME.preset, .width, .height,
+/// .keepProportions, .transparent, .annotation.ID, and for print .dpi and .printSize.
 class PictureForm : public QWidget {
     Q_OBJECT
 public:
     /// `name` is also where in the settings it remembers.
-    explicit PictureForm(const QString& name, QWidget* parent = nullptr);
+    explicit PictureForm(const QString& name, PictureUse use = PictureUse::Print, QWidget* parent = nullptr);
 
     /// The size of the view, in pixels of the screen, and its annotations: what is seen is what is offered first.
     void setView(QSize pixels, const AnnotationState& annotations);
@@ -42,8 +46,11 @@ signals:
 
 private:
     void addSize(QFormLayout& form);
+    void addPrint(QFormLayout& form);
+    void addBackground(QFormLayout& form);
     void addAnnotations(QFormLayout& form);
     void choosePreset();
+    void keepProportions(QSpinBox& edited);
     void showPrintSize();
 
     QSize view_{1024, 768};
@@ -51,8 +58,10 @@ private:
     QComboBox* preset_;
     QSpinBox* width_;
     QSpinBox* height_;
-    QSpinBox* dpi_;
-    QLabel* printSize_;
+    QCheckBox* keepProportions_;
+    double widthPerHeight_ = 1; ///< that is kept
+    QSpinBox* dpi_ = nullptr;   ///< for print only, as is the next
+    QLabel* printSize_ = nullptr;
     QCheckBox* transparent_;
     std::array<QCheckBox*, annotationCount> shown_{};
 };

@@ -2,6 +2,7 @@
 #include "ui/panels/region_panel.h"
 
 #include "plugins/widgets/gesture_watcher.h"
+#include "plugins/widgets/number_text.h"
 #include "plugins/widgets/scrolled_column.h"
 #include "plugins/widgets/value_box.h"
 #include "ui/panels/accuracy_inputs.h"
@@ -217,9 +218,9 @@ void RegionPanel::showModel()
         const Eigen::AlignedBox3d& bounds = model->description().bounds;
         from_->setRange(bounds.min(), bounds.max());
         to_->setRange(bounds.min(), bounds.max());
-        const QString ends =
-            tr("In the units of the data: %1 to %2")
-                .arg(QLocale().toString(range.minimum, 'g', 6), QLocale().toString(range.maximum, 'g', 6));
+        const QString ends = tr("In the units of the data: %1 to %2")
+                                 .arg(numberInRange(range.minimum, range.minimum, range.maximum),
+                                      numberInRange(range.maximum, range.minimum, range.maximum));
         least_->setTexts(tr("Smallest value"), ends);
         largest_->setTexts(tr("Largest value"), ends);
         for (ValueSlider* slider : {least_, largest_}) {

@@ -113,27 +113,63 @@ std::vector<FrameLevel> frameLevels(const View& view)
 
 } // namespace
 
-/// Made in the worker when the first picture is drawn: that may take a while. Two on the CPU, of moving pictures and of
-/// fine ones, as each keeps what its own mesh needs; a graphics card has what all meshes need.
+/// The worker's, made when the first picture is drawn: that may take a while.
 struct Canvas::Backends {
+    /// Two on the CPU, of moving pictures and of fine ones, as each keeps what its own mesh needs; a graphics card has
+    /// what all meshes need.
+    struct Pair {
+        std::shared_ptr<RenderBackend> moving{};
+        std::shared_ptr<RenderBackend> fine{};
+
+        RenderBackend& of(const Order& order) const { return order.isLast || !order.moving ? *fine : *moving; }
+    };
+
     bool usesGl = false;
-    std::shared_ptr<RenderBackend> moving{};
-    std::shared_ptr<RenderBackend> fine{};
+    Pair chosen{};
+    Pair processor{};                          ///< for what OpenGL refuses; made when it does
+    std::weak_ptr<const Scene> refusedScene{}; ///< the last one that OpenGL refused,
+    double refusedSamples = 0;                 ///< in pictures of so many samples,
+    QString refusal{};                         ///< and why
+
+    static Pair onProcessor() { return {makeCpuBackend(), makeCpuBackend()}; }
 
     Status make()
     {
-        if (fine)
+        if (chosen.fine)
             return {};
         if (!usesGl) {
-            moving = makeCpuBackend();
-            fine = makeCpuBackend();
+            chosen = onProcessor();
             return {};
         }
         auto made = makeGlBackend();
         if (!made)
             return made.error();
-        fine = moving = *std::move(made);
+        chosen.fine = chosen.moving = *std::move(made);
         return {};
+    }
+
+    /// Whether the chosen one draws a picture of nothing. What does that has refused the picture before it; what does
+    /// not is of no use any more: its context is gone.
+    bool drawsAnything(const Order& order) const
+    {
+        PictureOptions options;
+        options.width = options.height = 1;
+        options.samplesPerAxis = 1;
+        return static_cast<bool>(chosen.fine->render(Scene(), order.camera, options));
+    }
+
+    bool refuses(const Order& order) const
+    {
+        return order.level.scene && refusedScene.lock() == order.level.scene && samplesOf(order) >= refusedSamples;
+    }
+
+    void refuse(const Order& order, const QString& why)
+    {
+        refusedScene = order.level.scene;
+        refusedSamples = samplesOf(order);
+        refusal = why;
+        if (!processor.fine)
+            processor = onProcessor();
     }
 };
 
@@ -277,14 +313,34 @@ void Canvas::submit(Order order)
                                                           : std::chrono::milliseconds(chosenPatience));
 }
 
+double Canvas::samplesOf(const Order& order)
+{
+    return std::pow(order.options.samplesPerAxis, 2) * order.options.width * order.options.height;
+}
+
 Canvas::Drawn Canvas::draw(Backends& backends, const Order& order, const std::stop_token& stop)
 {
+    if (const Status made = backends.make(); !made)
+        return {.error = translatedMessage(made.error().message), .isUnusable = true};
     Drawn drawn;
-    if (const Status made = backends.make(); !made) {
-        drawn.error = translatedMessage(made.error().message);
-        return drawn;
+    if (!backends.refuses(order)) {
+        drawn = drawWith(backends.chosen.of(order), order, stop);
+        const bool mayBeTooSmooth = order.options.samplesPerAxis > fineSamples; // arrived() takes fewer first
+        if (!backends.usesGl || !drawn.image.isNull() || drawn.cancelled || mayBeTooSmooth)
+            return drawn;
+        drawn.isUnusable = !backends.drawsAnything(order);
+        if (drawn.isUnusable)
+            return drawn;
+        backends.refuse(order, drawn.error);
     }
-    RenderBackend& backend = order.isLast || !order.moving ? *backends.fine : *backends.moving;
+    drawn = drawWith(backends.processor.of(order), order, stop);
+    drawn.refusal = backends.refusal;
+    return drawn;
+}
+
+Canvas::Drawn Canvas::drawWith(RenderBackend& backend, const Order& order, const std::stop_token& stop)
+{
+    Drawn drawn;
     const auto start = std::chrono::steady_clock::now();
     static const Scene nothing;
     Scene scene = order.level.scene ? *order.level.scene : nothing;
@@ -308,10 +364,10 @@ void Canvas::arrived(const Order& order, const Drawn& drawn)
     const bool isNewest = order.view == newest_;
     if (drawn.image.isNull()) {
         settled_ = settled_ || isNewest;
-        return tellError(order, drawn.error);
+        return tellError(order, drawn);
     }
-    const double samples = std::pow(order.options.samplesPerAxis, 2) * order.options.width * order.options.height;
-    pacer_.learn(order.levelIndex, samples, drawn.statistics, drawn.seconds);
+    tellRefusal(drawn.refusal);
+    pacer_.learn(order.levelIndex, samplesOf(order), drawn.statistics, drawn.seconds);
     // An older picture is still news while the camera moves, but not over a newer fine one.
     if (!isNewest && (settled_ || !order.moving))
         return;
@@ -325,16 +381,26 @@ void Canvas::arrived(const Order& order, const Drawn& drawn)
 }
 
 /// A graphics card that fails has no room for so many samples, or is of no use.
-void Canvas::tellError(const Order& order, const QString& error)
+void Canvas::tellError(const Order& order, const Drawn& drawn)
 {
-    if (usesGl_ && order.options.samplesPerAxis > fineSamples) {
+    if (drawn.isUnusable) {
+        emit unusable(drawn.error);
+    } else if (usesGl_ && order.options.samplesPerAxis > fineSamples && drawn.refusal.isEmpty()) {
         isTooSmooth_ = true;
-        return render();
+        render();
+    } else {
+        emit failed(drawn.error);
     }
-    if (usesGl_)
-        emit unusable(error);
-    else
-        emit failed(error);
+}
+
+/// Once for all pictures that follow each other and are refused for the same reason.
+void Canvas::tellRefusal(const QString& refusal)
+{
+    if (!refusal.isEmpty())
+        isTooSmooth_ = false; // that was not the reason
+    const bool isNew = refusal != std::exchange(toldRefusal_, refusal);
+    if (isNew && !refusal.isEmpty())
+        emit failed(tr("OpenGL cannot draw this picture; the processor draws it instead. %1").arg(refusal));
 }
 
 /// A finer picture of what a coarse one shows fades in; what moves is there at once.

@@ -74,9 +74,9 @@ public:
 
 signals:
     void framePainted(const tetra::FrameReport& report);
-    /// A picture could not be drawn.
+    /// A picture could not be drawn; or OpenGL refused it, and the processor has drawn it.
     void failed(const QString& text);
-    /// The back end does not work here after all.
+    /// OpenGL does not work here after all: it draws nothing.
     void unusable(const QString& text);
 
 protected:
@@ -98,15 +98,20 @@ private:
     };
     /// What the worker made.
     struct Drawn {
-        QImage image;
-        QString error;
+        QImage image{};
+        QString error{};
+        QString refusal{};       ///< why OpenGL does not draw this picture, which the processor has drawn
+        bool isUnusable = false; ///< with an error: the back end draws nothing at all
         bool cancelled = false;
         double seconds = 0;
-        RenderStatistics statistics;
+        RenderStatistics statistics{};
     };
     struct Backends;
 
+    /// Width times height times those of a pixel.
+    static double samplesOf(const Order& order);
     static Drawn draw(Backends& backends, const Order& order, const std::stop_token& stop);
+    static Drawn drawWith(RenderBackend& backend, const Order& order, const std::stop_token& stop);
     QSize pixels() const { return size() * devicePixelRatioF(); }
     double pixelCount() const;
     int smoothSamples() const;
@@ -117,7 +122,8 @@ private:
     void refine(std::size_t step);
     void submit(Order order);
     void arrived(const Order& order, const Drawn& drawn);
-    void tellError(const Order& order, const QString& error);
+    void tellError(const Order& order, const Drawn& drawn);
+    void tellRefusal(const QString& refusal);
     void showPicture(const Order& order, const QImage& image);
     void paint(QPainter& painter, const QRect& area) const;
 
@@ -130,6 +136,7 @@ private:
     QVariantAnimation fade_;
     bool settled_ = false;
     bool isTooSmooth_ = false; ///< the graphics card has no room for the smoothest pictures
+    QString toldRefusal_;      ///< why the last picture was not drawn by OpenGL; empty if it was
     quint64 newest_ = 0;       ///< the number of the last view
     quint64 emptied_ = 0;      ///< pictures of views up to this number are not shown any more
     FramePacer pacer_;

@@ -2,7 +2,6 @@
 #include "ui/viewport/region_painter.h"
 
 #include <QPainter>
-#include <QPalette>
 
 namespace tetra {
 namespace {
@@ -50,9 +49,9 @@ void paintHandle(QPainter& painter, const RegionHandle& handle, QPointF place, c
 
 } // namespace
 
-QColor regionColour(RegionKind kind, const QPalette& palette)
+QColor regionColour(RegionKind kind, const QColor& ground)
 {
-    const bool dark = palette.color(QPalette::Window).lightness() < 128;
+    const bool dark = ground.lightness() < 128;
     if (kind == RegionKind::Focus)
         return dark ? QColor(108, 182, 255) : QColor(16, 92, 190);
     return dark ? QColor(225, 225, 225) : QColor(60, 60, 60);

@@ -6,7 +6,6 @@
 #include <QColor>
 
 class QPainter;
-class QPalette;
 
 namespace tetra {
 
@@ -19,8 +18,8 @@ struct RegionLook {
     std::optional<RegionHandle> hovered;
 };
 
-/// Of outline and handles, to be told apart and seen on the palette's background.
-QColor regionColour(RegionKind kind, const QPalette& palette);
+/// Of outline and handles, to be told apart and seen on the ground of the picture.
+QColor regionColour(RegionKind kind, const QColor& ground);
 
 /// The whole outline, faintly, as surfaces hide parts of it in the picture; and the handles.
 void paintRegion(QPainter& painter, const PictureProjection& projection, const MovableRegion& place,

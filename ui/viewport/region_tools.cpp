@@ -33,6 +33,10 @@ RegionTools::RegionTools(Session& session, Viewport& viewport)
     setGeometry(viewport.rect());
     viewport.installEventFilter(this);
     connect(&viewport, &Viewport::cameraChanged, this, qOverload<>(&QWidget::update));
+    connect(&viewport, &Viewport::backgroundChanged, this, [this] {
+        showOutlines();
+        update();
+    });
     connect(&session, &Session::modelChanged, this, &RegionTools::followQuery);
     session.whenChanged(ViewPart::Query, this, &RegionTools::followQuery);
 }
@@ -42,6 +46,11 @@ void RegionTools::select(RegionKind kind)
     selected_ = session_.model() && query().has(kind) ? kind : RegionKind::None;
     hovered_.reset();
     update();
+}
+
+QColor RegionTools::ground() const
+{
+    return qtColour(viewport_.background());
 }
 
 std::vector<RegionHandle> RegionTools::handles() const
@@ -297,10 +306,10 @@ void RegionTools::showOutlines()
     std::vector<Outlined> outlined;
     for (const RegionKind kind : kinds)
         if (query().has(kind) && !(drag_ && kind == selected_))
-            outlined.push_back({query().place(kind), regionColour(kind, palette())});
+            outlined.push_back({query().place(kind), regionColour(kind, ground())});
     if (query().has(RegionKind::Focus))
         for (const MovableRegion& other : query().focus.others)
-            outlined.push_back({other, regionColour(RegionKind::Focus, palette())});
+            outlined.push_back({other, regionColour(RegionKind::Focus, ground())});
     if (outlined == outlined_)
         return;
     outlined_ = std::move(outlined);
@@ -308,13 +317,6 @@ void RegionTools::showOutlines()
     for (const auto& [place, colour] : outlined_)
         outlines.push_back(outlineOf(place, colourOf(colour), outlineWidth));
     viewport_.setOutlines(std::move(outlines));
-}
-
-void RegionTools::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        showOutlines();
 }
 
 void RegionTools::paintEvent(QPaintEvent* event)
@@ -326,11 +328,7 @@ void RegionTools::paintEvent(QPaintEvent* event)
     for (const RegionKind kind : kinds) {
         if (!query().has(kind))
             continue;
-        RegionLook look{regionColour(kind, palette()),
-                        palette().color(QPalette::Base),
-                        kind == selected_,
-                        drag_ && kind == selected_,
-                        {}};
+        RegionLook look{regionColour(kind, ground()), ground(), kind == selected_, drag_ && kind == selected_, {}};
         if (drag_ && look.selected)
             look.hovered = drag_->handle;
         else if (hovered_ && hovered_->region == kind)
@@ -339,7 +337,7 @@ void RegionTools::paintEvent(QPaintEvent* event)
     }
     if (drag_ && rule_.axis && drag_->handle.kind == RegionHandle::Kind::Centre)
         paintAxis(painter, projection, centreOf(drag_->start), *rule_.axis, session_.model()->diagonal() / 2,
-                  regionColour(selected_, palette()));
+                  regionColour(selected_, ground()));
 }
 
 } // namespace tetra

@@ -39,7 +39,6 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Grip {
@@ -48,6 +47,7 @@ private:
     };
 
     const QueryState& query() const { return session_.view().query; }
+    QColor ground() const;
     void place(const MovableRegion& place);
     std::vector<RegionHandle> handlesOf(RegionKind kind) const;
     std::optional<Grip> gripAt(QPointF pixel) const;

@@ -201,6 +201,13 @@ QStringList MessageBar::texts() const
     return result;
 }
 
+void MessageBar::remove(const QString& text)
+{
+    const auto found = std::ranges::find(rows_, text, &MessageRow::text);
+    if (found != rows_.end())
+        dismiss(*found);
+}
+
 void MessageBar::clear()
 {
     while (!rows_.isEmpty())

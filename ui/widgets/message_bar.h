@@ -84,6 +84,8 @@ public:
              MessageKind kind = MessageKind::News);
     /// The texts that are there, newest first.
     QStringList texts() const;
+    /// Takes away what says just this, if it is there: it is not so any more.
+    void remove(const QString& text);
     /// Takes all away, without an answer.
     void clear();
     /// Another file may be opened soon: what is said of this one from now on is said of that. clearOld() takes away

@@ -198,8 +198,8 @@ void addViewMenu(QMainWindow& window, Actions& actions)
 void addHelpMenu(QMainWindow& window, Actions& actions)
 {
     QMenu* menu = addMenu(window, "help", ActionTexts::tr("&Help"));
-    actions.manual =
-        addAction(*menu, "manual", ActionTexts::tr("&Manual"), {}, ActionTexts::tr("Open the manual in the browser"));
+    actions.manual = addAction(*menu, "manual", ActionTexts::tr("&Manual"), QKeySequence("Ctrl+F1"),
+                               ActionTexts::tr("Open the manual in the browser"));
     actions.help = addAction(*menu, "help", ActionTexts::tr("&Help on This Control"), QKeySequence(Qt::Key_F1),
                              ActionTexts::tr("Explain the focused control"));
     actions.whatsThis = addAction(*menu, "whatsThis", ActionTexts::tr("&What Is This?"), QKeySequence("Shift+F1"),

@@ -4,9 +4,10 @@
 #include "ui/window/palette_commands.h"
 
 #include <QFrame>
+#include <QPointer>
 #include <QString>
 
-#include <optional>
+#include <vector>
 
 class QLineEdit;
 class QMainWindow;
@@ -14,18 +15,14 @@ class QTreeWidget;
 
 namespace tetra {
 
-/// How well what somebody types names `text`: each word of the query has to occur, its letters in order but not
-/// necessarily side by side. More is better; nothing if it does not match. Case and accents do not matter. An empty
-/// query matches everything equally. O(query * text).
-std::optional<int> fuzzyMatch(const QString& query, const QString& text);
-
-/// Finds whatever the program can do by a few letters of its name, and does it: keys alone are enough. Lies over the
-/// window, and goes when it loses the keys. What cannot be done now is grey and says why.
+/// Finds whatever the program can do, and the settings in its panels, by the beginnings of their words, and does it or
+/// goes there: keys alone are enough. Lies over the window, and goes when it loses the keys. What cannot be done now is
+/// grey and says why.
 class CommandPalette : public QFrame {
     Q_OBJECT
 public:
     /// A child of the window.
-    CommandPalette(QMainWindow& window, Session& session);
+    CommandPalette(QMainWindow& window, Workbench& workbench);
 
     /// Shows all commands, to be searched.
     void open();
@@ -34,16 +31,17 @@ public:
 
 private:
     void search(const QString& query);
+    void addItem(std::size_t index, bool isBest);
     void run();
     void leave();
     bool keyPress(QKeyEvent& event);
 
     QMainWindow& window_;
-    Session& session_;
+    Workbench& workbench_;
     QLineEdit* search_;
     QTreeWidget* list_;
     std::vector<PaletteCommand> commands_;
-    QWidget* before_ = nullptr; ///< what had the keys
+    QPointer<QWidget> before_; ///< what had the keys; a form may have made its rows anew meanwhile
 };
 
 } // namespace tetra

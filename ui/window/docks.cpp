@@ -19,9 +19,11 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 
 #include <algorithm>
 #include <ranges>
@@ -83,6 +85,21 @@ void raiseEditors(const std::vector<Parameter>& parameters, const Docks& docks,
 constexpr int dockWidth = 372;
 constexpr int upperHeight = 400;
 constexpr int lowerHeight = 360;
+/// A screen with less room has all panels in one place: one of 1366 x 768 pixels with letters of twice their size, say.
+constexpr QSize leastForColumns(760, 420);
+
+bool isSmall(const QSize& screen)
+{
+    return screen.width() < leastForColumns.width() || screen.height() < leastForColumns.height();
+}
+
+/// Docks are moved one by one, and for a moment stand below each other; the window has grown by that.
+void takeBackSize(QMainWindow& window, const QSize& size)
+{
+    window.layout()->activate(); // what it needs at least
+    if (window.size() != size && !window.isMaximized() && !window.isFullScreen())
+        window.resize(size);
+}
 
 } // namespace
 
@@ -161,12 +178,18 @@ Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport
 
 void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
 {
-    window.addDockWidget(Qt::LeftDockWidgetArea, docks.build);
+    const QSize size = window.size();
+    const bool inOnePlace = isSmall(window.screen()->availableSize());
+    window.addDockWidget(inOnePlace ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea, docks.build);
     window.addDockWidget(Qt::RightDockWidgetArea, docks.accuracy);
     window.addDockWidget(Qt::RightDockWidgetArea, docks.isovalues);
+    if (inOnePlace)
+        window.tabifyDockWidget(docks.build, docks.accuracy);
     window.tabifyDockWidget(docks.accuracy, docks.rendering);
     window.tabifyDockWidget(docks.rendering, docks.view);
     window.tabifyDockWidget(docks.view, docks.statistics);
+    if (inOnePlace)
+        window.tabifyDockWidget(docks.statistics, docks.isovalues);
     QDockWidget* before = docks.isovalues;
     for (QDockWidget* editor : docks.editors) {
         window.tabifyDockWidget(before, editor);
@@ -184,11 +207,13 @@ void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild)
     }
     docks.build->setVisible(showBuild);
     docks.animation->hide();
-    docks.accuracy->raise();
     docks.isovalues->raise();
+    docks.accuracy->raise();
+    takeBackSize(window, size);
     window.resizeDocks({docks.build, docks.accuracy, docks.isovalues}, {dockWidth, dockWidth, dockWidth},
                        Qt::Horizontal);
-    window.resizeDocks({docks.accuracy, docks.isovalues}, {upperHeight, lowerHeight}, Qt::Vertical);
+    if (!inOnePlace)
+        window.resizeDocks({docks.accuracy, docks.isovalues}, {upperHeight, lowerHeight}, Qt::Vertical);
 }
 
 void raiseDock(QDockWidget& dock)

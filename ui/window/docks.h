@@ -43,7 +43,8 @@ struct Docks {
 /// Makes them and puts their actions into `menu`. Workbench, viewport and pick outlive the window's widgets.
 Docks makeDocks(QMainWindow& window, QMenu& menu, Workbench& workbench, Viewport& viewport, ValuePick& pick);
 
-/// Puts all docks where they are at first; the one for builds is seen only with a dataset to build of.
+/// Puts all docks where they are at first; the one for builds is seen only with a dataset to build of. The window keeps
+/// its size. On a small screen all are tabs of one place.
 void layOutDocks(QMainWindow& window, const Docks& docks, bool showBuild);
 
 /// Brings a dock to the front, also one that was closed.

@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLineEdit>
@@ -45,7 +46,7 @@ constexpr int leastWidth = 420;
 
 FilmDialog::FilmDialog(Workbench& workbench, Viewport& viewport, QWidget* parent)
     : QDialog(parent), workbench_(workbench), viewport_(viewport), encoder_(findVideoEncoder()),
-      form_(new PictureForm("film")), format_(new QComboBox), target_(new QLineEdit),
+      form_(new PictureForm("film", PictureUse::Screen)), format_(new QComboBox), target_(new QLineEdit),
       browse_(new QPushButton(tr("&Browse…"))), hint_(new QLabel), summary_(new QLabel), progress_(new QProgressBar),
       remaining_(new QLabel), save_(nullptr), cancel_(nullptr)
 {
@@ -71,7 +72,8 @@ void FilmDialog::addTarget(QLayout& layout)
             format_->addItem(tr(format.text), format.suffix);
     format_->setToolTip(encoder_.isEmpty() ? tr("Videos can be made where the program ffmpeg is installed")
                                            : tr("Videos are made by %1").arg(encoder_));
-    format_->setCurrentIndex(std::max(0, format_->findData(QSettings().value(formatKey))));
+    // What most programs show, where it can be made.
+    format_->setCurrentIndex(std::max(0, format_->findData(QSettings().value(formatKey, QStringLiteral("mp4")))));
     target_->setObjectName("film.target");
     target_->setToolTip(tr("Video file, or base name of the numbered pictures"));
     browse_->setObjectName("film.browse");
@@ -156,6 +158,15 @@ void FilmDialog::ask()
     activateWindow();
     lookAtTarget();
     tryOnePicture();
+}
+
+/// A text that has become longer has room, once all layouts know of it.
+bool FilmDialog::event(QEvent* event)
+{
+    const bool known = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+    return known;
 }
 
 FilmOrder FilmDialog::order() const

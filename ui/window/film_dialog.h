@@ -26,6 +26,9 @@ public:
 
     void ask();
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     void addTarget(QLayout& layout);
     void addProgress(QLayout& layout);

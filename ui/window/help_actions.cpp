@@ -52,9 +52,9 @@ class ManualTexts {
 
 } // namespace
 
-void connectHelp(QMainWindow& window, const Actions& actions, Session& session, MessageBar& messages)
+void connectHelp(QMainWindow& window, const Actions& actions, Workbench& workbench, MessageBar& messages)
 {
-    auto* palette = new CommandPalette(window, session);
+    auto* palette = new CommandPalette(window, workbench);
     QObject::connect(actions.palette, &QAction::triggered, palette, &CommandPalette::open);
     new HelpTexts(&window);
     QObject::connect(actions.help, &QAction::triggered, &window, [] { HelpTexts::showForFocus(); });

@@ -9,11 +9,11 @@ namespace tetra {
 
 struct Actions;
 class MessageBar;
-class Session;
+class Workbench;
 
 /// Makes the actions work that help to find one's way and suit the program to its user: the command palette, "What's
 /// this?", the language, reduced motion. Everything outlives the window's widgets.
-void connectHelp(QMainWindow& window, const Actions& actions, Session& session, MessageBar& messages);
+void connectHelp(QMainWindow& window, const Actions& actions, Workbench& workbench, MessageBar& messages);
 
 /// The first page of the manual that belongs to the program in `programFolder`, as installed or as built; empty if it
 /// is not there.

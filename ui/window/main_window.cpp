@@ -19,6 +19,7 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/mnemonics.h"
+#include "ui/widgets/wheel_guard.h"
 #include "ui/window/address_dialog.h"
 #include "ui/window/annotation_actions.h"
 #include "ui/window/cache_dialog.h"
@@ -121,6 +122,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
 {
     setObjectName("window");
     setAcceptDrops(true);
+    new WheelGuard(*viewport_, this);
     resize(firstSize.boundedTo(screen()->availableSize() - frameOfWindows));
     setCentralWidget(makeCentre());
     docks_ = makeDocks(*this, *actions_.panels, workbench_, *viewport_, *pick_);
@@ -130,7 +132,7 @@ MainWindow::MainWindow(Workbench& workbench, BackendChoice backend)
     connectWorkbench();
     connectMessages();
     connectFollowing();
-    connectHelp(*this, actions_, workbench_.session(), *messages_);
+    connectHelp(*this, actions_, workbench_, *messages_);
     showBackend();
     showModel();
     restoreLayout();
@@ -435,7 +437,8 @@ void MainWindow::connectWorkbench()
     });
     SceneBuilder& scenes = workbench_.scenes().sceneBuilder();
     connect(&scenes, &SceneBuilder::sceneReady, this, &MainWindow::showScene);
-    connect(&scenes, &SceneBuilder::failed, this, [this] {
+    connect(&scenes, &SceneBuilder::failed, this, [this](const Error& error) {
+        sceneFailures_.append(translatedMessage(error.message));
         isOutdated_ = viewport_->scene() != nullptr;
         showNotice();
     });
@@ -675,7 +678,18 @@ void MainWindow::showScene(const BuiltScene& scene)
     viewport_->setScene(scene.scene, scene.mesh.tetrahedra);
     status_->setScene(scene);
     isOutdated_ = false;
+    forgetFailures();
     showNotice();
+}
+
+/// There is a picture again: a server that was lost answers, say. Damage of the model's file remains.
+void MainWindow::forgetFailures()
+{
+    const auto& model = workbench_.session().model();
+    if (model && model->foundDamage())
+        for (const QString& text : std::as_const(sceneFailures_))
+            messages_->remove(text);
+    sceneFailures_.clear();
 }
 
 /// Says what the picture is not.

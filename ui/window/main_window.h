@@ -37,6 +37,7 @@ public:
     ~MainWindow() override;
 
     Viewport& viewport() noexcept { return *viewport_; }
+    /// A file, or an address.
     void open(const QString& path);
     /// The program is being ended by a signal or with the user's desktop session: keeps all that it can without asking
     /// anybody.
@@ -78,6 +79,7 @@ private:
     void showWhatCanBePacked();
     void showModel();
     void showScene(const BuiltScene& scene);
+    void forgetFailures();
     void showNotice();
     void showDrafts(const std::vector<DraftScene>& drafts);
     void connectFollowing();
@@ -93,6 +95,7 @@ private:
     PictureNotice* notice_ = nullptr;
     bool isBesideDataset_ = false;            ///< the model was open when the dataset was opened
     std::filesystem::path insteadOfBuilding_; ///< the model that is to be opened
+    QStringList sceneFailures_;               ///< that were told and are still so
     bool isOutdated_ = false;                 ///< the picture is that of earlier settings
     ValuePick* pick_ = nullptr;
     QStackedWidget* pages_;

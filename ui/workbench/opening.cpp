@@ -256,6 +256,8 @@ void Opening::showNewest(Coming& coming)
     if (!coming.shown) {
         showModel(part);
         coming.shown = session_.model() == part.model ? part.model : nullptr;
+        if (coming.shown && dataset_ && !datasetInUse_) // the user has turned to something else
+            closeDataset();
     } else if (session_.model() != coming.shown) { // the user has turned to something else
         if (coming_.get() == &coming)
             reading_.cancel();
@@ -346,8 +348,11 @@ Opening::ReadDataset Opening::readDataset(const std::filesystem::path& path, con
                                           const Progress& progress)
 {
     ReadDataset read{openDataset(host_, path, options, progress), {}, options};
-    if (read.dataset)
+    if (read.dataset) {
         read.size = buildSizeOf(*read.dataset, progress);
+        for (const Provided<Builder>& builder : host_.builders())
+            read.acceptances.push_back(builder.plugin->accepts(*read.dataset));
+    }
     return read;
 }
 
@@ -380,6 +385,7 @@ void Opening::takeDataset(const std::filesystem::path& path, const ReadDataset& 
     dataset_ = std::make_shared<const Dataset>(*read.dataset);
     buildSize_ = read.size;
     imported_ = read.options;
+    acceptances_ = read.acceptances;
     addRecentFile(pathText(path));
     emit datasetOpened();
 }

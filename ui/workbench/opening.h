@@ -122,6 +122,9 @@ public:
     const std::shared_ptr<const Dataset>& dataset() const noexcept { return dataset_; }
     /// How it was opened.
     const ImportOptions& importOptions() const noexcept { return imported_; }
+    /// What each of the host's builders says of the dataset, in their order: asked when it was read, not while somebody
+    /// waits.
+    const std::vector<Acceptance>& acceptances() const noexcept { return acceptances_; }
     /// What building it is expected to take follows from this; zeros without one. Made in the worker that read it.
     const BuildSize& buildSize() const noexcept { return buildSize_; }
     /// Whether a model was built of the dataset that is open.
@@ -182,6 +185,7 @@ private:
         Result<Dataset> dataset;
         BuildSize size;
         ImportOptions options;
+        std::vector<Acceptance> acceptances{}; ///< by the builders, in their order
     };
 
     /// A model that is read, bit by bit if it is packed or on a server. In the GUI thread.
@@ -223,6 +227,7 @@ private:
     std::shared_ptr<const Dataset> dataset_;
     BuildSize buildSize_{.points = 0};
     ImportOptions imported_;
+    std::vector<Acceptance> acceptances_;
     std::shared_ptr<const Dataset> built_; ///< that a model was built of last
     bool datasetInUse_ = false;
     std::filesystem::path becomes_; ///< the model that is open

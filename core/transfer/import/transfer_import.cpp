@@ -11,10 +11,21 @@
 namespace tetra {
 namespace {
 
-bool isXml(std::string_view text)
+/// The first letter of the content; 0 if there is none.
+char firstOf(std::string_view text)
 {
     const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-    return first != std::string_view::npos && text[first] == '<';
+    return first == std::string_view::npos ? '\0' : text[first];
+}
+
+bool isXml(std::string_view text)
+{
+    return firstOf(text) == '<';
+}
+
+bool isJson(std::string_view text)
+{
+    return firstOf(text) == '{' || firstOf(text) == '[';
 }
 
 /// Presets for any data have values from 0 to 1.
@@ -39,6 +50,10 @@ void spreadPreset(CurvePreset& preset, const TransferLimits& limits)
 Result<std::vector<ImportedTransfer>> importTransferFunctions(std::string_view text, const ImportContext& context)
 {
     Result<std::vector<CurvePreset>> presets = std::vector<CurvePreset>();
+    if (!isXml(text) && !isJson(text))
+        return Error{ErrorKind::BadInput,
+                     Message::say("This file cannot be read as a transfer function. TAn reads its own and ParaView's "
+                                  "presets in JSON, and ParaView's colour maps in XML, but not tables of colours.")};
     if (isXml(text)) {
         presets = presetsFromXml(text);
     } else {

@@ -59,12 +59,8 @@ void paintValues(QPainter& painter, const CanvasScene& scene, const QColor& text
     if (plot.valueAxis == ValueAxis::Logarithmic)
         paintDecades(painter, plot, text);
     painter.setPen(text);
-    const double middle = plot.valueAt(plot.area.center().x());
-    const QRectF labels(plot.area.left(), plot.area.bottom() + stripHeight + 5, plot.area.width(),
-                        painter.fontMetrics().height());
-    painter.drawText(labels, Qt::AlignLeft, textOfValue(plot.limits.least, plot.limits));
-    painter.drawText(labels, Qt::AlignHCenter, textOfValue(middle, plot.limits));
-    painter.drawText(labels, Qt::AlignRight, textOfValue(plot.limits.largest, plot.limits));
+    for (const AxisLabel& label : valueLabels(plot, painter.fontMetrics()))
+        painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.text);
 }
 
 /// An arrow at an edge of the plot, with how many things lie beyond.
@@ -114,6 +110,28 @@ void paintMarker(QPainter& painter, const CanvasScene& scene, const EditorItem& 
 }
 
 } // namespace
+
+std::vector<AxisLabel> valueLabels(const TransferPlot& plot, const QFontMetrics& font)
+{
+    const double gap = font.horizontalAdvance("0");
+    const double top = plot.area.bottom() + stripHeight + 5;
+    const auto label = [&](double value, double share) {
+        const QString text = textOfValue(value, plot.limits);
+        const double width = font.horizontalAdvance(text);
+        return AxisLabel{
+            text,
+            {plot.area.left() + share * (plot.area.width() - width), top, width, static_cast<double>(font.height())}};
+    };
+    const std::array wanted{label(plot.limits.least, 0), label(plot.limits.largest, 1),
+                            label(plot.valueAt(plot.area.center().x()), 0.5)}; // the most important first
+    std::vector<AxisLabel> labels;
+    for (const AxisLabel& next : wanted)
+        if (std::ranges::none_of(labels, [&](const AxisLabel& other) {
+                return other.place.adjusted(-gap, 0, gap, 0).intersects(next.place);
+            }))
+            labels.push_back(next);
+    return labels;
+}
 
 void paintAxes(QPainter& painter, const CanvasScene& scene)
 {

@@ -43,6 +43,8 @@ void TransferCanvas::mousePressEvent(QMouseEvent* event)
     const QPointF place = event->position();
     if (event->button() == Qt::MiddleButton)
         return beginDrag(Grab::What::View, place);
+    if (event->button() == Qt::RightButton)
+        return pressMenu(place);
     if (event->button() != Qt::LeftButton)
         return;
     const EditorItem item = itemAt(place);
@@ -81,6 +83,16 @@ void TransferCanvas::pressPoint(std::size_t point, QPointF place, Qt::KeyboardMo
     else
         state_.setCurrent({EditorItem::Kind::Point, point});
     beginDrag(Grab::What::Points, place);
+}
+
+/// The menu that follows is of what is below the pointer, with all that is selected if that is.
+void TransferCanvas::pressMenu(QPointF place)
+{
+    const EditorItem item = itemAt(place);
+    if (item.kind == EditorItem::Kind::Point && std::ranges::binary_search(state_.selection(), item.index))
+        state_.addToSelection(item.index);
+    else if (item.kind != EditorItem::Kind::None)
+        state_.setCurrent(item);
 }
 
 bool TransferCanvas::addOnCurve(QPointF place)
@@ -163,12 +175,18 @@ void TransferCanvas::mouseReleaseEvent(QMouseEvent* event)
     update();
 }
 
-/// A new point where it was clicked, which can be dragged on.
+/// A new point where it was clicked, which can be dragged on; a point that is there is asked about its colour. Lines
+/// across the plot do not hinder that: they are dragged, and have handles above it.
 void TransferCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 {
     const TransferPlot there = plot();
     const QPointF place = event->position();
-    if (event->button() != Qt::LeftButton || itemAt(place).kind != EditorItem::Kind::None)
+    const EditorItem item = itemAt(place);
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (item.kind == EditorItem::Kind::Point)
+        return emit colourWanted();
+    if (item.kind != EditorItem::Kind::None && !there.area.contains(place))
         return;
     const auto added = withPoint(function(), there.valueAt(place.x()));
     if (!added)

@@ -6,6 +6,10 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QRectF>
+#include <QString>
+
+#include <vector>
 
 class QFontMetrics;
 class QPainter;
@@ -39,6 +43,14 @@ void paintMarkers(QPainter& painter, const CanvasScene& scene);
 /// The value that is picked in the picture: a line, and the value as text; at an edge if it lies outside of what is
 /// seen.
 void paintPicked(QPainter& painter, const CanvasScene& scene);
+
+/// What stands below the plot: the values at its ends, and that in the middle where there is room for it. None touches
+/// another; where not even the ends have room, the one on the right is left out.
+struct AxisLabel {
+    QString text;
+    QRectF place;
+};
+std::vector<AxisLabel> valueLabels(const TransferPlot& plot, const QFontMetrics& font);
 
 /// Where the group of a point is written: above it on the right, elsewhere where there is no room.
 QRectF groupLabel(const TransferPlot& plot, const JoinedFunction& function, std::size_t point,

@@ -99,6 +99,7 @@ void EditMenu::addSelecting()
                   [this] { state_.apply(withoutSelected(state_.joinedFunction(), state_.selection())); }),
               QKeySequence::Delete),
          1});
+    colour_ = add(*this, "colour", tr("Colour…"), [this] { emit colourWanted(); });
 }
 
 void EditMenu::addArranging()
@@ -210,6 +211,7 @@ void EditMenu::enableWhatIsPossible()
         needing.action->setEnabled(state_.selection().size() >= needing.points);
     for (QAction* action : needingPicked_)
         action->setEnabled(pickedValue(state_).has_value());
+    colour_->setEnabled(!state_.selection().empty() || state_.current().kind == EditorItem::Kind::Isovalue);
     mask_->setChecked(state_.joinedFunction().mask.has_value());
 }
 

@@ -21,6 +21,10 @@ public:
     /// After another selection or another picked value.
     void enableWhatIsPossible();
 
+signals:
+    /// Of what is selected.
+    void colourWanted();
+
 private:
     using Change = std::function<EditedSelection(const JoinedFunction&, const TransferSelection&)>;
 
@@ -45,6 +49,7 @@ private:
     };
     std::vector<Needing> needing_;
     std::vector<QAction*> needingPicked_;
+    QAction* colour_ = nullptr;
     QAction* mask_ = nullptr;
 };
 

@@ -118,6 +118,12 @@ void PointNumbers::setColour(const QColor& colour)
     state_.apply(withColour(state_.joinedFunction(), state_.selection(), channels));
 }
 
+void PointNumbers::askForColour()
+{
+    if (colour_->isEnabled())
+        colour_->chooseOther();
+}
+
 void PointNumbers::showModel()
 {
     if (!state_.host().hasModel())

@@ -21,6 +21,8 @@ public:
     /// Another model, with lengths of its own.
     void showModel();
     void showSelection();
+    /// In a dialog.
+    void askForColour();
     /// That of the unit distance, with room for buttons before it.
     QHBoxLayout& lowerRow() noexcept { return *lowerRow_; }
 

@@ -106,7 +106,8 @@ void TransferCanvas::describeCurrent()
     QString text = tr("Point %1 of %2: value %3, opacity %4")
                        .arg(current.index + 1)
                        .arg(points)
-                       .arg(QLocale().toString(point.value, 'g', 6), percentText(100.0 * point.opacity));
+                       .arg(numberInRange(point.value, state_.limits().least, state_.limits().largest),
+                            percentText(100.0 * point.opacity));
     if (point.group)
         text += ", " + tr("group %1").arg(*point.group);
     if (state_.selection().size() > 1)
@@ -117,7 +118,9 @@ void TransferCanvas::describeCurrent()
 /// For tooltips and for people who hear what they do not see.
 QString TransferCanvas::tipFor(const EditorItem& item) const
 {
-    const auto value = [this, &item] { return QLocale().toString(*state_.valueOf(item), 'g', 6); };
+    const auto value = [this, &item] {
+        return numberInRange(*state_.valueOf(item), state_.limits().least, state_.limits().largest);
+    };
     switch (item.kind) {
     case EditorItem::Kind::None: return toolTip();
     case EditorItem::Kind::Point: {

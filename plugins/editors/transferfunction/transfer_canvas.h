@@ -33,6 +33,8 @@ public:
 signals:
     /// The pointer is over another value, or has left.
     void pointedChanged();
+    /// A point was double clicked.
+    void colourWanted();
 
 protected:
     bool event(QEvent* event) override;
@@ -67,6 +69,7 @@ private:
     void point(std::optional<double> value);
     void beginDrag(Grab::What what, QPointF from);
     void pressPoint(std::size_t point, QPointF place, Qt::KeyboardModifiers modifiers);
+    void pressMenu(QPointF place);
     bool addOnCurve(QPointF place);
     void dragPoints(QPointF to, bool oneWay);
     void dragItem(QPointF to);

@@ -174,6 +174,8 @@ void TransferPanel::connectControls()
     paraview->setObjectName("transfer.save.paraview");
     connect(canvas_, &QWidget::customContextMenuRequested, this, &TransferPanel::openEditMenu);
     connect(canvas_, &TransferCanvas::pointedChanged, this, &TransferPanel::showReadOut);
+    connect(canvas_, &TransferCanvas::colourWanted, numbers_, &PointNumbers::askForColour);
+    connect(editMenu_, &EditMenu::colourWanted, numbers_, &PointNumbers::askForColour);
     connect(
         edits_->menu(), &QMenu::aboutToHide, this, [this] { editMenu_->setPlace(std::nullopt); }, Qt::QueuedConnection);
     connect(&state_, &EditorState::selectionChanged, this, &TransferPanel::showSelection);

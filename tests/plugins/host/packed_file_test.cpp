@@ -192,6 +192,11 @@ private slots:
         QTest::addColumn<QString>("told");
         QTest::newRow("a letter") << "letter.odt" << QByteArray("Dear Sir") << "has an unknown format";
         QTest::newRow("a packed letter") << "letter.odt.gz" << gzipped("Dear Sir") << "has an unknown format";
+        QTest::newRow("what is read instead") << "letter.odt" << QByteArray("Dear Sir") << ".nrrd";
+        QTest::newRow("a picture") << "photo.png" << QByteArray("\x89PNG\r\n") << "is a picture";
+        QTest::newRow("a picture by another name") << "photo.tmp" << QByteArray("\xff\xd8\xff\xe0") << "is a picture";
+        QTest::newRow("a surface") << "part.stl" << QByteArray(84, '\0') << "holds a surface";
+        QTest::newRow("a surface in text") << "PART.OBJ" << QByteArray("v 0 0 0\n") << "holds a surface";
         QTest::newRow("xz") << "a.vti.xz"
                             << QByteArray("\xfd"
                                           "7zXZ\0\0\4",

@@ -5,6 +5,7 @@
 #include "plugins/samples/samples.h"
 #include "tests/ui/driving/driver.h"
 #include "tests/waiting.h"
+#include "ui/panels/build_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -29,12 +30,20 @@ void typeInto(QWidget& control, const QString& text)
     QTest::keyClick(&control, Qt::Key_Tab);
 }
 
+/// Until it is known what is there already.
+void setTarget(const DrivenWindow& window, const QString& path)
+{
+    window.find<QLineEdit>("build.target").setText(path);
+    if (!waitFor([&] { return !window.find<BuildPanel>("build").looking(); }, 30'000))
+        qFatal("it is not known what is there already");
+}
+
 void chooseBuilder(DrivenWindow& window, const QString& id)
 {
     window.raise("dock.build");
     auto& builder = window.find<QComboBox>("build.builder");
     builder.setCurrentIndex(builder.findData(id));
-    window.find<QLineEdit>("build.target").setText(window.folder.filePath("driven.tan"));
+    setTarget(window, window.folder.filePath("driven.tan"));
     QCoreApplication::processEvents(); // the form of the builder is seen
 }
 
@@ -138,7 +147,7 @@ void beginBuilding(DrivenWindow& window, const QString& target)
 {
     window.workbench.opening().closeModel();
     openSample(window, largeSide);
-    window.find<QLineEdit>("build.target").setText(window.folder.filePath(target));
+    setTarget(window, window.folder.filePath(target));
     window.press("build.start", Qt::Key_Space);
     if (!waitFor([&] { return window.session().model() != nullptr; }, 60'000))
         qFatal("the build did not begin");
@@ -169,7 +178,7 @@ void leaveBuild(DrivenWindow& window)
     const auto path = window.folderPath() + "/left.tan";
     (void)buildModel(*window.host, *window.workbench.opening().dataset(), "refinement", {}, path, progress,
                      {.resume = true});
-    window.find<QLineEdit>("build.target").setText(QString::fromStdString(path));
+    setTarget(window, QString::fromStdString(path));
 }
 
 } // namespace
@@ -216,7 +225,7 @@ Drivers buildControls()
                 const auto existing = window.folderPath() + "/existing.tan";
                 std::filesystem::copy_file(window.session().model()->path(), existing);
                 chooseBuilder(window, "refinement");
-                window.find<QLineEdit>("build.target").setText(QString::fromStdString(existing));
+                setTarget(window, QString::fromStdString(existing));
             }),
         building(
             "build.pause",

@@ -2,6 +2,7 @@
 #include "tests/ui/driving/driven_window.h"
 
 #include "tests/waiting.h"
+#include "ui/panels/build_panel.h"
 #include "ui/session/files.h"
 
 #include <QApplication>
@@ -70,6 +71,7 @@ void DrivenWindow::openAnew()
             },
             "the dataset is open");
     }
+    waitUntil([this] { return !find<BuildPanel>("build").looking(); }, "it is known what is there already");
     session().undoStack().clear();
     resetLayout();
     opened_ = session().model();

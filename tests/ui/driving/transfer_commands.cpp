@@ -369,6 +369,7 @@ Drivers transferCommands()
         looking("transfer.zoom.selection", &selectTwo, &zoomIn, false),
         looking("transfer.zoom.data", &reachBeyond, &zoomIn, false),
         looking("transfer.zoom.all", &reachBeyond, &zoomIn, true),
+        opening("transfer.change.colour", "colourDialog", &selectTwo),
         opening("transfer.save.paraview", "transferParaviewDialog", &beginUneven),
     };
     return allOf({wholeChanges(), pointChanges(), groups(), presetCommands(), others});

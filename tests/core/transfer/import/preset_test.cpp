@@ -184,6 +184,7 @@ void PresetTest::badFilesAreRefused_data()
         QTest::newRow(name) << QByteArray(file) << QByteArray(told);
     };
     row("nothing", "", "cannot be read");
+    row("a table of colours", "0,0.2,0.1,0.9\n1,0.3,0.4,0.5\n", "presets in JSON, and ParaView's colour maps in XML");
     row("empty list", "[]", "empty");
     row("a number", "[3]", "object");
     row("no curves", "[{\"Name\": \"bare\"}]", "neither colours nor opacities");

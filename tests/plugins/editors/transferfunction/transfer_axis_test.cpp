@@ -129,6 +129,7 @@ void TransferAxisTest::theWheelZoomsAtThePointer()
     const QPoint place(static_cast<int>(all.area.left() + 0.3 * all.area.width()), 60);
     const double value = all.valueAt(place.x());
     const auto turn = [&](int notches) {
+        editor_->canvas().setFocus();
         QWheelEvent event(place, editor_->canvas().mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton, {},
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&editor_->canvas(), &event);

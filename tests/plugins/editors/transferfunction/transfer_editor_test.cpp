@@ -2,6 +2,7 @@
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
@@ -18,6 +19,8 @@ private slots:
     void aDragIsOneStepAndThePictureFollows();
     void pointsAreEditedByKeys();
     void doubleClickAddsAPoint();
+    void doubleClickOnALineAddsAPoint();
+    void doubleClickOnAPointAsksForItsColour();
     void pointsAreEditedInNumbers();
     void aPointIsMadeAStep();
     void allPointsAreChanged();
@@ -88,6 +91,34 @@ void TransferEditorTest::doubleClickAddsAPoint()
     QCOMPARE(editor_->undoSteps(), steps + 1);
 }
 
+/// That of an isovalue, which the mode may not even show.
+void TransferEditorTest::doubleClickOnALineAddsAPoint()
+{
+    const std::size_t count = editor_->function().points.size();
+    const TransferPlot plot = editor_->canvas().plot();
+    const double value = editor_->workbench.session().view().isovalues.front().value;
+    const QPoint place(static_cast<int>(std::lround(plot.x(value))), plot.area.center().toPoint().y() - 40);
+    QTest::mouseDClick(&editor_->canvas(), Qt::LeftButton, {}, place);
+    QCOMPARE(editor_->function().points.size(), count + 1);
+    QCOMPARE(editor_->workbench.session().view().isovalues.front().value, value);
+    const QPoint handle(place.x(), static_cast<int>(plot.area.top()) - 3);
+    QTest::mouseDClick(&editor_->canvas(), Qt::LeftButton, {}, handle);
+    QCOMPARE(editor_->function().points.size(), count + 1);
+}
+
+void TransferEditorTest::doubleClickOnAPointAsksForItsColour()
+{
+    const std::size_t count = editor_->function().points.size();
+    QTest::mouseDClick(&editor_->canvas(), Qt::LeftButton, {}, editor_->placeOf(4));
+    QCOMPARE(editor_->function().points.size(), count);
+    auto& dialog = editor_->find<QColorDialog>("colourDialog");
+    QVERIFY(dialog.isVisible());
+    dialog.setCurrentColor(QColor(10, 200, 30));
+    dialog.accept();
+    const auto& colour = editor_->function().points[4].colour;
+    QVERIFY(std::abs(colour[0] - 10 / 255.0F) < 1e-3F && std::abs(colour[1] - 200 / 255.0F) < 1e-3F);
+}
+
 void TransferEditorTest::pointsAreEditedInNumbers()
 {
     QVERIFY(!editor_->find<QDoubleSpinBox>("transfer.value").isEnabled());
@@ -123,7 +154,7 @@ void TransferEditorTest::aPointIsMadeAStep()
 void TransferEditorTest::allPointsAreChanged()
 {
     const JoinedFunction before = editor_->function();
-    const ValueRange range = editor_->session().range();
+    const ValueRange range = editor_->workbench.session().range();
     editor_->find<QAction>("transfer.preset.diverging").trigger();
     QCOMPARE(editor_->transfer(), divergingTransferFunction(range.minimum, range.maximum, before.unitDistance));
     editor_->undo();

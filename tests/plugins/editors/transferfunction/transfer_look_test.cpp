@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/editors/transferfunction/canvas_painting.h"
 #include "plugins/editors/transferfunction/value_text.h"
 #include "tests/plugins/editors/transferfunction/editor_fixture.h"
 
@@ -30,6 +31,7 @@ private slots:
     void theWheelZoomsAtThePointer();
     void theWheelWithControlZoomsOpacities();
     void keysZoomAndShowAll();
+    void valuesBelowThePlotDoNotTouch();
     void theMiddleButtonMovesTheView();
     void whatIsOutsideIsMarked();
     void theAxisOfOpacitiesChanges_data();
@@ -42,6 +44,7 @@ private:
     TransferPlot plot() const { return editor_->canvas().plot(); }
     void turnWheel(QPoint place, int notches, Qt::KeyboardModifiers modifiers = {}) const
     {
+        editor_->canvas().setFocus();
         QWheelEvent event(place, editor_->canvas().mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton,
                           modifiers, Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&editor_->canvas(), &event);
@@ -53,6 +56,23 @@ private:
     JoinedFunction before_;
     int steps_ = 0;
 };
+
+void TransferLookTest::valuesBelowThePlotDoNotTouch()
+{
+    const QFontMetrics font = editor_->canvas().fontMetrics();
+    for (const TransferLimits limits : {TransferLimits{0, 1}, {101325.0, 101325.4}, {-1.23456e-7, 3.33333e37}})
+        for (double width = 40; width < 700; width += 20) {
+            TransferPlot plot{{30, 10, width, 80}, limits};
+            const auto labels = valueLabels(plot, font);
+            QCOMPARE(labels.front().text, textOfValue(limits.least, limits));
+            for (std::size_t i = 0; i < labels.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    QVERIFY2(!labels[i].place.adjusted(-2, 0, 2, 0).intersects(labels[j].place),
+                             qPrintable(labels[i].text));
+            if (width > 500)
+                QCOMPARE(labels.size(), std::size_t(3));
+        }
+}
 
 void TransferLookTest::theWheelZoomsAtThePointer()
 {

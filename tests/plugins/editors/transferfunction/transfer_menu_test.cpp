@@ -27,6 +27,7 @@ private slots:
     void groupsAreWrittenBesideTheirPoints_data();
     void groupsAreWrittenBesideTheirPoints();
     void theMenuOpensInThePlot();
+    void aRightClickSelectsWhatItIsOn();
 
 private:
     using Change = std::function<EditedSelection(const JoinedFunction&, const TransferSelection&, TransferLimits)>;
@@ -231,6 +232,27 @@ void TransferMenuTest::theMenuOpensInThePlot()
     emit editor_->canvas().customContextMenuRequested(editor_->canvas().plot().area.center().toPoint());
     QTRY_VERIFY(menu.isVisible());
     menu.close();
+}
+
+/// A right click is of the point below it: as after a left one, its entries can be used.
+void TransferMenuTest::aRightClickSelectsWhatItIsOn()
+{
+    TransferCanvas& canvas = editor_->canvas();
+    const auto click = [&](QPoint place) { QTest::mouseClick(&canvas, Qt::RightButton, {}, place); };
+    editor_->state().setCurrent({});
+    QVERIFY(!action("copy").isEnabled());
+    QVERIFY(!action("colour").isEnabled());
+    click(editor_->placeOf(4));
+    QCOMPARE(editor_->state().selection(), TransferSelection{4});
+    for (const char* name : {"copy", "delete", "duplicate", "colour"})
+        QVERIFY2(action(name).isEnabled(), name);
+    editor_->state().select({2, 3, 4});
+    click(editor_->placeOf(3)); // one of several: all stay
+    QCOMPARE(editor_->state().selection(), (TransferSelection{2, 3, 4}));
+    click(editor_->placeOf(6));
+    QCOMPARE(editor_->state().selection(), TransferSelection{6});
+    click(canvas.plot().area.center().toPoint() + QPoint(13, -40)); // on nothing: what is selected is still meant
+    QCOMPARE(editor_->state().selection(), TransferSelection{6});
 }
 
 QTEST_MAIN(TransferMenuTest)

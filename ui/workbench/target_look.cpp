@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/target_look.h"
+
+#include "plugins/host/interrupted_build.h"
+
+#include <system_error>
+#include <utility>
+
+namespace tetra {
+
+TargetFacts lookAtTarget(const std::filesystem::path& target)
+{
+    std::error_code problem;
+    return {!target.empty() && std::filesystem::exists(target, problem), interruptedNote(target)};
+}
+
+TargetLook::TargetLook(Look look, QObject* parent) : QObject(parent), look_(std::move(look)) {}
+
+void TargetLook::begin(const std::filesystem::path& target)
+{
+    facts_.reset();
+    running_ = true;
+    const quint64 number = ++newest_;
+    job_.submit([this, target, number](const std::stop_token&) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, number, facts = look_(target)] {
+                if (number != newest_)
+                    return;
+                facts_ = facts;
+                running_ = false;
+                emit found();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+} // namespace tetra
