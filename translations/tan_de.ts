@@ -422,6 +422,14 @@
         <source>The error that what is shown keeps, in % of the value range</source>
         <translation>Der Fehler, den das Gezeigte einhält, in % des Wertebereichs</translation>
     </message>
+    <message>
+        <source>1 unit at the target</source>
+        <translation>1 Einheit am Blickziel</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 Einheit</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -894,6 +902,10 @@
     <message>
         <source>Open a model first</source>
         <translation>Erst ein Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Nur bei %1</translation>
     </message>
 </context>
 <context>
@@ -1804,6 +1816,10 @@ beliebige Verwerfung</translation>
         <source>OpenGL</source>
         <translation>OpenGL</translation>
     </message>
+    <message>
+        <source>OpenGL cannot draw this picture; the processor draws it instead. %1</source>
+        <translation>OpenGL kann dieses Bild nicht zeichnen; stattdessen zeichnet es der Prozessor. %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ColourButton</name>
@@ -1827,12 +1843,16 @@ beliebige Verwerfung</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
-        <translation>Ein paar Buchstaben eines Befehls genügen. Enter führt ihn aus, Esc schließt.</translation>
-    </message>
-    <message>
         <source>Commands</source>
         <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>The beginnings of its words find a command or a setting. Enter does it, Esc leaves.</source>
+        <translation>Die Anfänge seiner Wörter finden einen Befehl oder eine Einstellung. Enter führt ihn aus, Esc schließt.</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
     </message>
 </context>
 <context>
@@ -1988,6 +2008,10 @@ beliebige Verwerfung</translation>
     <message>
         <source>From &amp;the picked value</source>
         <translation>Vom &amp;gewählten Wert</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe …</translation>
     </message>
 </context>
 <context>
@@ -5341,10 +5365,6 @@ beliebige Verwerfung</translation>
         <translation>Es ist kein Leser installiert.</translation>
     </message>
     <message>
-        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
-        <translation>Das Handbuch und „tan info --help“ nennen die Dateien, die gelesen werden; Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
-    </message>
-    <message>
         <source>%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
         <translation>%1 (Die Datei wurde für sich entpackt. Wenn sie andere Dateien nennt, entpacken Sie sie neben diesen: gunzip.)</translation>
     </message>
@@ -8692,6 +8712,22 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>The model &apos;%1&apos; is another one than when the session was saved: it was built anew, or replaced.</source>
         <translation>Das Modell „%1“ ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt.</translation>
     </message>
+    <message>
+        <source>This file cannot be read as a transfer function. TAn reads its own and ParaView&apos;s presets in JSON, and ParaView&apos;s colour maps in XML, but not tables of colours.</source>
+        <translation>Diese Datei kann nicht als Transferfunktion gelesen werden. TAn liest seine eigenen und die Vorlagen von ParaView in JSON sowie die Farbtabellen von ParaView in XML, aber keine Listen von Farben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a surface. TAn reads volumes: values everywhere in a body, not only on its skin.</source>
+        <translation>„%1“ enthält eine Fläche. TAn liest Volumen: Werte überall in einem Körper, nicht nur auf seiner Haut.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens pictures that it has saved with their session.</source>
+        <translation>„%1“ ist ein Bild. TAn liest Volumen, darunter Stapel von TIFF-Bildern, und öffnet Bilder, die es mit ihrer Sitzung gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>TAn reads files such as %1; the manual lists all of them. Samples alone, without a header, are read as a raw file.</source>
+        <translation>TAn liest Dateien wie %1; das Handbuch nennt alle. Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -9018,6 +9054,14 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>Pri&amp;nt resolution</source>
         <translation>Dr&amp;uckauflösung</translation>
+    </message>
+    <message>
+        <source>&amp;Keep proportions</source>
+        <translation>&amp;Proportionen beibehalten</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that nothing is added or cut off</source>
+        <translation>Breite und Höhe folgen einander, sodass nichts hinzukommt oder abgeschnitten wird</translation>
     </message>
 </context>
 <context>

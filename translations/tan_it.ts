@@ -422,6 +422,14 @@
         <source>The error that what is shown keeps, in % of the value range</source>
         <translation>L&apos;errore che ciò che si vede non supera, in % dell&apos;intervallo dei valori</translation>
     </message>
+    <message>
+        <source>1 unit at the target</source>
+        <translation>1 unità alla distanza del punto mirato</translation>
+    </message>
+    <message>
+        <source>1 unit</source>
+        <translation>1 unità</translation>
+    </message>
 </context>
 <context>
     <name>Camera</name>
@@ -894,6 +902,10 @@
     <message>
         <source>Open a model first</source>
         <translation>Aprire prima un modello</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Solo con %1</translation>
     </message>
 </context>
 <context>
@@ -1804,6 +1816,10 @@ deformazione qualsiasi</translation>
         <source>OpenGL</source>
         <translation>OpenGL</translation>
     </message>
+    <message>
+        <source>OpenGL cannot draw this picture; the processor draws it instead. %1</source>
+        <translation>OpenGL non può disegnare questa immagine; la disegna invece il processore. %1</translation>
+    </message>
 </context>
 <context>
     <name>tetra::ColourButton</name>
@@ -1827,12 +1843,16 @@ deformazione qualsiasi</translation>
         <translation>Comando</translation>
     </message>
     <message>
-        <source>A few letters of a command are enough. Enter does it, Esc leaves.</source>
-        <translation>Bastano poche lettere di un comando. Invio lo esegue, Esc chiude.</translation>
-    </message>
-    <message>
         <source>Commands</source>
         <translation>Comandi</translation>
+    </message>
+    <message>
+        <source>The beginnings of its words find a command or a setting. Enter does it, Esc leaves.</source>
+        <translation>Gli inizi delle parole trovano un comando o un&apos;impostazione. Invio lo esegue, Esc chiude.</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nessun risultato</translation>
     </message>
 </context>
 <context>
@@ -1988,6 +2008,10 @@ deformazione qualsiasi</translation>
     <message>
         <source>From &amp;the picked value</source>
         <translation>&amp;Dal valore scelto</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Colore…</translation>
     </message>
 </context>
 <context>
@@ -5341,10 +5365,6 @@ deformazione qualsiasi</translation>
         <translation>Nessun lettore è installato.</translation>
     </message>
     <message>
-        <source>The manual and &apos;tan info --help&apos; list the files that are read; samples alone, without a header, are read as a raw file.</source>
-        <translation>Il manuale e «tan info --help» elencano i file che si possono leggere; campioni soli, senza intestazione, si leggono come file grezzo.</translation>
-    </message>
-    <message>
         <source>%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)</source>
         <translation>%1 (È stato decompresso da solo. Se nomina altri file, decomprimerlo accanto ad essi: gunzip.)</translation>
     </message>
@@ -8692,6 +8712,22 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>The model &apos;%1&apos; is another one than when the session was saved: it was built anew, or replaced.</source>
         <translation>Il modello «%1» non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito.</translation>
     </message>
+    <message>
+        <source>This file cannot be read as a transfer function. TAn reads its own and ParaView&apos;s presets in JSON, and ParaView&apos;s colour maps in XML, but not tables of colours.</source>
+        <translation>Questo file non può essere letto come funzione di trasferimento. TAn legge le proprie e le preimpostazioni di ParaView in JSON, e le mappe di colori di ParaView in XML, ma non le tabelle di colori.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a surface. TAn reads volumes: values everywhere in a body, not only on its skin.</source>
+        <translation>«%1» contiene una superficie. TAn legge volumi: valori ovunque in un corpo, non solo sulla sua pelle.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens pictures that it has saved with their session.</source>
+        <translation>«%1» è un&apos;immagine. TAn legge volumi, fra cui pile di immagini TIFF, e apre le immagini che ha salvato con la loro sessione.</translation>
+    </message>
+    <message>
+        <source>TAn reads files such as %1; the manual lists all of them. Samples alone, without a header, are read as a raw file.</source>
+        <translation>TAn legge file come %1; il manuale li elenca tutti. I soli campioni, senza intestazione, si leggono come file grezzo.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -9018,6 +9054,14 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>%1 × %2 cm</source>
         <translation>%1 × %2 cm</translation>
+    </message>
+    <message>
+        <source>&amp;Keep proportions</source>
+        <translation>&amp;Mantieni le proporzioni</translation>
+    </message>
+    <message>
+        <source>Width and height follow each other, so that nothing is added or cut off</source>
+        <translation>Larghezza e altezza si seguono, così che nulla venga aggiunto o tagliato</translation>
     </message>
 </context>
 <context>
