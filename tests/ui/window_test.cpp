@@ -482,7 +482,7 @@ void WindowTest::whatIsLeftOfOtherDataStays()
     const std::filesystem::path other = window_->folderPath() + "/other";
     std::filesystem::create_directory(other);
     openDataset(writeNrrd(sampleDataset(23), other));
-    QVERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
+    QTRY_VERIFY(!window_->find<QWidget>("build.interrupted").isVisible());
     window_->find<QLineEdit>("build.target").setText(target);
     QTRY_VERIFY(window_->find<QWidget>("build.interrupted").isVisible());
     QVERIFY(!window_->find<QWidget>("build.start").isEnabled());

@@ -98,11 +98,11 @@ private:
     double least_;
 };
 
-/// The step from 0: no more than a tenth of what may be chosen.
+/// The step from 0: no more than about a tenth of what may be chosen (0.1 from 0.01 to 1).
 double leastStep(const Parameter& parameter)
 {
-    constexpr double usual = 0.1;
-    const double tenth = (parameter.maximum - parameter.minimum) / 10;
+    constexpr double usual = 0.1, about = 1.02;
+    const double tenth = about * (parameter.maximum - parameter.minimum) / 10;
     return isBounded(parameter) && tenth < usual ? std::pow(10, std::floor(std::log10(tenth))) : usual;
 }
 

@@ -23,9 +23,9 @@ constexpr QColor offerColour(0, 114, 178);
 QString breakable(QString text)
 {
     constexpr char16_t mayBreak = u'\u200b', keepTogether = u'\u2060';
-    static const QRegularExpression ends("(?<! )[-_/](?=[^-_/ ])");
+    static const QRegularExpression ends("(?<! )([-_/])(?=[^-_/ ])");
     static const QRegularExpression first(" /");
-    return text.replace(ends, QString("\\0") + QChar(mayBreak)).replace(first, QString(" /") + QChar(keepTogether));
+    return text.replace(ends, QString("\\1") + QChar(mayBreak)).replace(first, QString(" /") + QChar(keepTogether));
 }
 
 } // namespace
