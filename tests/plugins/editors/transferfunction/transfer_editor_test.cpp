@@ -109,6 +109,7 @@ void TransferEditorTest::doubleClickOnALineAddsAPoint()
 void TransferEditorTest::doubleClickOnAPointAsksForItsColour()
 {
     const std::size_t count = editor_->function().points.size();
+    QTest::mouseClick(&editor_->canvas(), Qt::LeftButton, {}, editor_->placeOf(4));
     QTest::mouseDClick(&editor_->canvas(), Qt::LeftButton, {}, editor_->placeOf(4));
     QCOMPARE(editor_->function().points.size(), count);
     auto& dialog = editor_->find<QColorDialog>("colourDialog");
