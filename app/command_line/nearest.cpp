@@ -9,17 +9,18 @@
 namespace tetra {
 namespace {
 
-/// The Levenshtein distance.
+/// The Levenshtein distance, in which two neighbours that are exchanged count once: the commonest slip in typing.
 std::size_t distance(std::string_view a, std::string_view b)
 {
-    std::vector<std::size_t> row(b.size() + 1); // distances of the prefix of a to all prefixes of b
+    std::vector<std::size_t> twoBefore, before, row(b.size() + 1); // distances of a prefix of a to all prefixes of b
     std::iota(row.begin(), row.end(), std::size_t(0));
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
+        twoBefore = std::exchange(before, row);
+        row[0] = i + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+            row[j + 1] = std::min({before[j] + (a[i] == b[j] ? 0 : 1), row[j] + 1, before[j + 1] + 1});
+            if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
+                row[j + 1] = std::min(row[j + 1], twoBefore[j - 1] + 1);
         }
     }
     return row.back();

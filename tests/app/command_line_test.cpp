@@ -502,7 +502,7 @@ private slots:
         QCOMPARE(word.exitCode, 0);
         QVERIFY(word.output.startsWith("tan build: "));
         QCOMPARE(word.output, option.output);
-        const Run wrong = tan({"help", "buid"});
+        const Run wrong = tan({"help", "buidl"});
         QCOMPARE(wrong.exitCode, 2);
         QVERIFY2(wrong.messages.contains("'build'"), wrong.messages);
         QCOMPARE(tan({"help"}).output, tan({"--help"}).output);
