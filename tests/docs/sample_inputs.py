@@ -73,8 +73,12 @@ def write_all(folder: pathlib.Path, tan, source: pathlib.Path):
     write_quakes(folder)
     for name in ("bones.json", "stress.json"):
         shutil.copyfile(source / "docs/pictures/bluntfin-transfer.json", folder / name)
+    (folder / "step1.tansession").write_text(
+        '{"format": "tan-session", "version": 1, "model": {"path": "step1.tan"},'
+        ' "isovalues": [{"value": 120, "colour": [1, 0.75, 0], "opacity": 1, "visible": true}]}')
     (folder / "view.json").write_text('{"azimuth": 30, "elevation": 20}')
     for name, words in (("c60.nrrd", ["sample", "c60", "--size", "24"]), ("c60.tan", ["build", "c60.nrrd"]),
+                        ("step2.tan", ["build", "c60.nrrd"]),
                         ("engine.tan", ["build", "engine.nrrd"]), ("fin.tan", ["build", "bluntfinxyz.bin"]),
                         ("part.vtu", ["sample", "part", "--size", "12"]), ("part.tan", ["build", "part.vtu"])):
         subprocess.run([tan, *words, "-o", name], check=True, capture_output=True, cwd=folder)

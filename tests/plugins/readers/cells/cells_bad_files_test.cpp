@@ -47,8 +47,8 @@ private slots:
         row("no XML", "<VTKFile", "<File", "no VTK XML file");
         row("another kind", "UnstructuredGrid\" v", "ImageData\" v", "ImageData");
         row("type of garbage", "UnstructuredGrid\" v", "Unstruct\1\33[2J\" v", "Unstruct\\x01\\x1b[2J");
-        row("array of garbage", "\"heat\" format=\"ascii\"", "\"h\7\" format=\"hex\"", "'h?'");
-        row("format of garbage", "\"heat\" format=\"ascii\"", "\"heat\" format=\"\33[m\"", "format '?[m'");
+        row("array of garbage", "\"heat\" format=\"ascii\"", "\"h\7\" format=\"hex\"", "'h\\x07'");
+        row("format of garbage", "\"heat\" format=\"ascii\"", "\"heat\" format=\"\33[m\"", "format '\\x1b[m'");
         row("components of garbage", "NumberOfComponents=\"3\"", "NumberOfComponents=\"\33[m\"", "\\x1b[m components");
         row("another packer", "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order",
             "packed by vtkLZ4DataCompressor, and only zlib is read. Save it with zlib");

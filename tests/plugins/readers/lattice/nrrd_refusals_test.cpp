@@ -86,7 +86,7 @@ void NrrdRefusalsTest::ofFiles_data()
     fields("bzip2", "encoding: bzip2\n", {"'bzip2'", "gzip"});
     fields("list of files", "data file: LIST\n", {"several files"});
     fields("list of files with dimension", "data file: LIST 2\n", {"several files"});
-    fields("control characters in a name", "data file: samples.\x01w\n", {"'samples.?w'", "Correct it"});
+    fields("control characters in a name", "data file: samples.\x01w\n", {"'samples.\\x01w'", "Correct it"});
     fields("pattern of files", "data file: slice%03d.raw 1 5 1\n", {"several files"});
 
     fields("dimension 0", "dimension: 0\nsizes:\n", {"sizes"});
