@@ -293,14 +293,15 @@ Result<std::vector<SessionDifference>> differencesOf(const Invocation& invocatio
     if (const auto other = differentModel(document, *found.model);
         other && found.isWhole && !invocation.arguments.has("model"))
         differences.insert(differences.begin(), *other);
-    std::string texts;
+    std::string texts; // with what the session's file says, so that a terminal must not see them as they are
     for (const SessionDifference& difference : differences)
         texts += (texts.empty() ? "" : " ") + difference.text.text();
     if (!texts.empty() && invocation.arguments.has("strict"))
         return Error{ErrorKind::BadInput, "The picture would not be what the session says. " + texts +
                                               " Leave '--strict' out to draw it all the same."};
     if (!texts.empty())
-        invocation.messages << "The picture is not quite what the session says. " << texts << "\n" << std::flush;
+        invocation.messages << "The picture is not quite what the session says. " << visibleText(texts) << "\n"
+                            << std::flush;
     return differences;
 }
 

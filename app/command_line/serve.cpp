@@ -54,7 +54,7 @@ Syntax serveSyntax(PluginHost&)
                      .byDefault = std::to_string(ModelServerLimits().tetrahedra)},
                     {.name = "seconds",
                      .placeholder = "N",
-                     .explanation = "The longest time that a mesh may take.",
+                     .explanation = "The longest time that a mesh may take, at most 80.",
                      .byDefault = std::to_string(ModelServerLimits().time.count() / 1000)}},
         .examples = {{"tan serve models", "At http://127.0.0.1:8080/, for this machine."},
                      {"tan serve models --address 0.0.0.0 --token-file token",
@@ -121,7 +121,8 @@ Result<ServedTo> servedTo(const Arguments& arguments, const std::string& address
 
 Result<ModelServerLimits> limitsOf(const Arguments& arguments)
 {
-    constexpr std::int64_t mostTetrahedra = 1'000'000'000, mostSeconds = 86400;
+    constexpr std::int64_t mostTetrahedra = 1'000'000'000;
+    constexpr std::int64_t mostSeconds = 80; // and half a minute for its turn: TAn waits two minutes for an answer
     ModelServerLimits limits;
     const auto tetrahedra =
         wholeNumberOption(arguments, "limit", static_cast<std::int64_t>(limits.tetrahedra), 1, mostTetrahedra);

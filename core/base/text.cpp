@@ -55,13 +55,14 @@ struct CodeRange {
 };
 
 /// Characters that are not seen as themselves (Unicode 15, categories Cc, Zl, Zp and Cf): controls, line breaks, marks
-/// of direction and what has no shape. Not among them are the joiners U+200C and U+200D, without which several
+/// of direction and what has no shape, the Hangul fillers among them. Not among them are the joiners U+200C and U+200D, without which several
 /// languages cannot be written, and the signs of category Cf that are seen.
-constexpr std::array<CodeRange, 19> notSeen = {{{0x00, 0x1f},
+constexpr std::array<CodeRange, 20> notSeen = {{{0x00, 0x1f},
                                                 {0x7f, 0x9f},
                                                 {0xad, 0xad},
                                                 {0x61c, 0x61c},
                                                 {0x70f, 0x70f},
+                                                {0x115f, 0x1160},
                                                 {0x180e, 0x180e},
                                                 {0x200b, 0x200b},
                                                 {0x200e, 0x200f},

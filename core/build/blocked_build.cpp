@@ -117,7 +117,10 @@ Result<BuildReport> BuildInBlocks::run(const Progress& progress)
         if (merging.cancelled() && !kept())
             givenUp.request_stop();
     });
-    return merge(isKept ? *coarse_ : *runs_, untilGivenUp);
+    auto report = merge(isKept ? *coarse_ : *runs_, untilGivenUp);
+    if (report)
+        report->stoppedEarly = isKept;
+    return report;
 }
 
 Status BuildInBlocks::refineCoarsely(const Progress& progress)

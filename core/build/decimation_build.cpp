@@ -302,7 +302,7 @@ Result<BuildReport> buildInto(const Dataset& dataset, const Decimation& decimati
     const auto result = decimate(mesh, options, history, progress.part(0.02, 1));
     if (!result)
         return result.error();
-    BuildReport report{history.sites(), history.tetrahedra(), 0, 0};
+    BuildReport report{history.sites(), history.tetrahedra(), 0, 0, result->stoppedEarly};
     if (isGrid) {
         const PhysicalSigns signs =
             isCutOff ? physicalSigns(dataset, history.mesh()) : physicalSigns(dataset, mesh.tetrahedra);

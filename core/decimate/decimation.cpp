@@ -138,10 +138,10 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
     };
     const Progress collapsing = progress.part(0, .9);
     const auto isKept = [&options] { return options.keepWhenCancelled != nullptr && *options.keepWhenCancelled; };
-    if (Status status = collapseInOrder(decimated, options,
-                                        options.preview ? withPreviews(collapsing, options, handMesh) : collapsing);
-        !status && !(status.error().kind == ErrorKind::Cancelled && isKept()))
-        return status.error();
+    const Status collapsed = collapseInOrder(
+        decimated, options, options.preview ? withPreviews(collapsing, options, handMesh) : collapsing);
+    if (!collapsed && !(collapsed.error().kind == ErrorKind::Cancelled && isKept()))
+        return collapsed.error();
     if (Status status = sink.begin(traits); !status)
         return status.error();
     const std::vector<CollapseLog::Coarsest> coarsest = decimated.coarsest();
@@ -157,7 +157,7 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
         return status.error();
     const auto pointCount = static_cast<std::uint32_t>(mesh.positions.size());
     return DecimationResult{pointCount, pointCount - log.collapseCount(), log.tetrahedronCount() + coarsest.size(),
-                            decimated.evaluations()};
+                            decimated.evaluations(), !collapsed.ok()};
 }
 
 } // namespace

@@ -58,6 +58,7 @@ struct DecimationResult {
     std::uint32_t initialSites = 0; ///< of the coarsest mesh
     std::uint64_t tetrahedra = 0;   ///< all that ever lived
     std::uint64_t evaluations = 0;  ///< collapses that were tried out
+    bool stoppedEarly = false;      ///< cancelled, and kept
 };
 
 /// Half-edge collapse judged by the exact resulting error and warping (R11, S11, S12), to the end or to `stopKey`; the

@@ -326,7 +326,9 @@ Result<CachedFile> CacheFolder::take(std::string_view key, std::uint64_t expecte
             ::unlink(lockPath.c_str());
         };
         if (const OpenFile file(path, 0); file || errno != ENOENT) { // made since it was looked for, or being removed
-            const int systemError = file ? 0 : errno;
+            int systemError = file ? 0 : errno;
+            if (file && !isOwnFile(file.descriptor())) // a pipe, a device, another user's: the cache made none of these
+                systemError = EEXIST;
             ::unlink(lockPath.c_str());
             if (systemError != 0)
                 return cannotUse(path_, systemError);

@@ -208,6 +208,7 @@ private:
     struct Request;
 
     Result<std::vector<MHD_Daemon*>> startDaemons();
+    Status look(std::span<MHD_Daemon* const> daemons);
     void acceptAll(std::span<MHD_Daemon* const> daemons);
     void refuse(Descriptor socket, const std::string& peer);
     void endAll(std::span<MHD_Daemon* const> daemons);
@@ -304,7 +305,10 @@ Result<std::vector<MHD_Daemon*>> HttpServer::Server::startDaemons()
     };
     const auto notified = [](void* server, MHD_Connection* connection, void** context,
                              MHD_ConnectionNotificationCode what) {
-        static_cast<Server*>(server)->noteConnection(connection, context, what);
+        withoutMemory(0, [&] {
+            static_cast<Server*>(server)->noteConnection(connection, context, what);
+            return 0;
+        });
     };
     const auto asked = [](void* server, MHD_Connection* connection, const char*, const char* method,
                           const char* version, const char*, std::size_t*, void** context) -> MHD_Result {
@@ -346,19 +350,27 @@ Status HttpServer::Server::run(const Progress& progress)
     if (!daemons)
         return daemons.error();
     Status ended;
-    while (ended.ok() && !progress.cancelled()) {
-        pollfd place{.fd = listening_.number(), .events = POLLIN, .revents = 0};
-        const int ready = ::poll(&place, 1, static_cast<int>(lookUpEvery.count()));
-        if (ready > 0)
-            acceptAll(*daemons);
-        else if (ready < 0 && errno != EINTR)
-            ended = Error{ErrorKind::OutOfResource, Message::say("The system takes no more connections: %1. %2",
-                                                                 systemErrorText(errno), resourceRemedy)};
-        places_.lookAfter();
-        std::erase_if(leaving_, [](const Leaving& one) { return !isStillLeaving(one); });
-    }
+    // Without memory for one look the next one does what is left: the loops of libmicrohttpd use this object until
+    // endAll() is over.
+    while (ended.ok() && !progress.cancelled())
+        ended = withoutMemory(Status(), [&] { return look(*daemons); });
     endAll(*daemons);
     return ended;
+}
+
+/// Waits a moment for connections, takes those that come, and ends what has taken too long.
+Status HttpServer::Server::look(std::span<MHD_Daemon* const> daemons)
+{
+    pollfd place{.fd = listening_.number(), .events = POLLIN, .revents = 0};
+    const int ready = ::poll(&place, 1, static_cast<int>(lookUpEvery.count()));
+    if (ready < 0 && errno != EINTR)
+        return Error{ErrorKind::OutOfResource, Message::say("The system takes no more connections: %1. %2",
+                                                            systemErrorText(errno), resourceRemedy)};
+    if (ready > 0)
+        acceptAll(daemons);
+    places_.lookAfter();
+    std::erase_if(leaving_, [](const Leaving& one) { return !isStillLeaving(one); });
+    return {};
 }
 
 /// All that have come, but for what the next look at the others waits for.
@@ -386,11 +398,14 @@ void HttpServer::Server::acceptAll(std::span<MHD_Daemon* const> daemons)
             refuse(std::move(socket), shown);
             continue;
         }
-        const int number = socket.release();
-        {
+        try {
             const std::lock_guard lock(mutex_);
-            arriving_[number] = place;
+            arriving_[socket.number()] = place;
+        } catch (const std::bad_alloc&) {
+            places_.leave(place);
+            return;
         }
+        const int number = socket.release();
         // It closes the socket also if it has no room for it.
         if (::MHD_add_connection(daemons[static_cast<std::size_t>(number) % daemons.size()], number,
                                  reinterpret_cast<sockaddr*>(&address), size) != MHD_YES) {
@@ -442,6 +457,8 @@ void HttpServer::Server::noteConnection(MHD_Connection* connection, void** conte
         return;
     }
     auto* const place = static_cast<HttpPlace*>(*context);
+    const auto leave = [this](HttpPlace* gone) { places_.leave(gone); };
+    const std::unique_ptr<HttpPlace, decltype(leave)> leaving(place, leave); // also without memory for the log
     if (places_.hasBegunHead(*place)) { // what has no first line that could be read, or not the whole of one
         HttpRecord record;
         record.peer = place->peer;
@@ -449,7 +466,6 @@ void HttpServer::Server::noteConnection(MHD_Connection* connection, void** conte
         record.note = "unfinished";
         log_(record);
     }
-    places_.leave(place);
 }
 
 MHD_Result HttpServer::Server::handle(MHD_Connection* connection, Request& request, std::string_view method,

@@ -351,7 +351,7 @@ ServedAnswer ModelServer::answerWhoMay(const ServedRequest& request)
     const std::string_view path =
         std::string_view(request.target).substr(1, mark == std::string::npos ? mark : mark - 1);
     if (path.empty())
-        return list();
+        return list(request);
     const auto name = percentDecoded(path);
     const auto found = name ? folder_.find(*name) : Result<std::optional<ServedFile>>(std::nullopt);
     if (!found)
@@ -367,13 +367,15 @@ ServedAnswer ModelServer::answerWhoMay(const ServedRequest& request)
                                     : meshAnswer(request, *file, query);
 }
 
-ServedAnswer ModelServer::list() const
+ServedAnswer ModelServer::list(const ServedRequest& request) const
 {
     JsonArrayText models;
     const auto names = folder_.names(limits_.listed);
     if (!names)
         return cannotLook(names.error());
     for (const std::string& name : *names) {
+        if (request.gone.stop_requested())
+            return errorAnswer(503, "Nobody waits for this list.");
         const auto found = folder_.find(name);
         if (!found)
             return cannotLook(found.error());

@@ -65,7 +65,7 @@ private:
     ServedAnswer answerWhoMay(const ServedRequest& request);
     std::optional<ServedAnswer> refusalOf(const ServedRequest& request) const;
     bool isFromKnownOrigin(const ServedRequest& request) const;
-    ServedAnswer list() const;
+    ServedAnswer list(const ServedRequest& request) const;
     ServedAnswer fileAnswer(const ServedRequest& request, const ServedFile& file) const;
     ServedAnswer aboutAnswer(const ServedRequest& request, const ServedFile& file) const;
     ServedAnswer sizesAnswer(const ServedRequest& request, const ServedFile& file);

@@ -80,11 +80,18 @@ std::string hexadecimal(std::uint64_t number)
     return {digits.data(), end};
 }
 
+/// Of both times: that of the last modification can be set to any, the other one is the system's.
 std::string tagOf(const struct stat& state)
 {
-    constexpr std::int64_t nanoseconds = 1'000'000'000;
-    return "\"" + hexadecimal(state.st_ino) + "-" + hexadecimal(static_cast<std::uint64_t>(state.st_size)) + "-" +
-           hexadecimal(static_cast<std::uint64_t>(state.st_mtim.tv_sec * nanoseconds + state.st_mtim.tv_nsec)) + "\"";
+    const auto nanoseconds = [](const timespec& time) {
+        constexpr std::int64_t aSecond = 1'000'000'000;
+        return static_cast<std::uint64_t>(time.tv_sec * aSecond + time.tv_nsec);
+    };
+    std::string tag;
+    for (const std::uint64_t part : {std::uint64_t(state.st_dev), std::uint64_t(state.st_ino), std::uint64_t(state.st_size),
+                                     nanoseconds(state.st_mtim), nanoseconds(state.st_ctim)})
+        tag += (tag.empty() ? "" : "-") + hexadecimal(part);
+    return "\"" + tag + "\"";
 }
 
 Error cannotLook(int error)
@@ -116,7 +123,7 @@ std::optional<std::filesystem::path> ServedFile::path() const
     struct stat there {
     }, here{};
     if (problem || ::stat(path.c_str(), &there) != 0 || ::fstat(*descriptor, &here) != 0 ||
-        there.st_dev != here.st_dev || tagOf(there) != tag || tagOf(here) != tag)
+        tagOf(there) != tag || tagOf(here) != tag)
         return {};
     return path;
 }

@@ -336,8 +336,9 @@ private:
         const auto given = words_.value("warping-field");
         if (!fields || !given)
             return fields;
-        if (words_.has("warping"))
-            return doesNotGo(named("warping-field") + " says where which warping is allowed", "warping");
+        for (const char* word : {"warping", "focus-warping"})
+            if (words_.has(word))
+                return doesNotGo(named("warping-field") + " says where which warping is allowed", word);
         const auto warping = parseErrorField(*given, present_);
         if (!warping)
             return wrong(named("warping-field") + ": " + warping.error().text());

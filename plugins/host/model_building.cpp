@@ -2,6 +2,7 @@
 #include "plugins/host/model_building.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/mapped_file.h"
 #include "core/base/memory.h"
 #include "core/build/model_build.h"
 #include "core/history/format.h"
@@ -14,7 +15,6 @@
 #include <charconv>
 #include <chrono>
 #include <fstream>
-#include <iterator>
 #include <optional>
 
 namespace tetra {
@@ -68,10 +68,12 @@ double errorOf(const std::filesystem::path& model)
     return extent > 0 ? 100 * header->finalKey / extent : 0;
 }
 
+/// Of a small file of our own; nothing if it is not there.
 std::string contentOf(const std::filesystem::path& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    constexpr std::size_t most = 64;
+    const auto text = wholeText(path, most);
+    return text ? *text : std::string();
 }
 
 /// That name, or the next one with a number that no file has.
@@ -152,7 +154,8 @@ Result<EndedBuild> buildInto(const Provided<Builder>& provided, const Dataset& d
         report->sites = writer.siteCount();
         report->tetrahedra = writer.tetrahedronCount();
     }
-    const bool stoppedEarly = progress.cancelled() && keeps(control);
+    // Who is asked to stop in the last moments has often finished all the same.
+    const bool stoppedEarly = keeps(control) && report->stoppedEarly.value_or(progress.cancelled());
     if (stoppedEarly && control.resume)
         (*file)->keepWork();
     return placed(**file, {*report, stoppedEarly, {}}, output, target);

@@ -58,13 +58,18 @@ private slots:
         QVERIFY(QFile::copy(path("c60.nrrd"), path(evil_ + ".nrrd")));
         QVERIFY2(tan({"build", evil_ + ".nrrd", "-o", "m.tan"}).exitCode == 0, "a name is a name");
         QCOMPARE(::mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
-        for (const char* name : {"pipe.tan", "pipe.nrrd", "pipe.vtu", "pipe.tansession", "pipe.raw", "pipe.csv.gz"})
+        for (const char* name : {"pipe.tan", "pipe.nrrd", "pipe.vtu", "pipe.tansession", "pipe.png", "pipe.raw", "pipe.csv.gz"})
             QVERIFY(QFile::link("pipe", path(name)));
         write("of-pipe.vtm", "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">"
                              "<vtkMultiBlockDataSet><DataSet index=\"0\" file=\"pipe.vtu\"/>"
                              "</vtkMultiBlockDataSet></VTKFile>\n");
         write("of-pipe.pvtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\">"
                               "<PUnstructuredGrid><Piece Source=\"pipe.vtu\"/></PUnstructuredGrid></VTKFile>\n");
+        const QJsonObject session{{"format", "tan-session"},
+                                  {"version", 1},
+                                  {"model", QJsonObject{{"path", "m.tan"}}},
+                                  {"look", QJsonObject{{"mode", evil_}}}};
+        write("evil.tansession", QJsonDocument(session).toJson());
         write("of-pipe.nhdr",
               "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: raw\ndata file: pipe.raw\n");
         write("of-pipe.mhd", "NDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = pipe.raw\n");
@@ -82,6 +87,9 @@ private slots:
         QTest::newRow("an output") << QStringList{"extract", "m.tan", "-o", evil_ + ".vtu"};
         QTest::newRow("an output of a build") << QStringList{"build", "c60.nrrd", "-o", evil_ + ".tan"};
         QTest::newRow("a surface") << QStringList{"isosurface", "m.tan", "--value", "100", "-o", evil_ + ".ply"};
+        QTest::newRow("what a session says") << QStringList{"render", "evil.tansession", "-o", "x.png"};
+        QTest::newRow("what a session says, strictly")
+            << QStringList{"render", "evil.tansession", "--strict", "-o", "x.png"};
         QTest::newRow("for programs") << QStringList{"info", "m.tan", "--json"};
     }
     void textsAreShownAndNotObeyed()
@@ -106,6 +114,7 @@ private slots:
         row({"isosurface", "pipe.tan", "--value", "9", "-o", "x.ply"});
         row({"render", "pipe.tan", "-o", "x.png"});
         row({"render", "pipe.tansession", "-o", "x.png"});
+        row({"render", "pipe.png", "-o", "x.png"});
         row({"verify", "pipe.tan", "--against", "c60.nrrd"});
         row({"verify", "m.tan", "--against", "pipe.nrrd"});
         row({"pack", "pipe.tan", "-o", "x.tan"});

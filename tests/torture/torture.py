@@ -201,9 +201,10 @@ def main():
     if missing:
         print("The %g minutes are over, and %d parts are not done: the same command goes on from here." % (asked.minutes, missing))
         sys.exit(FAILED if failures else UNFINISHED)
-    if not names and not asked.short:
+    whole = not names and asked.count is None
+    if whole and not asked.short:
         (home / "seed").unlink()  # the next run takes another one
-    if asked.report and not names:
+    if asked.report and whole:
         write_report(asked.report, rows, seed, bench.machine())
     sys.exit(FAILED if failures else DONE)
 

@@ -187,7 +187,7 @@ void OutputTest::aPictureSaysHowItWasMade()
     QCOMPARE(reader.text("Software"), QString("TAn 1.2.3"));
     QCOMPARE(reader.text("Title"), QString("c60"));
     QVERIFY(reader.text("Description").contains("error"));
-    const auto document = sessionFromText(sessionInPicture(path.toStdString()), window_->folderPath());
+    const auto document = sessionFromText(*sessionInPicture(path.toStdString()), window_->folderPath());
     QVERIFY(document);
     QCOMPARE(document->identity, modelIdentity(*session().model()));
     QVERIFY(document->view == session().view());
@@ -197,7 +197,7 @@ void OutputTest::aPictureSaysHowItWasMade()
     for (const auto& [key, text] : pictureTexts(blanks, "error 1 %", "/elsewhere"))
         picture.setText(key, text);
     QVERIFY(writePicture(picture, path.toStdString()));
-    const auto again = sessionFromText(sessionInPicture(path.toStdString()), "/elsewhere");
+    const auto again = sessionFromText(*sessionInPicture(path.toStdString()), "/elsewhere");
     QVERIFY(again);
     QCOMPARE(again->model, blanks.model);
 
@@ -205,7 +205,7 @@ void OutputTest::aPictureSaysHowItWasMade()
     window_->find<QCheckBox>("picture.metadata").setChecked(false);
     const QString silent = window_->folder.filePath("silent.png");
     savePictureTo(silent);
-    QVERIFY(sessionInPicture(silent.toStdString()).empty());
+    QVERIFY(sessionInPicture(silent.toStdString())->empty());
 }
 
 void OutputTest::aPictureRestoresItsView()
@@ -244,7 +244,7 @@ void OutputTest::aPictureOfAPreviewIsOfOneView()
     window_->find<QAction>("action.savePicture").trigger();
     const QString path = window_->folder.filePath("preview.png");
     savePictureTo(path);
-    const auto document = sessionFromText(sessionInPicture(path.toStdString()), window_->folderPath());
+    const auto document = sessionFromText(*sessionInPicture(path.toStdString()), window_->folderPath());
     QVERIFY(document);
     QCOMPARE(document->view.query.error, 6.0);
     QCOMPARE(document->view.camera.azimuth, 123.0);

@@ -250,16 +250,22 @@ void PaletteTest::settingsOfOtherModesSayWhereTheyAre()
     QVERIFY2(found.front()->text(1).startsWith("Only in "), qPrintable(found.front()->text(1)));
 }
 
-/// Without a model "panel save" is not there, but what "save" means is: nothing else is done in its place.
+/// Without a model nothing can be saved. What fits less well and can be done is there, but Enter does nothing in the
+/// place of what was meant.
 void PaletteTest::whatFitsLessIsNotDoneByEnter()
 {
     openPalette();
-    search().setText("picture");
-    QVERIFY(list().topLevelItem(0)->isDisabled());
-    QVERIFY(list().currentItem() == nullptr || !list().currentItem()->isDisabled());
-    const auto* current = list().currentItem();
+    const auto isMixed = [this](const QString& query) {
+        search().setText(query);
+        bool some = false;
+        for (int row = 1; row < list().topLevelItemCount(); ++row)
+            some = some || !list().topLevelItem(row)->isDisabled();
+        return list().topLevelItem(0)->isDisabled() && some && list().currentItem() == nullptr;
+    };
+    const QStringList queries = {"picture", "save", "view", "mesh", "model", "session", "s", "m", "c"};
+    QVERIFY2(std::ranges::any_of(queries, isMixed), "a query whose best match cannot be done, and another can");
     QTest::keyClick(&search(), Qt::Key_Return);
-    QCOMPARE(search().isVisible(), current == nullptr);
+    QVERIFY(search().isVisible());
 }
 
 /// Neither names nor, of what cannot be done, the reasons.

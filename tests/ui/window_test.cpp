@@ -553,7 +553,7 @@ void WindowTest::aFolderThatDoesNotAnswerStopsNobody()
     BuildPanel panel(window_->workbench, [&](const std::filesystem::path&) {
         ++looks;
         answers.acquire();
-        return TargetFacts{.exists = true};
+        return TargetFacts{.exists = true, .isModel = true};
     });
     const auto end = qScopeGuard([&] { answers.release(1000); });
     panel.show();
@@ -632,7 +632,7 @@ void WindowTest::aFinishedModelIsNotReplacedByWhatIsKept()
     QVERIFY(question() != nullptr && question()->isVisible());
     QCOMPARE(question()->defaultButton()->objectName(), QString("leaving.cancel"));
     const QString text = question()->text() + question()->informativeText();
-    QVERIFY2(text.contains(pathText(finished.filename())) && text.contains("-percent.tan"), qPrintable(text));
+    QVERIFY2(text.contains(pathText(finished.filename())) && text.contains("named after its error"), qPrintable(text));
     QTest::keyClick(question(), Qt::Key_Escape);
     QVERIFY(window_->workbench.building().running());
     QTRY_VERIFY(question() == nullptr);

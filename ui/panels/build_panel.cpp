@@ -466,11 +466,13 @@ void BuildPanel::showTarget()
     const bool exists = look_->facts()->exists;
     build_->setText(exists ? tr("&Build and Replace") : tr("&Build"));
     targetHint_->setText(
-        exists ? tr("This file exists. You can open it; if you build, it is replaced when the build is done.")
-               : QString());
+        look_->facts()->isModel
+            ? tr("This file exists. You can open it; if you build, it is replaced when the build is done.")
+        : exists ? tr("This exists and is not a model. Choose another name.")
+                 : QString());
     targetHint_->setVisible(exists);
     showInterrupted();
-    offerExisting(exists && !workbench_.building().running());
+    offerExisting(look_->facts()->isModel && !workbench_.building().running());
 }
 
 /// Enter opens the model that is there, also if what had the keys until that was known would have built another one.

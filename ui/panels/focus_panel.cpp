@@ -349,10 +349,11 @@ void FocusPanel::showExpectation()
     const std::uint64_t inside = meshSizeAt(*model, query.warping.with(inner)).tetrahedra;
     const std::uint64_t outside = meshSizeAt(*model, query.warping.with(query.error)).tetrahedra;
     const QString least = countText(std::min(inside, outside)), most = countText(std::max(inside, outside));
-    expectation_->setText(session_.showsQuery()
-                              ? tr("%1 tetrahedra; without the focus %2, with its error everywhere %3.")
-                                    .arg(countText(session_.shown()->tetrahedra), least, most)
-                              : tr("Between %1 and %2 tetrahedra.").arg(least, most));
+    // Of the whole domain, as the two others are, whatever the window and the range of values leave of it.
+    const bool isKnown = session_.showsQuery() && !session_.shown()->isBlended;
+    expectation_->setText(isKnown ? tr("%1 tetrahedra; without the focus %2, with its error everywhere %3.")
+                                        .arg(countText(session_.shown()->wholeTetrahedra), least, most)
+                                  : tr("Between %1 and %2 tetrahedra.").arg(least, most));
 }
 
 } // namespace tetra

@@ -33,7 +33,7 @@ bool isText(const Parameter& parameter)
 QString arrayText(const Parameter& parameter, const FileArray& array)
 {
     const bool isKnown = std::ranges::find(parameter.choices, array.name) != parameter.choices.end();
-    QString text = isKnown ? translatedText(array.name) : QString::fromStdString(array.name);
+    QString text = isKnown ? translatedText(array.name) : shownText(array.name);
     if (array.components > 1)
         text = ImportForms::tr("%1, %2 components").arg(text).arg(array.components);
     if (array.perCell)
@@ -95,7 +95,7 @@ std::vector<ParameterChoice> blockChoices(const Parameter& parameter, const File
         const std::string& name = contents.blocks[block];
         const ParameterValue value =
             isText(parameter) ? ParameterValue(name) : ParameterValue(static_cast<std::int64_t>(block) + 1);
-        choices.push_back({value, QString::fromStdString(name)});
+        choices.push_back({value, shownText(name)});
     }
     return choices;
 }

@@ -47,7 +47,7 @@ QString shownPlace(const std::filesystem::path& place)
 
 QString shownName(const std::filesystem::path& place)
 {
-    const QString name = QFileInfo(shownPlace(place)).fileName();
+    const QString name = shownText(QFileInfo(shownPlace(place)).fileName().toStdString());
     return isLeftAtServer(place.string()) ? PlaceTexts::tr("%1, at its server").arg(name) : name;
 }
 

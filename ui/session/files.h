@@ -24,7 +24,7 @@ QString pathText(const std::filesystem::path& path);
 /// For people: of an address without what may be a password or a key.
 QString shownPlace(const std::filesystem::path& place);
 
-/// The file's name alone, with a word if the model is left at its server.
+/// The file's name alone, with escapes for what is not seen, and a word if the model is left at its server.
 QString shownName(const std::filesystem::path& place);
 
 /// "4.7 MB", in the user's language.

@@ -4,10 +4,13 @@
 #include "ui/session/files.h"
 #include "ui/session/view_json.h"
 
+#include "core/base/mapped_file.h"
+
 #include <tan/open.h>
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QJsonDocument>
@@ -198,9 +201,15 @@ std::map<QString, QString> pictureTexts(const SessionDocument& document, const Q
             {sessionKey(), oneLine(sessionToText(document, folder))}};
 }
 
-std::string sessionInPicture(const std::filesystem::path& path)
+Result<std::string> sessionInPicture(const std::filesystem::path& path)
 {
-    QImageReader reader(pathText(path), "png");
+    const auto file = RegularFile::open(path);
+    if (!file)
+        return file.error();
+    QFile device;
+    if (!device.open(file->descriptor(), QIODevice::ReadOnly))
+        return cannotReadFile(path, Message::say("%1", device.errorString().toStdString()));
+    QImageReader reader(&device, "png");
     return reader.text(sessionKey()).toStdString();
 }
 
@@ -212,7 +221,7 @@ bool isPictureFile(const std::filesystem::path& path)
 Result<SessionDocument> readSession(const std::filesystem::path& path)
 {
     const bool isPicture = isPictureFile(path);
-    const auto text = isPicture ? Result<std::string>(sessionInPicture(path)) : readTextFile(path);
+    const auto text = isPicture ? sessionInPicture(path) : readTextFile(path);
     if (!text)
         return text.error();
     if (isPicture && text->empty())

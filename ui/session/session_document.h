@@ -66,8 +66,9 @@ Result<SessionDocument> sessionFromText(std::string_view text, const std::filesy
 std::map<QString, QString> pictureTexts(const SessionDocument& document, const QString& accuracy,
                                         const std::filesystem::path& folder);
 
-/// The session that a PNG file holds; empty if it holds none or cannot be read. Reads no pixels.
-std::string sessionInPicture(const std::filesystem::path& path);
+/// The session that a PNG file holds; empty if it holds none or is not a PNG file. Reads no pixels. Errors: a file that
+/// cannot be opened, and what is not a regular file.
+Result<std::string> sessionInPicture(const std::filesystem::path& path);
 
 /// Whether the file's name is that of a PNG picture.
 bool isPictureFile(const std::filesystem::path& path);

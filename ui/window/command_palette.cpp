@@ -70,8 +70,9 @@ void CommandPalette::open()
     search_->setFocus();
 }
 
-void CommandPalette::search(const QString& query)
+void CommandPalette::search(const QString& typed)
 {
+    const QString query = typed.trimmed();
     // Of what is equally good the shortest comes first: nothing of it is left over. Else the order stays. Settings are
     // for those who look for one: they would hide the commands.
     std::vector<std::tuple<int, qsizetype, std::size_t>> found;

@@ -253,8 +253,6 @@ void FilmDialog::showTarget()
     if (replaces)
         hint = tr("Files of this name are there already and will be replaced: %1.").arg(countText(inTheWay_));
     hint_->setText(hint);
-    if (isVisible()) // the hint may be longer now
-        resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
     save_->setText(replaces ? tr("&Replace and Save") : tr("&Save"));
     save_->setEnabled(count > 0 && !target_->text().isEmpty() && !workbench_.exporting().savingFilm().running() &&
                       !looking_.running());

@@ -2,12 +2,12 @@
 #include "ui/window/keep_session.h"
 
 #include "ui/session/files.h"
+#include "ui/session/message_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/file_dialogs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/lost_offers.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -19,22 +19,15 @@ namespace {
 /// From the first change that is not kept yet, so that no more than this is ever lost.
 constexpr int keepAfter = 10'000; // milliseconds
 
-/// A path whose first slash stays with what follows at the end of a line.
-QString unbroken(QString path)
-{
-    constexpr char16_t wordJoiner = u'\u2060';
-    return path.startsWith('/') ? path.insert(1, wordJoiner) : path;
-}
-
 /// What was open: the session, or the model.
-QFileInfo openedFile(const SessionDocument& document)
+QString openedName(const SessionDocument& document)
 {
-    return QFileInfo(pathText(document.file.empty() ? document.model : document.file));
+    return shownName(document.file.empty() ? document.model : document.file);
 }
 
 QString endText(const LostView& lost)
 {
-    const QString name = openedFile(lost.document).fileName();
+    const QString name = openedName(lost.document);
     return lost.wasEnded ? KeepSession::tr("%1 had unsaved changes when TAn was ended.").arg(name)
                          : KeepSession::tr("TAn ended unexpectedly while %1 was open.").arg(name);
 }
@@ -60,7 +53,10 @@ KeepSession::KeepSession(Workbench& workbench, Viewport& viewport, MessageBar& m
         if (waiting_.isActive())
             keep(); // it may be opened anew
     });
-    connect(&workbench.opening(), &Opening::leaving, this, &KeepSession::leave);
+    connect(&workbench.opening(), &Opening::leaving, this, [this] {
+        hasEnded_ = false; // the program has gone on, and what was set aside for its end is not wanted
+        leave();
+    });
     connect(&workbench.opening(), &Opening::viewRestored, this, &KeepSession::restored);
     connect(&workbench.opening(), &Opening::pictureOpened, this, &KeepSession::offerPicture);
     connect(&workbench.opening(), &Opening::modelMissing, this, &KeepSession::offerLocating);
@@ -109,21 +105,22 @@ void KeepSession::saveAs(const std::function<void(bool saved)>& then)
                      });
 }
 
-void KeepSession::restored(const std::filesystem::path& from)
+/// A lost view of which not all is shown is offered again the next time: its file is all that there is of it.
+void KeepSession::restored(const std::filesystem::path& from, bool isAll)
 {
     wasKept_ = true;
-    removeLost(from);
+    if (isAll)
+        removeLost(from);
 }
 
 void KeepSession::offerLost()
 {
     QList<LostOffer> offers;
     for (const LostView& lost : lost_) {
-        const QFileInfo model(pathText(lost.document.model));
+        const QString model = shownText(QFileInfo(pathText(lost.document.model)).absolutePath().toStdString());
         const QString kept = QLocale().toString(QFileInfo(pathText(lost.path)).lastModified(), QLocale::ShortFormat);
         offers.append(
-            {endText(lost), openedFile(lost.document).fileName(),
-             tr("Saved automatically on %1. Model: %2").arg(kept, QDir::toNativeSeparators(model.absolutePath()))});
+            {endText(lost), openedName(lost.document), tr("Saved automatically on %1. Model: %2").arg(kept, model)});
     }
     offers_.setOffers(offers);
 }
@@ -151,7 +148,7 @@ void KeepSession::removeLost(const std::filesystem::path& path)
 void KeepSession::offerPicture(const QString& path)
 {
     messages_.ask(
-        tr("%1 contains the session it was made with, which can be restored.").arg(QFileInfo(path).fileName()),
+        tr("%1 contains the session it was made with, which can be restored.").arg(shownName(filePath(path))),
         tr("&Restore"), [this, path] { workbench_.opening().openSession(filePath(path), SessionSource::Picture); },
         [] {});
 }
@@ -159,14 +156,14 @@ void KeepSession::offerPicture(const QString& path)
 void KeepSession::offerLocating(const std::filesystem::path& session, SessionSource source,
                                 const std::filesystem::path& model)
 {
-    const QString name = pathText(model.filename());
-    const QString place = unbroken(pathText(model.parent_path()));
+    const QString name = shownName(model);
+    const QString place = shownText(model.parent_path().string());
     const bool isKept = source == SessionSource::Lost; // by the program, in a file that nobody knows
     const QString folder = isKept ? QString() : QFileInfo(pathText(session)).absolutePath();
     messages_.ask(
         isKept ? tr("The model %1 was not found where it was, in %2.").arg(name, place)
                : tr("The model %1 of %2 was not found where it was, in %3, nor near the session.")
-                     .arg(name, pathText(session.filename()), place),
+                     .arg(name, shownName(session), place),
         tr("&Locate Model…"),
         [this, session, source, name, folder] {
             askForTextFile(

@@ -33,9 +33,11 @@ public:
     /// The program is being ended by somebody who cannot be asked: all is kept as it is, and what a session's file does
     /// not have is offered the next time.
     void end();
+    /// Whether that has happened, and nothing has changed since.
+    bool hasEnded() const noexcept { return hasEnded_; }
 
 private:
-    void restored(const std::filesystem::path& from);
+    void restored(const std::filesystem::path& from, bool isAll);
     void offerLost();
     void offerInBar();
     void removeLost(const std::filesystem::path& path);

@@ -52,15 +52,15 @@ QString progressText(const TaskProgress& progress)
                : Leaving::tr("%1 % done.").arg(percent);
 }
 
-/// What can be kept, and under which name.
+/// What can be kept, and where.
 QString keptText(const LeavingFacts& facts)
 {
-    if (facts.kept == facts.target)
+    if (!facts.keepsBeside)
         return Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
             .arg(facts.target);
-    return Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy. The finished "
-                       "model %2 stays as it is.")
-        .arg(facts.kept, facts.target);
+    return Leaving::tr("If you stop now, you can keep what is finished as a model of its own, named after its error. The "
+                       "finished model %1 stays as it is.")
+        .arg(facts.target);
 }
 
 } // namespace
@@ -246,8 +246,8 @@ LeavingFacts Leaving::buildFacts(LeavingWay way) const
     facts.way = way;
     facts.name = building.buildName();
     facts.progress = progressText(built_);
-    facts.target = pathText(building.buildTarget().filename());
-    facts.kept = building.kept().name;
+    facts.target = shownName(building.buildTarget());
+    facts.keepsBeside = building.keepsBeside();
     facts.canKeep = building.canKeepBuild();
     facts.canPause = building.canPauseBuild();
     return facts;
@@ -273,7 +273,7 @@ void Leaving::keepBuild()
     Building& building = workbench_.building();
     if (keeping_ || !building.running())
         return;
-    if (!building.canKeepBuild() || !building.kept().isBeside)
+    if (!building.canKeepBuild() || !building.keepsBeside())
         return building.stopBuild(BuildEnd::Keep);
     keeping_ = askAboutKeeping(buildFacts(LeavingWay::Close), window_);
     connect(keeping_, &QMessageBox::finished, this, [this, box = keeping_.data()] {

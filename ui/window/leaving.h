@@ -23,7 +23,7 @@ struct LeavingFacts {
     QString name;     ///< of the dataset, the film, the session
     QString progress; ///< a sentence: how far it is
     QString target;   ///< of a build
-    QString kept;     ///< what becomes of it if it is stopped and kept; the target, or a file beside that
+    bool keepsBeside = false; ///< what is kept of it does not take the target's place
     bool canKeep = false;
     bool canPause = false;
 };

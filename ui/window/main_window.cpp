@@ -185,7 +185,8 @@ void MainWindow::restoreLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!std::exchange(mayClose_, false) && !leaving_->isFree(LeavingWay::Quit)) {
+    // What was set aside for the end of the desktop's session is offered the next time, so that nobody is asked then.
+    if (!std::exchange(mayClose_, false) && !keptSession_->hasEnded() && !leaving_->isFree(LeavingWay::Quit)) {
         event->ignore();
         return leaving_->ask(LeavingWay::Quit, [this] {
             mayClose_ = true;
@@ -586,10 +587,10 @@ void MainWindow::offerBuilt(const QString& path, bool isShown, const QString& fi
         docks_.build->hide();
     isBesideDataset_ = isBesideDataset_ && !workbench_.opening().datasetIsBuilt();
     showNotice();
-    const QString name = QFileInfo(path).fileName();
+    const QString name = shownName(filePath(path));
     const QString text = finished.isEmpty() ? tr("The model %1 is built.").arg(name)
                                             : tr("What was finished is kept as %1. The model %2 is as it was.")
-                                                  .arg(name, QFileInfo(finished).fileName());
+                                                  .arg(name, shownName(filePath(finished)));
     if (!isShown)
         messages_->ask(
             text, tr("&Open"), [this, path] { open(path); }, [] {}, MessageSubject::Program);

@@ -47,7 +47,7 @@ void Building::build(const BuildOrder& order)
     lookPath_ = filePath(looks_.filePath(pathText(order.target.filename())));
     task_.start([this, order, dataset, imported = opening_.importOptions(), live = live_,
                  wish = wish_](const Progress& progress) -> std::function<void()> {
-        wish->keepsBeside = keepsBeside(order.target);
+        wish->keepsBeside = tetra::keepsBeside(order.target);
         const auto built = tetra::buildModel(
             host_, *dataset, order.builder, order.values, order.target, progress,
             {.live = live.get(), .keepWhenCancelled = &wish->keep, .resume = order.resume, .imported = imported});
@@ -133,13 +133,6 @@ void Building::closeLook()
     if (showsLook())
         opening_.closeModel();
     look_.reset();
-}
-
-Building::Kept Building::kept() const
-{
-    if (!wish_ || !wish_->keepsBeside)
-        return {pathText(buildTarget_.filename()), false};
-    return {QString::fromStdString(keptName(buildTarget_, live_->error().value_or(0))), true};
 }
 
 /// A model that was watched goes on being shown as it is seen. Another one is shown unless the user has turned to

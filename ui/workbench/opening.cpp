@@ -87,6 +87,7 @@ QString serverOf(const QString& place)
 Opening::Opening(PluginHost& host, Session& session, SceneService& scenes, std::filesystem::path views)
     : host_(host), session_(session), scenes_(scenes), views_(std::move(views))
 {
+    connect(&session_, &Session::modelChanged, this, [this] { ++opened_; });
     connect(&session_, &Session::modelChanged, this, &Opening::watchForDamage);
     connect(&session_, &Session::modelGrown, this, &Opening::watchForDamage);
     connect(&watching_, &QTimer::timeout, this, &Opening::lookForDamage);
@@ -296,8 +297,9 @@ void Opening::look(const std::filesystem::path& path, bool ask)
     if (isAddress(path.string()))
         return readModel(path, coming, false);
     read([this, path, ask, coming](const Progress& progress) -> std::function<void()> {
-        if (isPictureFile(path) && !ask && !sessionInPicture(path).empty())
-            return [this, path] { emit pictureOpened(pathText(path)); };
+        if (isPictureFile(path) && !ask)
+            if (const auto session = sessionInPicture(path); session && !session->empty())
+                return [this, path] { emit pictureOpened(pathText(path)); };
         if (!isModelFile(path) || ask)
             return whenLookedAt(path, ask, progress);
         return whenModelCame(path, asSeenLast(path), coming, false, progress);
@@ -432,13 +434,14 @@ void Opening::applyLook(const std::filesystem::path& path)
 {
     if (!session_.model())
         return;
-    applying_.start([this, path, model = session_.model()](const Progress&) -> std::function<void()> {
+    applying_.start([this, path, opened = opened_](const Progress&) -> std::function<void()> {
         const auto document = readSession(path);
         if (!document)
             return tellLater(document.error());
-        return [this, path, model, look = *document] {
-            if (session_.model() != model) // the user has turned to something else
+        return [this, path, opened, look = *document] {
+            if (opened_ != opened) // the user has turned to something else
                 return;
+            const std::shared_ptr<const Model> model = session_.model(); // which may have grown meanwhile
             const RestoredView restored = restoredView(look, scenes_.modes(), *model, scenes_.extent());
             ViewValue view = restored.document.view;
             if (!look.hasCamera)
@@ -473,7 +476,7 @@ void Opening::showModel(const OpenedModel& opened)
     session_.restore(opened.model, restored.document.view, restored.document.hasCamera);
     if (!opened.from.empty())
         showSession(restored, opened);
-    emit viewRestored(opened.from);
+    emit viewRestored(opened.from, restored.differences.empty());
 }
 
 /// What a session has beside the view of its model. One of which not all could be shown stays as it is: saving asks for

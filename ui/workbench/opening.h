@@ -174,7 +174,7 @@ signals:
     void importFailed(const QString& reason);
     /// A model is shown as somebody left it; `from` is the file of the session or picture that says so, empty if that
     /// is how the model was seen last.
-    void viewRestored(const std::filesystem::path& from);
+    void viewRestored(const std::filesystem::path& from, bool isAll);
     void sessionFileChanged();
     void thumbnailDrawn(const std::string& sample, const QImage& picture);
     /// A picture was opened that holds the session by which it was made.
@@ -243,6 +243,7 @@ private:
     KeptViews views_; ///< before the workers that look into it
     LongTask reading_;
     LongTask applying_; ///< a look
+    quint64 opened_ = 0; ///< how many models were opened or closed; one that grows stays the same
     LongTask sampling_;
     LongTask thumbnails_;
     LongTask savingSession_;

@@ -93,6 +93,22 @@ void fitIsovalues(ViewValue& view, const ViewValue& start, const ValueRange& ran
     }
 }
 
+/// A renderer's own isovalues, which come back as it has them by default.
+void fitOwnIsovalues(Appearance& appearance, const ValueRange& range, Differences& differences)
+{
+    const auto isOutside = [&range](const Isovalue& isovalue) {
+        return isovalue.value < range.minimum || isovalue.value > range.maximum;
+    };
+    const auto lost = std::erase_if(appearance.settings, [&](const auto& setting) {
+        const auto* isovalues = std::get_if<std::vector<Isovalue>>(&setting.second);
+        return isovalues != nullptr && !isovalues->empty() && std::ranges::all_of(*isovalues, isOutside);
+    });
+    if (lost > 0 && std::ranges::find(differences, "isovalues", &SessionDifference::part) == differences.end())
+        differences.push_back({"isovalues", Message::say("None of the isovalues lies within the model's values, %1 "
+                                                         "to %2, so its usual ones are shown.",
+                                                         formatNumber(range.minimum), formatNumber(range.maximum))});
+}
+
 void fitTransfer(Appearance& appearance, const ViewValue& start, const ValueRange& range, Differences& differences)
 {
     const auto tell = [&differences] {
@@ -116,6 +132,7 @@ void fitTransfer(Appearance& appearance, const ViewValue& start, const ValueRang
 void fitValues(ViewValue& view, const ViewValue& start, const ValueRange& range, Differences& differences)
 {
     fitIsovalues(view, start, range, differences);
+    fitOwnIsovalues(view.appearance, range, differences);
     fitTransfer(view.appearance, start, range, differences);
     const ValueFilter& values = view.query.values;
     if (values.enabled && (values.least > range.maximum || values.largest < range.minimum))

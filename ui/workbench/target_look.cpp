@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/target_look.h"
 
+#include "plugins/host/input_file.h"
 #include "plugins/host/interrupted_build.h"
 
 #include <system_error>
@@ -11,7 +12,9 @@ namespace tetra {
 TargetFacts lookAtTarget(const std::filesystem::path& target)
 {
     std::error_code problem;
-    return {!target.empty() && std::filesystem::exists(target, problem), interruptedNote(target)};
+    const bool exists = !target.empty() && std::filesystem::exists(target, problem);
+    return {exists, exists && std::filesystem::is_regular_file(target, problem) && isModelFile(target),
+            interruptedNote(target)};
 }
 
 TargetLook::TargetLook(Look look, QObject* parent) : QObject(parent), look_(std::move(look)) {}

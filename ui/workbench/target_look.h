@@ -15,6 +15,7 @@ namespace tetra {
 /// What is there already where a model is to be written.
 struct TargetFacts {
     bool exists = false;
+    bool isModel = false; ///< isModelFile()
     std::string note{}; ///< interruptedNote(): of a build that was interrupted
 };
 

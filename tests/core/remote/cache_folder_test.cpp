@@ -257,6 +257,24 @@ private slots:
         QVERIFY(!folder.find("key"));
     }
 
+    /// Nothing but a file of its own may bear the name of one: it is told, and not waited for.
+    void aPipeUnderTheNameOfAFileIsTold()
+    {
+        const QTemporaryDir home;
+        const CacheFolder folder = folderIn(home);
+        std::filesystem::path path;
+        {
+            const auto file = folder.take("key", 10, writing(10));
+            QVERIFY(file.ok());
+            path = file->path();
+        }
+        QVERIFY(std::filesystem::remove(path));
+        QCOMPARE(::mkfifo(path.c_str(), 0600), 0);
+        const auto file = folder.take("key", 10, writing(10));
+        QVERIFY(!file.ok());
+        QCOMPARE(file.error().kind, ErrorKind::CannotWrite);
+    }
+
     void whatIsInUseStays()
     {
         const QTemporaryDir home;
