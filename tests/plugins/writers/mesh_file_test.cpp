@@ -137,6 +137,33 @@ private slots:
         QCOMPARE(facts["note"].toString(), QString(200, 'x'));
     }
 
+    /// VTK's binary files tell their lengths in 1, 2 or 4 bytes.
+    void textsOfAnyLengthComeBack_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"texts.vtk", "texts.vtu"})
+            QTest::newRow(name) << name;
+    }
+    void textsOfAnyLengthComeBack()
+    {
+        QFETCH(QString, name);
+        const RandomMesh mesh(4, 1);
+        MeshContent content = mesh.content();
+        const std::vector<std::size_t> lengths = {1, 63, 64, 65, 16383, 16384};
+        for (const std::size_t length : lengths)
+            content.facts.emplace_back("length_" + std::to_string(length), std::string(length, 'y'));
+        const QString path = folder_.filePath(name);
+        QVERIFY(writeMesh(path.toStdString(), content));
+        const VtkReader read(path);
+        if (read.isMissing())
+            QSKIP_WITHOUT("python3-vtk9");
+        QVERIFY2(read.ok(), read.messages());
+        const QJsonObject facts = read.told()["facts"].toObject();
+        for (const std::size_t length : lengths)
+            QCOMPARE(facts["length_" + QString::number(length)].toString(), QString(qsizetype(length), 'y'));
+        QCOMPARE(read.array<float>("points"), numbersIn<float>(std::as_bytes(std::span(mesh.positions))));
+    }
+
     void plyHoldsWhatWasWritten()
     {
         const RandomMesh mesh(100, 300);
