@@ -396,7 +396,7 @@ private slots:
         QCOMPARE(static_cast<qint64>(values.size()), figures["vertices"].toInteger());
         QCOMPARE(values.front(), 100.0F);
         QCOMPARE(values.back(), 150.0F);
-        QCOMPARE(reader.told()["facts"].toObject()["model"].toString(), QString("c60.tan"));
+        QVERIFY(readFile(path(qPrintable(name))).left(500).contains("model: c60.tan"));
     }
 
     void renderDraws_data()
