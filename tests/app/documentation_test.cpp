@@ -73,10 +73,29 @@ private slots:
         QVERIFY2(mistake.isEmpty(), qPrintable(mistake));
     }
 
+    /// There is an example of each subcommand, and with a letter too many anywhere where names stand it is none.
     void mistakesAreFound()
     {
-        QVERIFY(!mistakeIn({"buidl"}).isEmpty());
-        QVERIFY(!mistakeIn({"build", "a.nrrd", "-o", "b.tan", "--eror", "1"}).isEmpty());
+        for (const Subcommand& subcommand : subcommands()) {
+            std::vector<QStringList> examples;
+            for (const Example& example : subcommand.syntax(*host_).examples)
+                for (const QStringList& words : examplesIn("  " + QString::fromStdString(example.command)))
+                    examples.push_back(words);
+            QVERIFY2(!examples.empty(), std::string(subcommand.name).c_str());
+            for (const QStringList& example : examples) {
+                QStringList other = example;
+                other[0] += 'x';
+                QVERIFY(!mistakeIn(other).isEmpty());
+                QVERIFY2(!mistakeIn(example + QStringList{"--no-such-option"}).isEmpty(),
+                         qPrintable(example.join(' ')));
+                for (qsizetype i = 1; i < example.size(); ++i)
+                    if (example[i].startsWith("--")) {
+                        other = example;
+                        other[i].insert(2, 'x');
+                        QVERIFY2(!mistakeIn(other).isEmpty(), qPrintable(other.join(' ')));
+                    }
+            }
+        }
     }
 
     /// What can be said to `tan render` stands in its chapter, each mode and each option.

@@ -68,6 +68,12 @@ public:
     {
         return ::send(socket_, bytes.data(), static_cast<std::size_t>(bytes.size()), MSG_NOSIGNAL) == bytes.size();
     }
+    /// Waits until something has come; false if nothing does.
+    bool isAnswered() const
+    {
+        pollfd place{.fd = socket_, .events = POLLIN, .revents = 0};
+        return ::poll(&place, 1, patiently(5000)) > 0;
+    }
     /// What comes until the server ends the connection; "timeout" if it does not.
     QByteArray rest(int patience = 60'000) const
     {
@@ -153,6 +159,18 @@ private:
     std::vector<int> taken_;
 };
 
+/// How many connections to a port of this machine their server has not ended.
+int connectionsTo(int port)
+{
+    const QByteArray local = "0100007F:" + QByteArray::number(port, 16).toUpper().rightJustified(4, '0');
+    int count = 0;
+    for (const QByteArray& line : readFile("/proc/net/tcp").split('\n')) {
+        const QByteArrayList fields = line.simplified().split(' ');
+        count += fields.size() > 3 && fields[1] == local && fields[3] == "01" ? 1 : 0; // TCP_ESTABLISHED
+    }
+    return count;
+}
+
 /// Of each question for a model's sizes or meshes, in the order in which they were answered, the connection.
 QStringList connectionsThatAsked(const LocalServer& server)
 {
@@ -194,7 +212,7 @@ public:
     }
     bool isWaitedForBy(int count) const
     {
-        return QTest::qWaitFor([&] { return waiting_ == count; }, 20'000);
+        return waitFor([&] { return waiting_ == count; });
     }
     void open()
     {
@@ -225,7 +243,7 @@ public:
     {
         if (process.state() != QProcess::NotRunning)
             process.kill();
-        process.waitForFinished(20'000);
+        process.waitForFinished(patiently(20'000));
     }
     ServeProgram(const ServeProgram&) = delete;
     ServeProgram& operator=(const ServeProgram&) = delete;
@@ -236,6 +254,19 @@ public:
         while (process.state() != QProcess::NotRunning && !process.canReadLine())
             process.waitForReadyRead(1000);
         return portIn(process.readLine());
+    }
+    /// Waits until so many more requests stand in its log.
+    bool waitForRequests(int count)
+    {
+        while (count > 0) {
+            while (process.state() != QProcess::NotRunning && !process.canReadLine())
+                if (!process.waitForReadyRead(patiently(5000)))
+                    return false;
+            if (!process.canReadLine())
+                return false;
+            count -= process.readLine().contains("\"GET ") ? 1 : 0;
+        }
+        return true;
     }
     static int portIn(const QByteArray& line)
     {
@@ -1014,7 +1045,7 @@ private slots:
         {
             const Client client(server.port);
             client.send("GET /lattice.tan?error=1 HTTP/1.1\r\nHost: localhost\r\n\r\n");
-            QVERIFY(QTest::qWaitFor([&] { return hasCome.load(); }, 20'000));
+            QVERIFY(waitFor([&] { return hasCome.load(); }));
             QCOMPARE(server.records().size(), std::size_t(0));
         }
         QVERIFY(server.waitForRecords(1));
@@ -1042,7 +1073,7 @@ private slots:
             QVERIFY2(left.ok(), left.ok() ? "" : left.error().text().c_str());
             MeshExtractor extractor(left->model);
             for (const double error : {1.0, 0.5, 0.0}) {
-                QTest::qSleep(isKept ? 0 : 50);
+                QVERIFY(isKept || waitFor([&] { return connectionsTo(server.port) == 0; }));
                 const auto mesh = extractor.extract({.error = error});
                 QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().text().c_str());
             }
@@ -1150,9 +1181,9 @@ private slots:
         kept.send("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
         asking.send("GET / HT");
         reading.send("GET /lattice.tan HTTP/1.1\r\nHost: localhost\r\n\r\n");
-        QTest::qSleep(100);
+        QVERIFY(kept.isAnswered() && reading.isAnswered()); // the others came before them
         server.signal(signal);
-        QVERIFY(server.process.waitForFinished(20'000));
+        QVERIFY(server.process.waitForFinished(patiently(20'000)));
         const Run run = collect(server.process);
         QCOMPARE(run.exitCode, 0);
         QVERIFY(run.json()["requests"].toInt() >= 2);
@@ -1179,7 +1210,7 @@ private slots:
         for (int i = 0; i < 200; ++i)
             QCOMPARE(ask(port, "/lattice.tan", "Range: bytes=0-9\r\n").status, 206);
         server.signal(SIGINT);
-        QVERIFY(server.process.waitForFinished(20'000));
+        QVERIFY(server.process.waitForFinished(patiently(20'000)));
         QCOMPARE(server.process.exitCode(), 0);
         ::close(pipe[0]);
         ::close(pipe[1]);
@@ -1209,22 +1240,27 @@ private slots:
         const int port = server.port();
         QVERIFY(port > 0);
         // Each has a connection of its own, and so another thread of the server.
-        const auto keptAfter = [&](int meshes) {
+        const auto areAnswered = [&](int meshes) {
+            int answered = 0;
             for (int i = 0; i < meshes; ++i)
-                if (ask(port, "/lattice.tan?error=" + QByteArray::number(i % 2)).status != 200)
-                    return -1.0;
-            QTest::qSleep(100); // the last one is put away
+                answered += ask(port, "/lattice.tan?error=" + QByteArray::number(i % 2)).status == 200 ? 1 : 0;
+            return answered == meshes && server.waitForRequests(meshes); // it logs what is over
+        };
+        const auto kept = [&server] {
             const QByteArray pages = readFile("/proc/" + QString::number(server.process.processId()) + "/smaps_rollup");
             const qsizetype at = pages.indexOf("Anonymous:");
             return at < 0 ? -1.0 : pages.mid(at + 10).trimmed().split(' ')[0].toDouble() / 1024;
         };
-        const double first = keptAfter(4), later = keptAfter(40);
-        server.signal(SIGTERM);
-        QVERIFY(server.process.waitForFinished(20'000));
+        QVERIFY(areAnswered(4));
+        const double first = kept();
         QVERIFY(first > 0);
+        QVERIFY(areAnswered(40));
         constexpr double mostOfAThread = 0.1;
-        QVERIFY2(later > 0 && later < first + 36 * mostOfAThread,
-                 qPrintable(QString("%1 MB, then %2").arg(first).arg(later)));
+        double later = kept();
+        const bool isSteady = waitFor([&] { return (later = kept()) > 0 && later < first + 36 * mostOfAThread; });
+        QVERIFY2(isSteady, qPrintable(QString("%1 MB, then %2").arg(first).arg(later)));
+        server.signal(SIGTERM);
+        QVERIFY(server.process.waitForFinished(patiently(20'000)));
     }
 
     /// Where the system gives fewer threads than there may be connections, it serves with those, or says why not.
@@ -1240,7 +1276,8 @@ private slots:
                 served += ask(port, "/lattice.tan", "Range: bytes=0-9\r\n").status == 206 ? 1 : 0;
                 server.signal(SIGTERM);
             }
-            QVERIFY(server.process.waitForFinished(20'000) || server.process.state() == QProcess::NotRunning);
+            QVERIFY(server.process.waitForFinished(patiently(20'000)) ||
+                    server.process.state() == QProcess::NotRunning);
             QCOMPARE(server.process.exitStatus(), QProcess::NormalExit);
             const int code = server.process.exitCode();
             QVERIFY2(code == 0 || code == 4 || code == 127, server.process.readAllStandardError());

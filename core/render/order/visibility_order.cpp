@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/order/visibility_order.h"
 
+#include "core/render/order/held_cells.h"
 #include "core/render/order/topological_sort.h"
 
 #include <tbb/parallel_invoke.h>
@@ -14,19 +15,25 @@
 
 namespace tetra {
 
-namespace {
-
-/// When cycles hold back what is not taken: what lies behind all of them comes last, and in order; of the rest cycles
-/// are cut. `front` is not needed any more.
-VisibilityOrder orderWithCycles(const TetrahedralMesh& mesh, const OcclusionGraph& graph, const EyePoint& eye,
-                                TopologicalSort& front, TopologicalSort& back)
+std::vector<std::uint32_t> heldByCycles(std::size_t cells, TopologicalSort& front, TopologicalSort& back)
 {
     const std::size_t before = back.taken().size();
     std::vector<std::uint32_t> held = front.held();
     back.restrictTo(held);
-    back.take(graph.cellCount());
+    back.take(cells);
     front.leave(back.taken().subspan(before));
     std::erase_if(held, [&](std::uint32_t cell) { return !front.isHeld(cell); });
+    return held;
+}
+
+namespace {
+
+/// When cycles hold back what is not taken: what lies behind all of them comes last, and in order; of the rest cycles
+/// are cut.
+VisibilityOrder orderWithCycles(const TetrahedralMesh& mesh, const OcclusionGraph& graph, const EyePoint& eye,
+                                TopologicalSort& front, TopologicalSort& back)
+{
+    const std::vector<std::uint32_t> held = heldByCycles(graph.cellCount(), front, back);
     VisibilityOrder order;
     order.cells.reserve(graph.cellCount());
     const auto taken = front.taken(), left = front.left();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who writes a log does not wait for who reads it, and what was left out is counted.
 #include "core/serve/line_log.h"
+#include "tests/waiting.h"
 
 #include <QtTest>
 
@@ -97,11 +98,11 @@ private slots:
         // Ends are added until one finds room; those before it are among the lines that are missing.
         QByteArray all;
         static const QRegularExpression end("^end (\\d+)\n", QRegularExpression::MultilineOption);
-        for (int i = 0; !end.match(QString::fromLatin1(all)).hasMatch(); ++i) {
-            log.add("end " + std::to_string(i));
-            QTest::qSleep(1);
+        QVERIFY(tetra::waitFor([&, i = 0]() mutable {
+            log.add("end " + std::to_string(i++));
             all += pipe.read();
-        }
+            return end.match(QString::fromLatin1(all)).hasMatch();
+        }));
         int read = 0, missing = 0;
         for (const QByteArray& line : all.left(all.indexOf("end ")).split('\n')) {
             const QList<QByteArray> words = line.split(' ');

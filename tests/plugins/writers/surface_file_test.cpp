@@ -243,6 +243,23 @@ private slots:
         }
     }
 
+    /// The triangles of all parts, one after the other, have one each.
+    void plyHoldsValuesOfTriangles()
+    {
+        const RandomSurface one(5, 4, 1), other(5, 3, 2);
+        SurfaceContent content = contentOf(one.part("a", true), other.part("b", true));
+        const std::vector<std::uint16_t> kinds = {7, 1, 2, 65535, 4, 0, 9};
+        content.cellArrays = {{"kind", std::span(kinds)}};
+        const QString path = folder_.filePath("kinds.ply");
+        QVERIFY(writeSurface(path.toStdString(), content));
+        const QByteArray bytes = ::contentOf(path);
+        QVERIFY(bytes.contains("property list uchar int vertex_indices\nproperty ushort kind\nend_header\n"));
+        constexpr qsizetype faceBytes = 1 + 3 * sizeof(std::int32_t) + sizeof(std::uint16_t);
+        const qsizetype faces = bytes.size() - qsizetype(kinds.size()) * faceBytes;
+        for (std::size_t face = 0; face < kinds.size(); ++face)
+            QCOMPARE(numberAt<std::uint16_t>(bytes, faces + qsizetype(face + 1) * faceBytes - 2), kinds[face]);
+    }
+
     void objNamesItsGroups()
     {
         const RandomSurface one(5, 2, 1), other(5, 2, 2);

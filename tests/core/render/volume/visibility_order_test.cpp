@@ -2,6 +2,7 @@
 // The order of the cells by adjacency (S14): every face right, gaps, cycles.
 #include "core/geometry/orientation.h"
 #include "core/mesh/topology.h"
+#include "core/render/order/held_cells.h"
 #include "core/render/order/visibility_order.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_renderer.h"
@@ -32,10 +33,12 @@ VolumeMesh volumeOf(const TetrahedralMesh& mesh)
     return makeVolumeMesh(std::make_shared<const TetrahedralMesh>(mesh)).value();
 }
 
+/// Of each cell, and behind the cells of each piece of one, its place; of those that are not there the order's size.
 std::vector<std::uint32_t> ranksOf(const VisibilityOrder& order)
 {
     const auto count = static_cast<std::uint32_t>(order.cells.size());
-    std::vector<std::uint32_t> ranks(count, count);
+    const std::uint32_t last = order.cells.empty() ? 0 : std::ranges::max(order.cells);
+    std::vector<std::uint32_t> ranks(last + 1, count);
     for (std::uint32_t i = 0; i < count; ++i)
         ranks[order.cells[i]] = i;
     return ranks;
@@ -89,7 +92,9 @@ private slots:
     void nearlyInPlanesOfFaces();
     void besideAVertexAtTheOrigin();
     void tellsConvexDomains();
+    void cyclesAreCut_data();
     void cyclesAreCut();
+    void onlyWhatCyclesHoldBackIsSearched();
     void overlapsAreCounted();
     void driftIsTheAngleOfTheEye();
 };
@@ -290,10 +295,12 @@ bool isOrdered(const std::vector<std::array<Vector3d, 4>>& cells, const EyePoint
     };
     std::uniform_real_distribution<double> across(-1.5, 1.5);
     for (int ray = 0; ray < 2000; ++ray) {
-        const Vector3d direction = Vector3d(across(random), across(random), 0) - eye.place;
+        const Vector3d through(across(random), across(random), 0);
+        const Vector3d start = eye.perspective ? eye.place : through;
+        const Vector3d direction = eye.perspective ? (through - eye.place).eval() : (-eye.place).eval();
         double last = -1e300;
         for (const auto& cell : cells) {
-            const auto [enter, leave] = passed(cell, eye.place, direction);
+            const auto [enter, leave] = passed(cell, start, direction);
             if (!(leave > enter + 1e-6))
                 continue;
             if (enter < last - 1e-6)
@@ -304,15 +311,32 @@ bool isOrdered(const std::vector<std::array<Vector3d, 4>>& cells, const EyePoint
     return true;
 }
 
+void VisibilityOrderTest::cyclesAreCut_data()
+{
+    QTest::addColumn<bool>("perspective");
+    QTest::addColumn<bool>("fromBehind");
+    QTest::newRow("perspective") << true << false;
+    QTest::newRow("orthographic") << false << false;
+    QTest::newRow("perspective, from behind") << true << true;
+    QTest::newRow("orthographic, from behind") << false << true;
+}
+
 /// C13, S14: what hides itself in a circle is cut until there is an order. The blades lie so that each is before the
 /// next, as a geometric fact; no whole blade comes first.
 void VisibilityOrderTest::cyclesAreCut()
 {
+    QFETCH(bool, perspective);
+    QFETCH(bool, fromBehind);
     std::mt19937 random(23);
-    const TetrahedralMesh mesh = pinwheel();
+    TetrahedralMesh mesh = pinwheel();
+    const auto field = [](const Eigen::Vector3f& at) { return 0.5f + at.dot(Eigen::Vector3f(0.3f, -0.2f, 0.1f)); };
+    std::ranges::transform(mesh.positions, mesh.values.begin(), field);
     const VolumeMesh volume = volumeOf(mesh);
-    const EyePoint eye{{0, 0, -5}, true};
-    const std::vector<CellRelation> circle = {{0, 1}, {1, 2}, {2, 0}};
+    const EyePoint eye{{0, 0, (perspective ? 5.0 : 1.0) * (fromBehind ? 1 : -1)}, perspective};
+    std::vector<CellRelation> circle = {{0, 1}, {1, 2}, {2, 0}};
+    if (fromBehind)
+        for (CellRelation& relation : circle)
+            std::swap(relation.front, relation.back);
     const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye, circle);
     QCOMPARE(order.cycles, std::size_t(1));
     QCOMPARE(order.brokenCycles, std::size_t(0));
@@ -335,12 +359,52 @@ void VisibilityOrderTest::cyclesAreCut()
         drawn.push_back(cell);
     }
     QVERIFY(isOrdered(drawn, eye, random));
+    QVERIFY(!order.pieces.positions.empty()); // which have the cells' values
+    for (std::size_t i = 0; i < order.pieces.positions.size(); ++i)
+        QVERIFY(std::abs(order.pieces.values.at(i) - field(order.pieces.positions[i])) < 1e-5f);
     for (std::size_t cell = 0; cell < 3; ++cell) { // nothing is lost, nothing comes twice
         const auto at = [&](std::size_t i) -> Vector3d {
             return mesh.positions[mesh.tetrahedra[cell][i]].cast<double>();
         };
         const double whole = std::abs((at(1) - at(0)).dot((at(2) - at(0)).cross(at(3) - at(0))));
         QVERIFY2(std::abs(volumes[cell] - whole) < 1e-5 * whole, qPrintable(QString::number(volumes[cell] / whole)));
+    }
+}
+
+/// However many cells lie in order before a cycle or behind it.
+void VisibilityOrderTest::onlyWhatCyclesHoldBackIsSearched()
+{
+    constexpr std::uint32_t more = 1000;
+    for (const bool behind : {true, false}) {
+        TetrahedralMesh mesh = pinwheel();
+        std::vector<CellRelation> relations = {{0, 1}, {1, 2}, {2, 0}};
+        for (std::uint32_t cell = 3; cell < 3 + more; ++cell) {
+            const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+            const float z = (behind ? 2.0f : -2.0f) + 0.001f * static_cast<float>(behind ? cell : more - cell);
+            for (const Eigen::Vector3f& corner : {Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 0.0005f}})
+                mesh.positions.emplace_back(corner + Eigen::Vector3f(0, 0, z));
+            mesh.values.insert(mesh.values.end(), 4, 0.5f);
+            mesh.tetrahedra.push_back({base, base + 1, base + 2, base + 3});
+            const std::uint32_t last = cell == 3 ? 0 : cell - 1;
+            relations.push_back(behind ? CellRelation{last, cell} : CellRelation{cell, last});
+        }
+        const VolumeMesh volume = volumeOf(mesh);
+        const EyePoint eye{{0, 0, -5}, true};
+        const Buffer<std::uint8_t> facing = classifyFaces(mesh, eye);
+        const OcclusionGraph graph{volume.adjacency, facing, relations};
+        TopologicalSort front(graph, OrderEnd::Front), back(graph, OrderEnd::Back);
+        front.take(graph.cellCount() - graph.cellCount() / 2); // as orderByAdjacency() does it
+        back.take(graph.cellCount() / 2);
+        front.leave(back.taken());
+        front.take(graph.cellCount());
+        std::vector<std::uint32_t> held = heldByCycles(graph.cellCount(), front, back);
+        std::ranges::sort(held);
+        QCOMPARE(held, (std::vector<std::uint32_t>{0, 1, 2}));
+        const VisibilityOrder order = orderByAdjacency(mesh, volume.adjacency, eye, relations);
+        QCOMPARE(order.cycles, std::size_t(1));
+        const auto ranks = ranksOf(order);
+        for (std::uint32_t cell = 4; cell < 3 + more; ++cell)
+            QCOMPARE(ranks[cell - 1] < ranks[cell], behind);
     }
 }
 
@@ -355,6 +419,33 @@ void VisibilityOrderTest::overlapsAreCounted()
     QCOMPARE(order.brokenCycles, std::size_t(1));
     QCOMPARE(order.pieces.cutCells, std::size_t(0));
     QVERIFY(order.cells.size() == 2 && order.cells[0] != order.cells[1]);
+
+    // Of what both have the nearer one's comes first.
+    for (const float nearer : {-0.01f, 0.01f})
+        for (const bool perspective : {true, false}) {
+            TetrahedralMesh two = oneCell();
+            for (std::size_t i = 0; i < 4; ++i) {
+                two.positions.push_back(two.positions[i] + Eigen::Vector3f(0, 0, nearer));
+                two.values.push_back(two.values[i]);
+            }
+            two.tetrahedra.push_back({4, 5, 6, 7});
+            const EyePoint before{{0, 0, perspective ? -5.0 : -1.0}, perspective};
+            const VisibilityOrder found = orderByAdjacency(two, volumeOf(two).adjacency, before, circle);
+            QCOMPARE(found.brokenCycles, std::size_t(1));
+            std::array<std::pair<double, std::size_t>, 2> largest{}; // piece of each cell, and its rank
+            for (std::size_t rank = 0; rank < found.cells.size(); ++rank) {
+                const bool isPiece = found.cells[rank] >= 2;
+                const auto& corners =
+                    isPiece ? found.pieces.tetrahedra.at(found.cells[rank] - 2) : two.tetrahedra[found.cells[rank]];
+                const auto at = [&](std::size_t i) {
+                    return corners[i] < 8 ? two.positions[corners[i]] : found.pieces.positions.at(corners[i] - 8);
+                };
+                const double size = std::abs(double((at(1) - at(0)).dot((at(2) - at(0)).cross(at(3) - at(0)))));
+                auto& kept = largest.at(isPiece ? found.pieces.cells.at(found.cells[rank] - 2) : found.cells[rank]);
+                kept = std::max(kept, std::pair(size, rank));
+            }
+            QCOMPARE(largest[1].second < largest[0].second, nearer < 0);
+        }
 }
 
 void VisibilityOrderTest::driftIsTheAngleOfTheEye()

@@ -347,6 +347,22 @@ void Plot3dReaderTest::whatIsWrittenComesBack()
         QCOMPARE(copy->lattice.size, dataset->lattice.size);
         QCOMPARE(copy->values.type(), dataset->values.type());
     }
+    // Whole numbers that single precision does not hold.
+    for (const bool isSigned : {false, true}) {
+        Dataset whole = *read(writePair({}));
+        std::vector<std::uint32_t> numbers(whole.pointCount());
+        for (std::uint32_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = (1U << 24U) + 1 + 2 * i;
+        whole.values = isSigned ? ScalarField::of(std::vector<std::int32_t>(numbers.begin(), numbers.end()))
+                                : ScalarField::of(numbers);
+        const std::filesystem::path path = folder_->filePath("whole.xyz").toStdString();
+        QVERIFY(saveDataset(pluginsOfThisBuild(), whole, path).ok());
+        const auto copy = read(path);
+        QVERIFY2(copy.ok(), copy.ok() ? "" : copy.error().text().c_str());
+        QCOMPARE(copy->pointCount(), whole.pointCount());
+        for (std::uint32_t i = 0; i < numbers.size(); ++i)
+            QCOMPARE(copy->values.at(i), double(numbers[i]));
+    }
     Dataset scattered = *read(writePair({}));
     scattered.domain = DomainClass::Scattered;
     QVERIFY(!saveDataset(pluginsOfThisBuild(), scattered, folder_->filePath("points.xyz").toStdString()).ok());

@@ -93,11 +93,28 @@ private slots:
         QVERIFY(second.connectivity == file->zones[0].connectivity);
     }
 
+    /// One for each cell of the lattice, of which a plane has one layer; also where another zone shares them.
+    void latticesHaveValuesOfElements()
+    {
+        const auto file = readTecplot(
+            cubeHead + "ZONE I=3, J=2, K=1, F=BLOCK, VARLOCATION=([4-5]=CELLCENTERED)\n"
+                       "0 1 2 0 1 2\n0 0 0 1 1 1\n6*0\n1 2\n3 4\n"
+                       "ZONE I=3, J=2, K=1, F=BLOCK, VARLOCATION=([5]=CELLCENTERED), VARSHARELIST=([1-4]=1)\n"
+                       "5 6\n");
+        QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
+        QCOMPARE(file->zones.size(), std::size_t(2));
+        QCOMPARE(file->zones[0].elements, std::uint64_t(2));
+        QCOMPARE(valuesOf(file->zones[0], 4), (std::vector<double>{3, 4}));
+        QCOMPARE(file->zones[1].perElement, (std::vector<bool>{false, false, false, true, true}));
+        QCOMPARE(valuesOf(file->zones[1], 3), (std::vector<double>{1, 2}));
+        QCOMPARE(valuesOf(file->zones[1], 4), (std::vector<double>{5, 6}));
+    }
+
     void numbersKeepTheirPrecision()
     {
         const std::string text =
             "VARIABLES = X (m), Y (m), Z (m), V\nZONE I=2, J=1, K=1, DT=(DOUBLE DOUBLE DOUBLE SINGLE)\n"
-            "0.1 1.5D+02 -2.5e-310 NaN\n+1 2 3 1e39\n";
+            "0.1 1.5D+02 -2.5e-310 NaN\n+1 2.5d-1 3 1e39\n";
         // Names with blanks must be in quotes.
         QVERIFY(!readTecplot(text).ok());
         std::string quoted = text;
@@ -106,7 +123,7 @@ private slots:
         QVERIFY2(file.ok(), file.ok() ? "" : file.error().text().c_str());
         QCOMPARE(file->axes, (std::array<std::size_t, 3>{0, 1, 2}));
         QCOMPARE(valuesOf(file->zones[0], 0), (std::vector<double>{0.1, 1}));
-        QCOMPARE(valuesOf(file->zones[0], 1), (std::vector<double>{150, 2}));
+        QCOMPARE(valuesOf(file->zones[0], 1), (std::vector<double>{150, 0.25}));
         QVERIFY(std::isnan(file->zones[0].values[3]->at(0)));
         QVERIFY(std::isinf(file->zones[0].values[3]->at(1)));
         QCOMPARE(file->zones[0].values[3]->doubles.size(), std::size_t(0));
