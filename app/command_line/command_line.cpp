@@ -129,6 +129,31 @@ Result<Outcome> runGuarded(const Subcommand& subcommand, const Invocation& invoc
     }
 }
 
+/// For programs, which find on standard output what people read among the messages.
+std::string_view kindName(ErrorKind kind)
+{
+    switch (kind) {
+    case ErrorKind::WrongUsage: return "wrong-usage";
+    case ErrorKind::BadInput: return "bad-input";
+    case ErrorKind::CannotWrite: return "cannot-write";
+    case ErrorKind::OutOfResource: return "out-of-resource";
+    case ErrorKind::Cancelled: break;
+    }
+    return "cancelled";
+}
+
+/// With --json the error is an object, too.
+int failFor(std::span<const std::string> words, const Streams& streams, const Error& error)
+{
+    const int code = fail(streams, error);
+    if (std::ranges::find(words, "--json") == words.end())
+        return code;
+    const QJsonObject told{{"error", QString::fromStdString(error.text())},
+                           {"kind", QString::fromUtf8(kindName(error.kind).data())},
+                           {"exit_code", code}};
+    return print(streams, jsonText(told), code);
+}
+
 int runSubcommand(const Subcommand& subcommand, std::span<const std::string> words, PluginHost& host,
                   const Streams& streams, const std::stop_token& stop)
 {
@@ -137,17 +162,17 @@ int runSubcommand(const Subcommand& subcommand, std::span<const std::string> wor
         return print(streams, subcommandHelp(subcommand.name, syntax), 0);
     const auto arguments = parseArguments(syntax, words);
     if (!arguments)
-        return fail(streams,
-                    trueReason({arguments.error().kind, arguments.error().text() + " 'tan " +
-                                                            std::string(subcommand.name) + " --help' explains it."},
-                               host));
+        return failFor(words, streams,
+                       trueReason({arguments.error().kind, arguments.error().text() + " 'tan " +
+                                                               std::string(subcommand.name) + " --help' explains it."},
+                                  host));
 
     ProgressLine line(streams.messages, streams.messagesAreTerminal);
     const Progress progress = line.progress(stop);
     const auto outcome = runGuarded(subcommand, {*arguments, host, progress, streams.messages});
     line.clear();
     if (!outcome)
-        return fail(streams, trueReason(outcome.error(), host));
+        return failFor(words, streams, trueReason(outcome.error(), host));
     if (!outcome->isHeard)
         return 0;
     const std::string text = arguments->has("json") ? jsonText(outcome->figures) : outcome->text;

@@ -111,7 +111,7 @@ Result<ErrorStatistics> measured(const Task& task, const std::string& against, c
 Error noBoundary()
 {
     return {ErrorKind::WrongUsage, "'--range' gives tetrahedra that overlap, so they have no boundary to write. "
-                                   "Write a .vtu, .vtk or .ply file."};
+                                   "Write a .vtu or .vtk file."};
 }
 
 Result<Outcome> extractMesh(const Task& task, const MeshQuery& query, std::shared_ptr<const Model> model)
@@ -207,16 +207,16 @@ Syntax extractSyntax(PluginHost& host)
         .explanation =
             "The smallest mesh that keeps what is asked for: the same error everywhere, or a smaller one in a focus or "
             "near certain values, without cracks; or the best one of so many tetrahedra; or a part of it. The file is "
-            "a VTK XML unstructured grid (.vtu), a legacy one (.vtk) or binary PLY (.ply), with the array 'value' of "
-            "the vertices; or the boundary of the mesh alone, as triangles: VTK polydata (.vtp), STL (.stl), Wavefront "
+            "a VTK XML unstructured grid (.vtu) or a legacy one (.vtk), with the array 'value' of the vertices; or the "
+            "boundary of the mesh alone, as triangles: VTK polydata (.vtp), binary PLY (.ply), STL (.stl), Wavefront "
             "text (.obj) or binary glTF (.glb).",
         .positionals = {{"MODEL", modelExplanation()}},
         .options = queryOptions(),
         .examples = {{"tan extract engine.tan --error 0.5 -o engine.vtu", "The mesh of an accuracy."},
                      {"tan extract engine.tan --error 4 --focus sphere:120,100,60,30 --focus-error 0.5 -o detail.vtu",
                       "Fine in a sphere, coarse elsewhere, conforming."},
-                     {"tan extract engine.tan --budget 300000 -o engine.ply", "As good as 300,000 tetrahedra allow."},
-                     {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.ply",
+                     {"tan extract engine.tan --budget 300000 -o engine.vtk", "As good as 300,000 tetrahedra allow."},
+                     {"tan extract engine.tan --budget 300000 --against engine.nrrd -o engine.vtk",
                       "And how good that is on the whole."}}};
     syntax.options.push_back(againstOption());
     std::ranges::move(serverOptions(), std::back_inserter(syntax.options));

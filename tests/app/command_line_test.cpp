@@ -396,7 +396,25 @@ private slots:
         QCOMPARE(static_cast<qint64>(values.size()), figures["vertices"].toInteger());
         QCOMPARE(values.front(), 100.0F);
         QCOMPARE(values.back(), 150.0F);
-        QCOMPARE(reader.told()["facts"].toObject()["model"].toString(), QString("c60.tan"));
+        QVERIFY(readFile(path(qPrintable(name))).left(500).contains("model: c60.tan"));
+    }
+
+    /// With --json a failure is an object, too, beside the sentence for people.
+    void errorsAreJson()
+    {
+        const auto row = [](const QStringList& words, const char* kind, int code) {
+            const Run run = tan(words + QStringList{"--json"});
+            QCOMPARE(run.exitCode, code);
+            QCOMPARE(run.json()["kind"].toString(), QString(kind));
+            QCOMPARE(run.json()["exit_code"].toInt(), code);
+            QVERIFY(!run.json()["error"].toString().isEmpty());
+            QVERIFY2(QString::fromUtf8(run.messages).contains(run.json()["error"].toString()), run.messages);
+        };
+        row({"info", "nothing.tan"}, "bad-input", 3);
+        row({"extract", "c60.tan", "--error", "x", "-o", "x.vtu"}, "wrong-usage", 2);
+        row({"extract", "c60.tan", "--eror", "1", "-o", "x.vtu"}, "wrong-usage", 2);
+        row({"extract", "c60.tan", "-o", "no-folder/x.vtu"}, "cannot-write", 4);
+        QVERIFY(tan({"info", "nothing.tan"}).output.isEmpty());
     }
 
     void renderDraws_data()
@@ -622,7 +640,7 @@ private slots:
     {
         const Run good = tan({"info", "c60.tan", "--json"});
         QVERIFY(good.messages.isEmpty());
-        const Run bad = tan({"info", "nothing.tan", "--json"});
+        const Run bad = tan({"info", "nothing.tan"});
         QVERIFY(bad.output.isEmpty());
         QVERIFY(bad.messages.startsWith("tan: "));
     }

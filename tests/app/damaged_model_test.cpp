@@ -18,11 +18,11 @@ namespace {
 const QList<QStringList> damagedModelCommands = {
     {"info", "m.tan", "--lod", "10,1,0", "--json"},
     {"info", "m.tan", "-o", "OUT.csv"},
-    {"extract", "m.tan", "--error", "0", "-o", "OUT.ply"},
-    {"extract", "m.tan", "--error", "20", "--focus", "sphere:5,5,5,3", "--focus-error", "1", "-o", "OUT.ply"},
-    {"extract", "m.tan", "--budget", "900", "-o", "OUT.ply"},
+    {"extract", "m.tan", "--error", "0", "-o", "OUT.vtu"},
+    {"extract", "m.tan", "--error", "20", "--focus", "sphere:5,5,5,3", "--focus-error", "1", "-o", "OUT.vtu"},
+    {"extract", "m.tan", "--budget", "900", "-o", "OUT.vtu"},
     {"extract", "m.tan", "--range", "20,1", "-o", "OUT.vtu"},
-    {"isosurface", "m.tan", "--error", "2", "--value", "120", "-o", "OUT.ply"},
+    {"isosurface", "m.tan", "--error", "2", "--value", "120", "-o", "OUT.vtu"},
     {"render", "m.tan", "--error", "2", "--isovalue", "120", "--size", "40x40", "-o", "OUT.png"},
 };
 

@@ -3,6 +3,7 @@
 /// reads it.
 #include "tests/app/program.h"
 #include "tests/app/read_mesh.h"
+#include "tests/app/sample_files.h"
 #include "tests/lacks.h"
 
 #include <QJsonArray>
@@ -50,7 +51,7 @@ private slots:
     void writesAMeshOfAnAccuracy_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"mesh.vtu", "mesh.vtk", "mesh.ply"})
+        for (const char* name : {"mesh.vtu", "mesh.vtk"})
             QTest::newRow(name) << QString(name);
     }
     void writesAMeshOfAnAccuracy()
@@ -75,7 +76,7 @@ private slots:
     void writesTheBoundary_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"mesh.vtp", "mesh.obj", "mesh.glb"})
+        for (const char* name : {"mesh.vtp", "mesh.ply", "mesh.obj", "mesh.glb"})
             QTest::newRow(name) << QString(name);
     }
     void writesTheBoundary()
@@ -121,8 +122,8 @@ private slots:
         const QJsonObject facts = reader.told()["facts"].toObject();
         QCOMPARE(facts["error"].toDouble(), 2.0);
         QCOMPARE(facts["error_scale"].toDouble(), 1.0);
-        QCOMPARE(facts["model"].toString(), QString("c60.tan"));
-        QVERIFY(facts.contains("source"));
+        const QByteArray head = readFile(path("mesh.vtu")).left(500);
+        QVERIFY2(head.contains("<!-- model: c60.tan -->") && head.contains("<!-- source: c60.nrrd -->"), head);
         QFile nrrd(path("c60.nrrd"));
         QVERIFY(nrrd.open(QIODevice::ReadOnly));
         const QByteArray content = nrrd.readAll();

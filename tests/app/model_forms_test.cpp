@@ -60,9 +60,9 @@ private slots:
         QCOMPARE(run.json()["bytes"].toInteger(), QFile(path("cut.tan")).size());
         const Run verdict = runIn({"verify", "cut.tan", "--against", data, "--lod", "20,5,0"});
         QVERIFY2(verdict.exitCode == 0, verdict.output);
-        make({"extract", model, "--error", "5", "-o", "whole.ply"});
-        make({"extract", "cut.tan", "--error", "5", "-o", "part.ply"});
-        QVERIFY(meshIn("part.ply") == meshIn("whole.ply"));
+        make({"extract", model, "--error", "5", "-o", "whole.vtu"});
+        make({"extract", "cut.tan", "--error", "5", "-o", "part.vtu"});
+        QVERIFY(meshIn("part.vtu") == meshIn("whole.vtu"));
         make({"cut", model, "--error", "0", "-o", "all.tan"});
         QVERIFY(model != "c60.tan" || readFile(path("all.tan")) == readFile(path(model)));
     }
@@ -110,12 +110,12 @@ private slots:
         QVERIFY(QFile(path("coarse.tan")).size() < size);
         QCOMPARE(runIn({"verify", "coarse.tan", "--against", data, "--lod", "40,30"}).exitCode, 0);
 
-        const Run part = make({"extract", "packed.tan", "--error", "30", "-o", "part.ply", "--json"});
+        const Run part = make({"extract", "packed.tan", "--error", "30", "-o", "part.vtu", "--json"});
         QVERIFY(part.json()["read_part"].toObject()["bytes"].toInteger() < packing["bytes"].toInteger());
         QVERIFY(part.json()["error"].toDouble() <= 30);
-        make({"extract", "packed.tan", "--error", "0", "-o", "all.ply"});
-        make({"extract", model, "--error", "0", "-o", "right.ply"});
-        QVERIFY(meshIn("all.ply") == meshIn("right.ply"));
+        make({"extract", "packed.tan", "--error", "0", "-o", "all.vtu"});
+        make({"extract", model, "--error", "0", "-o", "right.vtu"});
+        QVERIFY(meshIn("all.vtu") == meshIn("right.vtu"));
         QCOMPARE(make({"info", "packed.tan", "-o", "levels.csv", "--json"}).json()["bytes"].toInteger(), size);
         const QStringList cached = QDir(path("cache/tan")).entryList(QDir::Files);
         make({"verify", "packed.tan", "--against", data, "--lod", "5"});
@@ -154,10 +154,10 @@ private slots:
         options.cacheFolder = path("cache-of-all").toStdString();
         QVERIFY(openModel(path("packed.tan").toStdString(), options, Progress({}, hear)).ok());
         QVERIFY(heard);
-        const Run all = make({"extract", "packed.tan", "--budget", "10000000", "-o", "all.ply", "--json"});
+        const Run all = make({"extract", "packed.tan", "--budget", "10000000", "-o", "all.vtu", "--json"});
         QVERIFY(!all.json().contains("read_part"));
-        make({"extract", model, "--error", "0", "-o", "right.ply"});
-        QVERIFY(meshIn("all.ply") == meshIn("right.ply"));
+        make({"extract", model, "--error", "0", "-o", "right.vtu"});
+        QVERIFY(meshIn("all.vtu") == meshIn("right.vtu"));
         QVERIFY(QDir(path("cache")).removeRecursively());
     }
 
@@ -196,21 +196,21 @@ private slots:
         QVERIFY(server.requests().size() <= 2);
         QVERIFY(info.json()["levels"][0]["reached"].toDouble() <= 30);
 
-        const Run part = make({"extract", address, "--error", "30", "-o", "part.ply", "--json"});
+        const Run part = make({"extract", address, "--error", "30", "-o", "part.vtu", "--json"});
         QVERIFY(part.json()["read_part"].toObject()["bytes"].toInteger() < size / 2);
         QCOMPARE(part.json()["read_part"].toObject()["of_bytes"].toInteger(), size);
-        make({"extract", "large.tan", "--error", "30", "-o", "whole.ply"});
-        QVERIFY(meshIn("part.ply") == meshIn("whole.ply"));
+        make({"extract", "large.tan", "--error", "30", "-o", "whole.vtu"});
+        QVERIFY(meshIn("part.vtu") == meshIn("whole.vtu"));
         // It is there the next time.
         server.forget();
-        make({"extract", address, "--error", "30", "-o", "part.ply"});
+        make({"extract", address, "--error", "30", "-o", "part.vtu"});
         QVERIFY(server.requests().size() <= 1);
 
         make({"isosurface", address, "--error", "30", "--value", "100", "-o", "part.stl"});
         make({"render", address, "--error", "30", "--isovalue", "100:gold", "-o", "part.png"});
         make({"cut", address, "--error", "30", "-o", "part.tan"});
         make({"verify", address, "--against", "large.nrrd", "--lod", "30"});
-        const Run all = make({"extract", address, "--error", "0", "-o", "all.ply", "--json"});
+        const Run all = make({"extract", address, "--error", "0", "-o", "all.vtu", "--json"});
         QVERIFY(!all.json().contains("read_part"));
     }
 
@@ -224,21 +224,21 @@ private slots:
                                         reply.body[reply.body.size() / 2] ^= 1;
                                 });
         const QString address = QString::fromStdString(server.address("/damaged.tan"));
-        const Run run = runIn({"extract", address, "--error", "3", "-o", "x.ply"});
+        const Run run = runIn({"extract", address, "--error", "3", "-o", "x.vtu"});
         QCOMPARE(run.exitCode, 3);
         QVERIFY2(run.messages.contains("is damaged"), run.messages);
-        QVERIFY(!QFile::exists(path("x.ply")));
+        QVERIFY(!QFile::exists(path("x.vtu")));
         damages = false;
-        make({"extract", address, "--error", "3", "-o", "x.ply"});
+        make({"extract", address, "--error", "3", "-o", "x.vtu"});
     }
 
     /// What a disk damages in the cache is told at most once, and made again.
     void damageInTheCacheIsMended()
     {
         make({"build", "c60.nrrd", "--packed", "-o", "kept.packed.tan"});
-        const QStringList words = {"extract", "kept.packed.tan", "--error", "0", "-o", "kept.ply"};
+        const QStringList words = {"extract", "kept.packed.tan", "--error", "0", "-o", "kept.vtu"};
         make(words);
-        const QByteArray right = meshIn("kept.ply");
+        const QByteArray right = meshIn("kept.vtu");
         QDirIterator entries(path("cache"), QDir::Files, QDirIterator::Subdirectories);
         while (entries.hasNext()) {
             QFile entry(entries.next());
@@ -248,11 +248,11 @@ private slots:
                 QVERIFY(entry.seek(entry.size() / part) && entry.write(zeros) == zeros.size());
             }
         }
-        QVERIFY(QFile::remove(path("kept.ply")));
+        QVERIFY(QFile::remove(path("kept.vtu")));
         const Run told = runIn(words);
-        QVERIFY2(told.exitCode == 0 || (told.exitCode == 3 && !QFile::exists(path("kept.ply"))), told.messages);
+        QVERIFY2(told.exitCode == 0 || (told.exitCode == 3 && !QFile::exists(path("kept.vtu"))), told.messages);
         make(words);
-        QVERIFY(meshIn("kept.ply") == right);
+        QVERIFY(meshIn("kept.vtu") == right);
     }
 
     void whatIsNoModelIsTold()
@@ -268,13 +268,13 @@ private slots:
             QVERIFY2(run.messages.count('.') >= 2, run.messages);
         }
         for (const char* place : {"ftp://127.0.0.1/x.tan", "127.0.0.1:9/x.tan"}) {
-            const Run none = runIn({"extract", place, "-o", "nothing.ply"});
+            const Run none = runIn({"extract", place, "-o", "nothing.vtu"});
             QCOMPARE(none.exitCode, 3);
             QVERIFY2(none.messages.contains("begins with http:// or https://"), none.messages);
         }
-        const Run nowhere = runIn({"extract", "http://127.0.0.1:9/x.tan", "-o", "nothing.ply"});
+        const Run nowhere = runIn({"extract", "http://127.0.0.1:9/x.tan", "-o", "nothing.vtu"});
         QCOMPARE(nowhere.exitCode, 3);
-        QVERIFY(!QFile::exists(path("nothing.ply")));
+        QVERIFY(!QFile::exists(path("nothing.vtu")));
     }
 
 private:
@@ -283,7 +283,7 @@ private:
     QByteArray meshIn(const QString& file) const
     {
         const QByteArray bytes = readFile(path(file));
-        return bytes.mid(std::max<qsizetype>(0, bytes.indexOf("end_header")));
+        return bytes.mid(std::max<qsizetype>(0, bytes.indexOf("<AppendedData")));
     }
     Run runIn(const QStringList& words) const
     {

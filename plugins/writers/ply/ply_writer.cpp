@@ -22,7 +22,7 @@ public:
     PlyHead& element(std::string_view name, std::uint64_t count);
     /// Of the element before; `type` is PLY's word for it.
     PlyHead& property(std::string_view type, std::string_view name);
-    /// The list of vertices of a face or a cell: a uchar, and as many ints.
+    /// The list of vertices of a face: a uchar, and as many ints.
     PlyHead& vertexList();
 
     std::string text() const { return text_ + "end_header\n"; }
@@ -88,18 +88,6 @@ void addProperties(PlyHead& head, std::span<const NamedArray> arrays)
         std::visit([&]<class T>(std::span<const T>) { head.property(typeName<T>(), array.name); }, array.values);
 }
 
-PlyHead headOf(const MeshContent& content)
-{
-    PlyHead head;
-    head.comment("tetrahedral mesh by TAn").facts(content.facts).element("vertex", content.positions.size());
-    for (const std::string_view axis : {"x", "y", "z"})
-        head.property("float", axis);
-    addProperties(head, content.pointArrays);
-    head.element("cell", content.tetrahedra.size()).vertexList();
-    addProperties(head, content.cellArrays);
-    return head;
-}
-
 std::size_t bytesOfValues(std::span<const NamedArray> arrays)
 {
     std::size_t bytes = 0;
@@ -134,7 +122,7 @@ std::string headOf(const SurfaceContent& content)
 
 } // namespace
 
-/// `.ply`, binary little endian: elements `vertex` and `cell`, or `face`. Colours are the bytes `red green blue`
+/// `.ply`, binary little endian: elements `vertex` and `face`. Colours are the bytes `red green blue`
 /// of the vertices.
 class PlyWriter : public QObject, public Writer {
     Q_OBJECT
@@ -144,34 +132,7 @@ class PlyWriter : public QObject, public Writer {
 public:
     std::vector<FileFormat> formats() const override
     {
-        return {{WrittenContent::Mesh, Message::marked("PLY files"), {".ply"}},
-                {WrittenContent::Surface, Message::marked("PLY files"), {".ply"}}};
-    }
-
-    Status writeMesh(const MeshContent& content, OutputFile& file, const ParameterValues& /*values*/) const override
-    {
-        if (content.positions.size() > mostVertices)
-            return Error{ErrorKind::OutOfResource,
-                         Message::say("'%1' would hold more vertices than a PLY file can number. Write a .vtu file.",
-                                      file.target().string())};
-        const std::size_t vertexBytes = 12 + bytesOfValues(content.pointArrays);
-        const std::size_t cellBytes = 17 + bytesOfValues(content.cellArrays);
-        file.expect(content.positions.size() * vertexBytes + content.tetrahedra.size() * cellBytes);
-        if (const Status written = file.text(headOf(content).text()); !written)
-            return written;
-        const auto vertex = [&](std::uint64_t index, std::byte* where) {
-            for (const float coordinate : content.positions[index])
-                putNumber(where, coordinate);
-            putValues(where, content.pointArrays, index);
-        };
-        if (const Status written = file.records(content.positions.size(), vertexBytes, vertex); !written)
-            return written;
-        const auto cell = [&](std::uint64_t index, std::byte* where) {
-            putNumber(where, std::uint8_t(4));
-            putNumber(where, content.tetrahedra[index]);
-            putValues(where, content.cellArrays, index);
-        };
-        return file.records(content.tetrahedra.size(), cellBytes, cell);
+        return {{WrittenContent::Surface, Message::marked("PLY files"), {".ply"}}};
     }
 
     Status writeSurface(const SurfaceContent& content, OutputFile& file,

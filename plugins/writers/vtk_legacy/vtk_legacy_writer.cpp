@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -13,19 +14,6 @@ namespace {
 
 /// Numbers of vertices and lengths of lists are ints.
 constexpr auto mostNumbers = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
-
-/// How VTK tells the length of a text in a binary file: in 1, 2, 4 or 8 bytes, of which the first two bits say which.
-std::string withLength(const std::string& text)
-{
-    const std::uint64_t length = text.size();
-    const int bytes = length < 1U << 6 ? 1 : length < 1U << 14 ? 2 : length < 1U << 30 ? 4 : 8;
-    const std::uint64_t kind = bytes == 1 ? 3 : bytes == 2 ? 2 : bytes == 4 ? 1 : 0;
-    const std::uint64_t code = length | kind << (8 * bytes - 2);
-    std::string encoded;
-    for (int byte = bytes - 1; byte >= 0; --byte)
-        encoded += static_cast<char>(code >> (8 * byte) & 255);
-    return encoded + text;
-}
 
 /// A name in one word: blanks and whatever else could mislead a reader as %XX, which VTK turns back.
 std::string vtkLegacyWord(std::string_view name)
@@ -42,32 +30,28 @@ std::string vtkLegacyWord(std::string_view name)
     return encoded;
 }
 
-/// As field data.
-std::string factsText(const MeshFacts& facts)
+/// What the file holds and the facts, as far as they fit into the one line that there is for a title: gmsh reads no file
+/// with field data before its points, and meshio none with texts among them. Facts that do not fit are
+/// left out; bytes that could end the line become question marks.
+std::string titleLine(std::string_view title, const MeshFacts& facts)
 {
-    if (facts.empty())
-        return "";
-    std::string text = "FIELD FieldData " + std::to_string(facts.size()) + "\n";
+    constexpr std::size_t most = 255; // and the line's end
+    std::string line(title);
     for (const auto& [name, fact] : facts) {
-        if (const auto* number = std::get_if<double>(&fact)) {
-            std::byte bytes[sizeof *number];
-            std::byte* where = bytes;
-            putTurned(where, *number);
-            text += vtkLegacyWord(name) + " 1 1 double\n";
-            text.append(reinterpret_cast<const char*>(bytes), sizeof bytes);
-        } else {
-            text += vtkLegacyWord(name) + " 1 1 string\n" + withLength(std::get<std::string>(fact));
-        }
-        text += "\n";
+        const std::string next = "; " + name + ": " + factText(fact);
+        if (line.size() + next.size() <= most)
+            line += next;
     }
-    return text;
+    std::ranges::replace_if(
+        line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
+    return line;
 }
 
-/// The file up to its points: `title` in one line, `dataset` is VTK's word for its kind.
+/// The file up to its points: `dataset` is VTK's word for its kind.
 std::string vtkLegacyHead(std::string_view title, std::string_view dataset, const MeshFacts& facts)
 {
-    return "# vtk DataFile Version 4.2\n" + std::string(title) + "\nBINARY\nDATASET " + std::string(dataset) + "\n" +
-           factsText(facts);
+    return "# vtk DataFile Version 4.2\n" + titleLine(title, facts) + "\nBINARY\nDATASET " + std::string(dataset) +
+           "\n";
 }
 
 constexpr std::int32_t legacyTetra = 10;

@@ -52,33 +52,41 @@ std::string xmlAttribute(std::string_view text)
     return escaped;
 }
 
-/// Numbers and texts of one tuple; texts as VTK writes them, by the codes of their bytes.
-std::string xmlFacts(const MeshFacts& facts)
+/// Text within a comment, which must not hold two hyphens in a row, nor end with one.
+std::string xmlComment(std::string_view text)
 {
-    if (facts.empty())
-        return "";
-    std::string text = "<FieldData>\n";
-    for (const auto& [name, fact] : facts) {
-        const auto* number = std::get_if<double>(&fact);
-        text += "<DataArray type=\"" + std::string(number != nullptr ? "Float64" : "String") + "\" Name=\"" +
-                xmlAttribute(name) + "\" NumberOfTuples=\"1\" format=\"ascii\">";
-        if (number != nullptr)
-            text += formatNumber(*number);
-        else {
-            for (const char c : std::get<std::string>(fact))
-                text += std::to_string(static_cast<int>(static_cast<unsigned char>(c))) + " ";
-            text += "0";
-        }
-        text += "</DataArray>\n";
-    }
-    return text + "</FieldData>\n";
+    std::string written = xmlAttribute(text);
+    for (std::size_t at = 0; (at = written.find("--", at)) != std::string::npos; at += 2)
+        written.insert(at + 1, 1, ' ');
+    return written;
+}
+
+/// Texts as comments: as field data they would keep meshio from reading the file.
+std::string textsOf(const MeshFacts& facts)
+{
+    std::string text;
+    for (const auto& [name, fact] : facts)
+        if (const auto* words = std::get_if<std::string>(&fact))
+            text += "<!-- " + xmlComment(name + ": " + *words) + " -->\n";
+    return text;
+}
+
+/// Numbers as field data, a value each.
+std::string numbersOf(const MeshFacts& facts)
+{
+    std::string text;
+    for (const auto& [name, fact] : facts)
+        if (const auto* number = std::get_if<double>(&fact))
+            text += "<DataArray type=\"Float64\" Name=\"" + xmlAttribute(name) +
+                    "\" NumberOfTuples=\"1\" format=\"ascii\">" + formatNumber(*number) + "</DataArray>\n";
+    return text.empty() ? text : "<FieldData>\n" + text + "</FieldData>\n";
 }
 
 std::string headOf(const XmlGrid& grid)
 {
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid.type +
+    std::string text = "<?xml version=\"1.0\"?>\n" + textsOf(grid.facts) + "<VTKFile type=\"" + grid.type +
                        "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" + grid.type + ">\n" +
-                       xmlFacts(grid.facts) + "<Piece" + grid.numbers + ">\n";
+                       numbersOf(grid.facts) + "<Piece" + grid.numbers + ">\n";
     std::uint64_t offset = 0;
     for (const XmlElement& element : grid.elements) {
         text += "<" + element.name + element.attributes + ">\n";

@@ -458,7 +458,8 @@ private:
         if (ending.startsWith("vt")) {
             QCOMPARE(read.told()["active point"].toString(), QString("isovalue"));
             QCOMPARE(read.array<float>("point.isovalue"), expected.values);
-            QCOMPARE(read.told()["facts"].toObject()["error"].toDouble(), 0.5);
+            if (ending != "vtk")
+                QCOMPARE(read.told()["facts"].toObject()["error"].toDouble(), 0.5);
         }
     }
     /// VTK may have made them of length 1 once more.
