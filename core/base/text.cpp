@@ -55,28 +55,13 @@ struct CodeRange {
 };
 
 /// Characters that are not seen as themselves (Unicode 15, categories Cc, Zl, Zp and Cf): controls, line breaks, marks
-/// of direction and what has no shape, the Hangul fillers among them. Not among them are the joiners U+200C and U+200D, without which several
-/// languages cannot be written, and the signs of category Cf that are seen.
-constexpr std::array<CodeRange, 20> notSeen = {{{0x00, 0x1f},
-                                                {0x7f, 0x9f},
-                                                {0xad, 0xad},
-                                                {0x61c, 0x61c},
-                                                {0x70f, 0x70f},
-                                                {0x115f, 0x1160},
-                                                {0x180e, 0x180e},
-                                                {0x200b, 0x200b},
-                                                {0x200e, 0x200f},
-                                                {0x2028, 0x202e},
-                                                {0x2060, 0x206f},
-                                                {0x3164, 0x3164},
-                                                {0xfeff, 0xfeff},
-                                                {0xffa0, 0xffa0},
-                                                {0xfff0, 0xfffb},
-                                                {0xfffe, 0xffff},
-                                                {0x13430, 0x1343f},
-                                                {0x1bca0, 0x1bca3},
-                                                {0x1d173, 0x1d17a},
-                                                {0xe0000, 0xe007f}}};
+/// of direction and what has no shape, the Hangul fillers among them. Not among them are the joiners U+200C and U+200D,
+/// without which several languages cannot be written, and the signs of category Cf that are seen.
+constexpr std::array<CodeRange, 20> notSeen = {
+    {{0x00, 0x1f},     {0x7f, 0x9f},       {0xad, 0xad},       {0x61c, 0x61c},     {0x70f, 0x70f},
+     {0x115f, 0x1160}, {0x180e, 0x180e},   {0x200b, 0x200b},   {0x200e, 0x200f},   {0x2028, 0x202e},
+     {0x2060, 0x206f}, {0x3164, 0x3164},   {0xfeff, 0xfeff},   {0xffa0, 0xffa0},   {0xfff0, 0xfffb},
+     {0xfffe, 0xffff}, {0x13430, 0x1343f}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe007f}}};
 
 bool isSeen(std::uint32_t code) noexcept
 {

@@ -138,8 +138,8 @@ Result<DecimationResult> decimateSound(const DecimationMesh& mesh, const Decimat
     };
     const Progress collapsing = progress.part(0, .9);
     const auto isKept = [&options] { return options.keepWhenCancelled != nullptr && *options.keepWhenCancelled; };
-    const Status collapsed = collapseInOrder(
-        decimated, options, options.preview ? withPreviews(collapsing, options, handMesh) : collapsing);
+    const Status collapsed =
+        collapseInOrder(decimated, options, options.preview ? withPreviews(collapsing, options, handMesh) : collapsing);
     if (!collapsed && !(collapsed.error().kind == ErrorKind::Cancelled && isKept()))
         return collapsed.error();
     if (Status status = sink.begin(traits); !status)

@@ -88,8 +88,9 @@ std::string tagOf(const struct stat& state)
         return static_cast<std::uint64_t>(time.tv_sec * aSecond + time.tv_nsec);
     };
     std::string tag;
-    for (const std::uint64_t part : {std::uint64_t(state.st_dev), std::uint64_t(state.st_ino), std::uint64_t(state.st_size),
-                                     nanoseconds(state.st_mtim), nanoseconds(state.st_ctim)})
+    for (const std::uint64_t part :
+         {std::uint64_t(state.st_dev), std::uint64_t(state.st_ino), std::uint64_t(state.st_size),
+          nanoseconds(state.st_mtim), nanoseconds(state.st_ctim)})
         tag += (tag.empty() ? "" : "-") + hexadecimal(part);
     return "\"" + tag + "\"";
 }
@@ -122,8 +123,8 @@ std::optional<std::filesystem::path> ServedFile::path() const
     const auto path = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(*descriptor), problem);
     struct stat there {
     }, here{};
-    if (problem || ::stat(path.c_str(), &there) != 0 || ::fstat(*descriptor, &here) != 0 ||
-        tagOf(there) != tag || tagOf(here) != tag)
+    if (problem || ::stat(path.c_str(), &there) != 0 || ::fstat(*descriptor, &here) != 0 || tagOf(there) != tag ||
+        tagOf(here) != tag)
         return {};
     return path;
 }

@@ -25,8 +25,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <atomic>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <deque>
 #include <future>
@@ -423,8 +423,7 @@ private slots:
 
         // The same bytes in the same place, and the time of modification set back: only the system's time tells.
         const QByteArray part = readFile(folder_ + "/part.tan");
-        struct stat before {
-        };
+        struct stat before {};
         const QByteArray place = QFile::encodeName(folder_ + "/part.tan");
         QCOMPARE(::stat(place.constData(), &before), 0);
         QTRY_VERIFY_WITH_TIMEOUT(

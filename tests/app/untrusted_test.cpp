@@ -58,7 +58,8 @@ private slots:
         QVERIFY(QFile::copy(path("c60.nrrd"), path(evil_ + ".nrrd")));
         QVERIFY2(tan({"build", evil_ + ".nrrd", "-o", "m.tan"}).exitCode == 0, "a name is a name");
         QCOMPARE(::mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
-        for (const char* name : {"pipe.tan", "pipe.nrrd", "pipe.vtu", "pipe.tansession", "pipe.png", "pipe.raw", "pipe.csv.gz"})
+        for (const char* name :
+             {"pipe.tan", "pipe.nrrd", "pipe.vtu", "pipe.tansession", "pipe.png", "pipe.raw", "pipe.csv.gz"})
             QVERIFY(QFile::link("pipe", path(name)));
         write("of-pipe.vtm", "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">"
                              "<vtkMultiBlockDataSet><DataSet index=\"0\" file=\"pipe.vtu\"/>"

@@ -45,6 +45,7 @@ private slots:
     void aKilledProgramLosesAtMostTenSeconds();
     void theProgramThatIsKilled();
     void aKilledSessionIsModified();
+    void whatIsNotAllRestoredIsOfferedAgain();
     void anEndedProgramHasNotCrashed();
     void anEndedProgramOffersWhatItsSessionLacks();
     void aViewIsBackAfterAQuit();
@@ -386,6 +387,23 @@ void KeepSessionTest::aKilledSessionIsModified()
     QVERIFY(next->window.isWindowModified());
 }
 
+/// Its file is all that there is of what could not be shown.
+void KeepSessionTest::whatIsNotAllRestoredIsOfferedAgain()
+{
+    open(model_);
+    auto document = window_->workbench.opening().sessionDocument();
+    QVERIFY(document.has_value());
+    document->view.appearance.mode = "of a plugin that is not there";
+    leave(*document);
+    auto next = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
+    next->window.show();
+    next->find<QPushButton>("lost.restore").click();
+    QTRY_VERIFY_WITH_TIMEOUT(next->workbench.session().model() != nullptr, 30'000);
+    QTRY_VERIFY(!next->messages().isEmpty());
+    next.reset();
+    QCOMPARE(KeptViews(viewFolder()).lost().size(), std::size_t(1));
+}
+
 /// By a signal or with the desktop's session: without the questions that closing asks.
 void KeepSessionTest::anEndedProgramHasNotCrashed()
 {
@@ -416,6 +434,7 @@ void KeepSessionTest::anEndedProgramOffersWhatItsSessionLacks()
     session().setError(4.5); // it was not ended after all
     window_->window.keepAll();
     QTRY_VERIFY(window_->workbench.opening().views().idle());
+    QVERIFY(window_->window.close()); // as the desktop then does, and nobody is asked
     auto next = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
     next->window.show();
     const QString text = next->find<QLabel>("lost.text").text();

@@ -58,8 +58,9 @@ QString keptText(const LeavingFacts& facts)
     if (!facts.keepsBeside)
         return Leaving::tr("If you stop now, you can keep what is finished as %1, a model of lower accuracy.")
             .arg(facts.target);
-    return Leaving::tr("If you stop now, you can keep what is finished as a model of its own, named after its error. The "
-                       "finished model %1 stays as it is.")
+    return Leaving::tr(
+               "If you stop now, you can keep what is finished as a model of its own, named after its error. The "
+               "finished model %1 stays as it is.")
         .arg(facts.target);
 }
 

@@ -20,9 +20,9 @@ enum class LeavingWay {
 /// What a question names.
 struct LeavingFacts {
     LeavingWay way = LeavingWay::Quit;
-    QString name;     ///< of the dataset, the film, the session
-    QString progress; ///< a sentence: how far it is
-    QString target;   ///< of a build
+    QString name;             ///< of the dataset, the film, the session
+    QString progress;         ///< a sentence: how far it is
+    QString target;           ///< of a build
     bool keepsBeside = false; ///< what is kept of it does not take the target's place
     bool canKeep = false;
     bool canPause = false;

@@ -50,8 +50,8 @@ public:
     bool showsBuild() const { return running() && showsLook(); }
     /// Whether what is finished of that build can become a model.
     bool canKeepBuild() const { return live_ && live_->hasMesh(); }
-    /// Whether what is kept of it lies beside a finished model, which stays as it is. Its name tells its error, which is
-    /// known when it is written.
+    /// Whether what is kept of it lies beside a finished model, which stays as it is. Its name tells its error, which
+    /// is known when it is written.
     bool keepsBeside() const { return wish_ && wish_->keepsBeside; }
     /// Whether the build that runs can be paused.
     bool canPauseBuild() const noexcept { return running() && resumes_; }

@@ -242,7 +242,7 @@ private:
     QTimer watching_; ///< the model's file for damage
     KeptViews views_; ///< before the workers that look into it
     LongTask reading_;
-    LongTask applying_; ///< a look
+    LongTask applying_;  ///< a look
     quint64 opened_ = 0; ///< how many models were opened or closed; one that grows stays the same
     LongTask sampling_;
     LongTask thumbnails_;

@@ -16,7 +16,7 @@ namespace tetra {
 struct TargetFacts {
     bool exists = false;
     bool isModel = false; ///< isModelFile()
-    std::string note{}; ///< interruptedNote(): of a build that was interrupted
+    std::string note{};   ///< interruptedNote(): of a build that was interrupted
 };
 
 /// Looks, in this thread. Keeps others from building there meanwhile.

@@ -48,8 +48,8 @@ struct BuildReport {
     // Said by the builder alone: 0 unless it counts them.
     std::uint64_t inverted = 0;   ///< cells of the finest mesh that are inverted, as the dataset itself is there (S5)
     std::uint64_t degenerate = 0; ///< cells without volume (S6)
-    /// Whether it ended before what was asked for was reached, with what was finished by then. Unset: if it was asked to
-    /// stop (Progress::cancelled()).
+    /// Whether it ended before what was asked for was reached, with what was finished by then. Unset: if it was asked
+    /// to stop (Progress::cancelled()).
     std::optional<bool> stoppedEarly{};
 };
 

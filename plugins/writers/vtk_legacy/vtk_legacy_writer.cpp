@@ -30,9 +30,9 @@ std::string vtkLegacyWord(std::string_view name)
     return encoded;
 }
 
-/// What the file holds and the facts, as far as they fit into the one line that there is for a title: gmsh reads no file
-/// with field data before its points, and meshio none with texts among them. Facts that do not fit are
-/// left out; bytes that could end the line become question marks.
+/// What the file holds and the facts, as far as they fit into the one line that there is for a title: gmsh reads no
+/// file with field data before its points, and meshio none with texts among them. Facts that do not fit are left out;
+/// bytes that could end the line become question marks.
 std::string titleLine(std::string_view title, const MeshFacts& facts)
 {
     constexpr std::size_t most = 255; // and the line's end

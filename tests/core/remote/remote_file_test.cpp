@@ -312,8 +312,7 @@ private slots:
         QVERIFY(!isRemoteAddress("ftp://example.org/x") && !isRemoteAddress("/http://x") &&
                 !isRemoteAddress("http:/x"));
         // A slash that is not escaped ends the host for libcurl, so that the password's end would stand in the path.
-        QCOMPARE(shownAddress("https://me:1/2secret@example.org/x.tan"), 
-                 std::string("https://...@example.org/x.tan"));
+        QCOMPARE(shownAddress("https://me:1/2secret@example.org/x.tan"), std::string("https://...@example.org/x.tan"));
         QCOMPARE(shownAddress("https://[::1]/a@b.tan"), std::string("https://[::1]/a@b.tan"));
         QCOMPARE(shownAddress("https://me:secret@example.org/a@b.tan?key=secret#x"),
                  std::string("https://example.org/a@b.tan"));

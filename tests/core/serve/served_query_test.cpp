@@ -115,7 +115,8 @@ private slots:
         row("field=1&error=1", "so 'error' does not go with it");
         row("field=cube(1)", "'field': ");
         row("warping=1&warping-field=2", "so 'warping' does not go with it");
-        row("focus=sphere:0,0,0,1&focus-error=1&focus-warping=0&warping-field=2", "so 'focus-warping' does not go with it");
+        row("focus=sphere:0,0,0,1&focus-error=1&focus-warping=0&warping-field=2",
+            "so 'focus-warping' does not go with it");
         row("warping-field=cube(1)", "'warping-field': ");
         row("range=4,1&error=2", "so 'error' does not go with it");
         row("range=4", "'range'");

@@ -332,9 +332,12 @@ private slots:
         }
         QVERIFY(keys[0] > keys[1] && keys[1] == keys[2] && keys[2] > 0);
 
-        // While they are merged, everything is there.
-        QVERIFY(stopped(dataset, 0.9, true));
-        QVERIFY(contentOf(path("kept.tan")) == whole);
+        // While they are merged, everything is there: a whole model, also over one that is finished.
+        for (int time = 0; time < 2; ++time) {
+            const auto merged = stopped(dataset, 0.9, true);
+            QVERIFY(merged && !merged->stoppedEarly && merged->model == path("kept.tan"));
+            QVERIFY(contentOf(path("kept.tan")) == whole);
+        }
         fs::remove(path("kept.tan"));
         for (const double when : {0.055, 0.3, 0.9})
             QCOMPARE(stopped(dataset, when, false).error().kind, ErrorKind::Cancelled);

@@ -124,7 +124,8 @@ private slots:
         QCOMPARE(read.array<std::uint16_t>("cell.kind"), mesh.kinds);
     }
 
-    /// Numbers as field data of a .vtu file, texts as comments; in a .vtk file all of it in the title, as far as it fits.
+    /// Numbers as field data of a .vtu file, texts as comments; in a .vtk file all of it in the title, as far as it
+    /// fits.
     void factsStandWhereOthersBearThem()
     {
         const RandomMesh mesh(4, 1);
@@ -143,7 +144,8 @@ private slots:
         const QByteArray begin = other.readAll();
         QVERIFY(!begin.left(begin.indexOf("POINTS")).contains("FIELD"));
         const QByteArray title = begin.split('\n')[1];
-        QCOMPARE(title, QByteArray("tetrahedral mesh by TAn; error: 0.1; model: engine \"1\" <&>.tan; remark: a--b---?c-"));
+        QCOMPARE(title,
+                 QByteArray("tetrahedral mesh by TAn; error: 0.1; model: engine \"1\" <&>.tan; remark: a--b---?c-"));
         for (const QString& path : {xml, legacy}) {
             const VtkReader read(path);
             if (read.isMissing())
