@@ -38,7 +38,8 @@ struct FileContents {
 
 /// Reads files of some formats into datasets. Never crashes on bad input: every refusal is an Error that says what is
 /// wrong in the file and what to do, "it is empty. Copy it again."; the program adds which file that is, unless the
-/// text begins with "Cannot read 'FILE'" because it is another one. Runs on a worker thread; safe to call from any.
+/// error says that its text names a file (Error::file), which may be another one. Runs on a worker thread; safe to call
+/// from any.
 class Reader {
 public:
     virtual ~Reader() = default;
@@ -52,6 +53,13 @@ public:
     /// not finite and cells that are blanked out (Dataset::cells): the program makes holes of them, withHoles().
     virtual Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                                  const Progress& progress) const = 0;
+    /// read() for somebody who takes only `region` of data that are no grid: what lies beyond has to be there, but need
+    /// not be sound (CellComplex::region). For a reader of cells; others read all, as here.
+    virtual Result<Dataset> readAround(const Eigen::AlignedBox3d& /*region*/, const std::filesystem::path& path,
+                                       const ParameterValues& values, const Progress& progress) const
+    {
+        return read(path, values, progress);
+    }
     /// The names that another file may have which read() opens beside `path`, the likeliest first, whether or not they
     /// exist: if the one that does is packed by gzip, the program unpacks it and gives read() both in another folder.
     virtual std::vector<std::filesystem::path> companions(const std::filesystem::path& /*path*/,

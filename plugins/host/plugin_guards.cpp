@@ -88,18 +88,15 @@ private:
 /// A reader says what is wrong in a file, and of which file it is said here; unless it speaks of another one itself.
 Error inFile(const std::filesystem::path& path, const Error& error)
 {
-    const std::string& text = error.text();
-    const bool namesAFile = text.starts_with("Cannot read '") || text.starts_with("Cannot open '") ||
-                            text.find("'" + path.string() + "'") != std::string::npos;
-    if (error.kind == ErrorKind::Cancelled || namesAFile)
+    if (error.kind == ErrorKind::Cancelled || !error.file.empty())
         return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message), path};
 }
 
 Error tooLittleMemoryToRead(const std::filesystem::path& path)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("Not enough memory to read '%1'. Close other programs.", path.string())};
+            Message::say("Not enough memory to read '%1'. Close other programs.", path.string()), path};
 }
 
 /// contentHash(), which may take long for a lattice.
@@ -138,9 +135,35 @@ public:
     Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                          const Progress& progress) const override
     {
+        return finished(path, progress, [&](const Progress& part) { return plugin_.read(path, values, part); });
+    }
+    Result<Dataset> readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
+                               const ParameterValues& values, const Progress& progress) const override
+    {
+        return finished(path, progress,
+                        [&](const Progress& part) { return plugin_.readAround(region, path, values, part); });
+    }
+    std::vector<std::filesystem::path> companions(const std::filesystem::path& path,
+                                                  const ParameterValues& values) const override
+    {
+        return guard_.callOr(std::vector<std::filesystem::path>(), [&] { return plugin_.companions(path, values); });
+    }
+    Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
+                               const Progress& progress) const override
+    {
+        const auto contents =
+            guard_.call(tooLittleMemoryToRead(path), [&] { return plugin_.probe(path, values, progress); });
+        return contents ? contents : inFile(path, contents.error());
+    }
+
+private:
+    /// What is read, with what a reader may leave out.
+    template <class Read>
+    Result<Dataset> finished(const std::filesystem::path& path, const Progress& progress, const Read& read) const
+    {
         constexpr double readEnd = 0.9; // what is left is for the hash
         return guard_.call(tooLittleMemoryToRead(path), [&]() -> Result<Dataset> {
-            auto dataset = plugin_.read(path, values, progress.part(0, readEnd));
+            auto dataset = read(progress.part(0, readEnd));
             if (!dataset)
                 return inFile(path, dataset.error());
             Source& source = dataset->source;
@@ -160,20 +183,7 @@ public:
             return dataset;
         });
     }
-    std::vector<std::filesystem::path> companions(const std::filesystem::path& path,
-                                                  const ParameterValues& values) const override
-    {
-        return guard_.callOr(std::vector<std::filesystem::path>(), [&] { return plugin_.companions(path, values); });
-    }
-    Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
-                               const Progress& progress) const override
-    {
-        const auto contents =
-            guard_.call(tooLittleMemoryToRead(path), [&] { return plugin_.probe(path, values, progress); });
-        return contents ? contents : inFile(path, contents.error());
-    }
 
-private:
     const Reader& plugin_;
     Guard guard_;
 };
