@@ -178,8 +178,8 @@ private slots:
             for (int x = 0; x < usual.width(); ++x) {
                 const QColor colour = green.pixelColor(x, y);
                 QCOMPARE(colour.alpha(), usual.pixelColor(x, y).alpha());
-                opaque += colour.alpha() > 100 ? 1 : 0;
-                QVERIFY(colour.alpha() < 100 || (colour.red() < 3 && colour.blue() < 3 && colour.green() > 250));
+                opaque += colour.alpha() > 40 ? 1 : 0;
+                QVERIFY(colour.alpha() <= 40 || (colour.red() < 10 && colour.blue() < 10 && colour.green() > 245));
             }
         QVERIFY2(opaque > 20, QByteArray::number(opaque));
     }
