@@ -45,11 +45,12 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "tan-vtk-readers")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}
 This is the command line, which needs no screen.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME tan-desktop)
-set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "${same_version}, libegl1, libgl1-mesa-dri, libopengl0")
+# Qt's own words, as in the dialogs for files and colours, are in a package of their own.
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "${same_version}, libegl1, libgl1-mesa-dri, libopengl0, qt6-translations-l10n")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_BREAKS "tan (<< 0.2)")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_REPLACES "tan (<< 0.2)")
 # xdg-utils opens the manual in the web browser.
-set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "qt6-translations-l10n, xdg-utils")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "xdg-utils")
 # ffmpeg makes videos of films.
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "ffmpeg, tan-vtk-readers")
 set(CPACK_COMPONENT_WINDOW_DESCRIPTION "the window of TAn

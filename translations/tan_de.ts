@@ -348,7 +348,7 @@
         <translation>Öffnen Sie zuerst ein ganzes Modell</translation>
     </message>
     <message>
-        <source>Appl&amp;y Look of…</source>
+        <source>Appl&amp;y Look From…</source>
         <translation>&amp;Aussehen übernehmen von …</translation>
     </message>
     <message>
@@ -1847,8 +1847,8 @@ beliebige Verwerfung</translation>
         <translation>Befehle</translation>
     </message>
     <message>
-        <source>The beginnings of its words find a command or a setting. Enter does it, Esc leaves.</source>
-        <translation>Die Anfänge seiner Wörter finden einen Befehl oder eine Einstellung. Enter führt ihn aus, Esc schließt.</translation>
+        <source>Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves.</source>
+        <translation>Geben Sie die Anfänge seiner Wörter ein, um einen Befehl oder eine Einstellung zu finden. Enter führt ihn aus, Esc schließt.</translation>
     </message>
     <message>
         <source>Nothing found</source>
@@ -3094,7 +3094,7 @@ beliebige Verwerfung</translation>
         <translation>Gepackte Modelle (*.tan)</translation>
     </message>
     <message>
-        <source>Apply Look of</source>
+        <source>Apply Look From</source>
         <translation>Aussehen übernehmen von</translation>
     </message>
     <message>
@@ -8553,7 +8553,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ kann nicht gelesen werden: Die Datei hat mehr als %2 Bytes, zu viele für eine solche Datei.</translation>
     </message>
     <message>
-        <source>This TAn makes no mesh of the points of &apos;%1&apos;: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <source>This TAn cannot make a mesh of the points of &apos;%1&apos;: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
         <translation>Dieses TAn macht kein Netz aus den Punkten von „%1“: Es wurde ohne CGAL (TAN_CGAL) gebaut. Nehmen Sie eines, das es hat, oder Daten mit einem Gitter oder mit Zellen.</translation>
     </message>
     <message>
@@ -8561,8 +8561,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Die Geschichte hat mehr als %1 Stützstellen. Verlangen Sie einen größeren Fehler, oder bauen Sie in Blöcken.</translation>
     </message>
     <message>
-        <source>section &apos;%1&apos; holds numbers that cannot be</source>
-        <translation>Abschnitt „%1“ enthält Zahlen, die es nicht geben kann</translation>
+        <source>section &apos;%1&apos; holds impossible numbers</source>
+        <translation>Abschnitt „%1“ enthält unmögliche Zahlen</translation>
     </message>
     <message>
         <source>Cannot write &apos;%1&apos;: section &apos;%2&apos; was planned with %3 bytes, which does not fit what it holds. This is a fault of TAn: please report it.</source>
@@ -8585,7 +8585,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>vor Abschnitt „%1“ liegt etwas</translation>
     </message>
     <message>
-        <source>This TAn makes no mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <source>This TAn cannot make a mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
         <translation>Dieses TAn macht kein Netz aus verstreuten Punkten: Es wurde ohne CGAL (TAN_CGAL) gebaut. Nehmen Sie eines, das es hat, oder Daten mit einem Gitter oder mit Zellen.</translation>
     </message>
     <message>
@@ -8597,7 +8597,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Er gehört einem anderen Benutzer</translation>
     </message>
     <message>
-        <source>others can write in it</source>
+        <source>others can write to it</source>
         <translation>Andere können darin schreiben</translation>
     </message>
     <message>
@@ -8605,11 +8605,11 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ gehört einem anderen Benutzer</translation>
     </message>
     <message>
-        <source>everybody can write in &apos;%1&apos;</source>
+        <source>everybody can write to &apos;%1&apos;</source>
         <translation>In „%1“ können alle schreiben</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; gives no answer: %2</source>
+        <source>&apos;%1&apos; does not answer: %2</source>
         <translation>„%1“ antwortet nicht: %2</translation>
     </message>
     <message>
@@ -8633,12 +8633,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Dieses TAn wurde ohne OpenGL (TAN_GL) gebaut. Lassen Sie den Prozessor zeichnen.</translation>
     </message>
     <message>
-        <source>No server can be at port %1 of &apos;%2&apos;: %3. Choose another port with &apos;--port&apos;, or an address of this machine.</source>
-        <translation>An Port %1 von „%2“ kann kein Server sein: %3. Wählen Sie mit „--port“ einen anderen Port, oder eine Adresse dieses Rechners.</translation>
+        <source>Cannot listen on port %1 of &apos;%2&apos;: %3. Choose another port with &apos;--port&apos;, or an address of this machine.</source>
+        <translation>Port %1 von „%2“ kann nicht benutzt werden: %3. Wählen Sie mit „--port“ einen anderen Port, oder eine Adresse dieses Rechners.</translation>
     </message>
     <message>
-        <source>The system gives the server no thread: %1. %2</source>
-        <translation>Das System gibt dem Server keinen Thread: %1. %2</translation>
+        <source>The system cannot start a thread for the server: %1. %2</source>
+        <translation>Das System kann keinen Thread für den Server starten: %1. %2</translation>
     </message>
     <message>
         <source>The system takes no more connections: %1. %2</source>
@@ -8661,7 +8661,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>„%1“ gehört einem anderen Benutzer, der jedes Programm dorthin legen könnte. Kopieren Sie, wem Sie trauen, in einen eigenen Ordner.</translation>
     </message>
     <message>
-        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Take that right away (chmod o-w), and see what is in it.</source>
+        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Remove that right (chmod o-w), and see what is in it.</source>
         <translation>Jeder Benutzer dieses Rechners kann in „%1“ schreiben und könnte jedes Programm dorthin legen. Entziehen Sie dieses Recht (chmod o-w), und sehen Sie nach, was darin ist.</translation>
     </message>
     <message>
@@ -8669,7 +8669,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Das Feld „%1“ hat nirgends eine Zahl: Es kann aus dieser Lösung nicht berechnet werden. %2</translation>
     </message>
     <message>
-        <source>The domain is another one, so the camera keeps its direction and shows all of the model.</source>
+        <source>The domain is different, so the camera keeps its direction and shows all of the model.</source>
         <translation>Das Gebiet ist ein anderes, daher behält die Kamera ihre Richtung und zeigt das ganze Modell.</translation>
     </message>
     <message>
@@ -8689,7 +8689,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Film hat keine Schlüsselbilder: Ihre Kameras gelten für ein anderes Gebiet.</translation>
     </message>
     <message>
-        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so its usual ones are shown.</source>
+        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so the default ones are shown.</source>
         <translation>Keiner der Isowerte liegt innerhalb der Werte des Modells, %1 bis %2, daher werden die üblichen gezeigt.</translation>
     </message>
     <message>
@@ -8697,7 +8697,7 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>%1 von %2 Isowerten sind weggelassen: Sie liegen nicht innerhalb der Werte des Modells, %3 bis %4.</translation>
     </message>
     <message>
-        <source>The transfer function has no point within the model&apos;s values, so the usual one is shown.</source>
+        <source>The transfer function has no point within the model&apos;s values, so the default one is shown.</source>
         <translation>Die Transferfunktion hat keinen Punkt innerhalb der Werte des Modells, daher wird die übliche gezeigt.</translation>
     </message>
     <message>
@@ -8705,12 +8705,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Alle Werte werden gezeigt: Das Modell hat keinen der gewählten.</translation>
     </message>
     <message>
-        <source>There is no rendering mode &apos;%1&apos; here, so that it is shown as &apos;%2&apos;. It may belong to a plugin that is not installed.</source>
+        <source>There is no rendering mode &apos;%1&apos; here, so the model is shown as &apos;%2&apos;. It may belong to a plugin that is not installed.</source>
         <translation>Es gibt hier keine Darstellungsart „%1“, daher wird als „%2“ gezeigt. Vielleicht gehört sie zu einem Plugin, das nicht installiert ist.</translation>
     </message>
     <message>
-        <source>The model &apos;%1&apos; is another one than when the session was saved: it was built anew, or replaced.</source>
-        <translation>Das Modell „%1“ ist ein anderes als beim Speichern der Sitzung: Es wurde neu gebaut oder ersetzt.</translation>
+        <source>The model &apos;%1&apos; has changed since the session was saved: it was built anew, or replaced.</source>
+        <translation>Das Modell „%1“ hat sich seit dem Speichern der Sitzung geändert: Es wurde neu gebaut oder ersetzt.</translation>
     </message>
     <message>
         <source>This file cannot be read as a transfer function. TAn reads its own and ParaView&apos;s presets in JSON, and ParaView&apos;s colour maps in XML, but not tables of colours.</source>
@@ -8805,16 +8805,16 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Aussehen übernehmen</translation>
     </message>
     <message>
-        <source>Not all of the look of %1 could be taken over.</source>
-        <translation>Das Aussehen von %1 konnte nicht ganz übernommen werden.</translation>
+        <source>Not all of the look of %1 could be applied.</source>
+        <translation>Das Aussehen von %1 konnte nicht vollständig übernommen werden.</translation>
     </message>
     <message>
         <source>Not all of the session could be kept.</source>
         <translation>Die Sitzung konnte nicht ganz beibehalten werden.</translation>
     </message>
     <message>
-        <source>The session %1 stays as it is; saving asks for another file.</source>
-        <translation>Die Sitzung %1 bleibt, wie sie ist; das Speichern fragt nach einer anderen Datei.</translation>
+        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <translation>Die Sitzung %1 bleibt, wie sie ist; beim Speichern wird nach einem anderen Dateinamen gefragt.</translation>
     </message>
     <message>
         <source>It is shown as the session says.</source>
@@ -9405,8 +9405,8 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Wie das Fenster endet: Tetraeder an seiner Grenze werden genau dort geschnitten oder ganz behalten oder ganz weggelassen</translation>
     </message>
     <message>
-        <source>All that lived in a range of &amp;errors</source>
-        <translation>Alles, was in einem Bereich von &amp;Fehlern lebte</translation>
+        <source>All tetrahedra in a range of &amp;errors</source>
+        <translation>Alle Tetraeder in einem Bereich von &amp;Fehlern</translation>
     </message>
     <message>
         <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
@@ -9991,12 +9991,12 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
 <context>
     <name>tetra::ViewPanel</name>
     <message>
-        <source>&amp;Load…</source>
-        <translation>&amp;Laden …</translation>
+        <source>&amp;Load Camera…</source>
+        <translation>Kamera &amp;laden …</translation>
     </message>
     <message>
-        <source>Sa&amp;ve…</source>
-        <translation>Spei&amp;chern …</translation>
+        <source>Sa&amp;ve Camera…</source>
+        <translation>Kamera spei&amp;chern …</translation>
     </message>
     <message>
         <source>°</source>

@@ -348,7 +348,7 @@
         <translation>Aprire prima un modello intero</translation>
     </message>
     <message>
-        <source>Appl&amp;y Look of…</source>
+        <source>Appl&amp;y Look From…</source>
         <translation>Applica aspetto da u&amp;n file…</translation>
     </message>
     <message>
@@ -1847,8 +1847,8 @@ deformazione qualsiasi</translation>
         <translation>Comandi</translation>
     </message>
     <message>
-        <source>The beginnings of its words find a command or a setting. Enter does it, Esc leaves.</source>
-        <translation>Gli inizi delle parole trovano un comando o un&apos;impostazione. Invio lo esegue, Esc chiude.</translation>
+        <source>Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves.</source>
+        <translation>Scrivere gli inizi delle sue parole per trovare un comando o un&apos;impostazione. Invio lo esegue, Esc chiude.</translation>
     </message>
     <message>
         <source>Nothing found</source>
@@ -3094,7 +3094,7 @@ deformazione qualsiasi</translation>
         <translation>Modelli compressi (*.tan)</translation>
     </message>
     <message>
-        <source>Apply Look of</source>
+        <source>Apply Look From</source>
         <translation>Applica aspetto da un file</translation>
     </message>
     <message>
@@ -8553,7 +8553,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Impossibile leggere «%1»: ha più di %2 byte, troppi per un file del genere.</translation>
     </message>
     <message>
-        <source>This TAn makes no mesh of the points of &apos;%1&apos;: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <source>This TAn cannot make a mesh of the points of &apos;%1&apos;: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
         <translation>Questo TAn non fa una mesh dei punti di «%1»: è stato compilato senza CGAL (TAN_CGAL). Usarne uno che lo abbia, o dati con una griglia o con celle.</translation>
     </message>
     <message>
@@ -8561,7 +8561,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La storia ha più di %1 siti. Chiedere un errore più grande, o costruire a blocchi.</translation>
     </message>
     <message>
-        <source>section &apos;%1&apos; holds numbers that cannot be</source>
+        <source>section &apos;%1&apos; holds impossible numbers</source>
         <translation>la sezione «%1» contiene numeri impossibili</translation>
     </message>
     <message>
@@ -8585,7 +8585,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>c&apos;è qualcosa prima della sezione «%1»</translation>
     </message>
     <message>
-        <source>This TAn makes no mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
+        <source>This TAn cannot make a mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one that has it, or data with a grid or with cells.</source>
         <translation>Questo TAn non fa una mesh di punti sparsi: è stato compilato senza CGAL (TAN_CGAL). Usarne uno che lo abbia, o dati con una griglia o con celle.</translation>
     </message>
     <message>
@@ -8597,7 +8597,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>appartiene a un altro utente</translation>
     </message>
     <message>
-        <source>others can write in it</source>
+        <source>others can write to it</source>
         <translation>altri possono scriverci</translation>
     </message>
     <message>
@@ -8605,11 +8605,11 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» appartiene a un altro utente</translation>
     </message>
     <message>
-        <source>everybody can write in &apos;%1&apos;</source>
+        <source>everybody can write to &apos;%1&apos;</source>
         <translation>tutti possono scrivere in «%1»</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; gives no answer: %2</source>
+        <source>&apos;%1&apos; does not answer: %2</source>
         <translation>«%1» non risponde: %2</translation>
     </message>
     <message>
@@ -8633,12 +8633,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Questo TAn è stato compilato senza OpenGL (TAN_GL). Far disegnare il processore.</translation>
     </message>
     <message>
-        <source>No server can be at port %1 of &apos;%2&apos;: %3. Choose another port with &apos;--port&apos;, or an address of this machine.</source>
-        <translation>Alla porta %1 di «%2» non può esserci un server: %3. Scegliere un&apos;altra porta con «--port», o un indirizzo di questo computer.</translation>
+        <source>Cannot listen on port %1 of &apos;%2&apos;: %3. Choose another port with &apos;--port&apos;, or an address of this machine.</source>
+        <translation>Impossibile mettersi in ascolto sulla porta %1 di «%2»: %3. Scegliere un&apos;altra porta con «--port», o un indirizzo di questo computer.</translation>
     </message>
     <message>
-        <source>The system gives the server no thread: %1. %2</source>
-        <translation>Il sistema non dà thread al server: %1. %2</translation>
+        <source>The system cannot start a thread for the server: %1. %2</source>
+        <translation>Il sistema non può avviare un thread per il server: %1. %2</translation>
     </message>
     <message>
         <source>The system takes no more connections: %1. %2</source>
@@ -8661,7 +8661,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>«%1» appartiene a un altro utente, che potrebbe metterci qualsiasi programma. Copiare ciò di cui ci si fida in una cartella propria.</translation>
     </message>
     <message>
-        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Take that right away (chmod o-w), and see what is in it.</source>
+        <source>Every user of this machine can write to &apos;%1&apos;, and could put any program there. Remove that right (chmod o-w), and see what is in it.</source>
         <translation>Ogni utente di questo computer può scrivere in «%1» e potrebbe metterci qualsiasi programma. Togliere questo permesso (chmod o-w), e controllare che cosa contiene.</translation>
     </message>
     <message>
@@ -8669,7 +8669,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>il vettore «%1» non ha numeri da nessuna parte: non si può calcolare da questa soluzione. %2</translation>
     </message>
     <message>
-        <source>The domain is another one, so the camera keeps its direction and shows all of the model.</source>
+        <source>The domain is different, so the camera keeps its direction and shows all of the model.</source>
         <translation>Il dominio è un altro, perciò la camera conserva la direzione e mostra tutto il modello.</translation>
     </message>
     <message>
@@ -8689,7 +8689,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Il filmato non ha fotogrammi chiave: le loro camere sono per un altro dominio.</translation>
     </message>
     <message>
-        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so its usual ones are shown.</source>
+        <source>None of the isovalues lies within the model&apos;s values, %1 to %2, so the default ones are shown.</source>
         <translation>Nessuno degli isovalori è fra i valori del modello, da %1 a %2, perciò si mostrano quelli consueti.</translation>
     </message>
     <message>
@@ -8697,7 +8697,7 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>%1 di %2 isovalori sono omessi: non sono fra i valori del modello, da %3 a %4.</translation>
     </message>
     <message>
-        <source>The transfer function has no point within the model&apos;s values, so the usual one is shown.</source>
+        <source>The transfer function has no point within the model&apos;s values, so the default one is shown.</source>
         <translation>La funzione di trasferimento non ha punti fra i valori del modello, perciò si mostra quella consueta.</translation>
     </message>
     <message>
@@ -8705,12 +8705,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Si mostrano tutti i valori: il modello non ha nessuno di quelli scelti.</translation>
     </message>
     <message>
-        <source>There is no rendering mode &apos;%1&apos; here, so that it is shown as &apos;%2&apos;. It may belong to a plugin that is not installed.</source>
+        <source>There is no rendering mode &apos;%1&apos; here, so the model is shown as &apos;%2&apos;. It may belong to a plugin that is not installed.</source>
         <translation>Qui non c&apos;è una modalità di resa «%1», perciò si mostra come «%2». Forse appartiene a un plugin che non è installato.</translation>
     </message>
     <message>
-        <source>The model &apos;%1&apos; is another one than when the session was saved: it was built anew, or replaced.</source>
-        <translation>Il modello «%1» non è lo stesso di quando la sessione fu salvata: è stato ricostruito o sostituito.</translation>
+        <source>The model &apos;%1&apos; has changed since the session was saved: it was built anew, or replaced.</source>
+        <translation>Il modello «%1» è cambiato da quando la sessione è stata salvata: è stato ricostruito o sostituito.</translation>
     </message>
     <message>
         <source>This file cannot be read as a transfer function. TAn reads its own and ParaView&apos;s presets in JSON, and ParaView&apos;s colour maps in XML, but not tables of colours.</source>
@@ -8805,16 +8805,16 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Applica aspetto</translation>
     </message>
     <message>
-        <source>Not all of the look of %1 could be taken over.</source>
-        <translation>Non è stato possibile riprendere tutto l&apos;aspetto di %1.</translation>
+        <source>Not all of the look of %1 could be applied.</source>
+        <translation>Non è stato possibile applicare tutto l&apos;aspetto di %1.</translation>
     </message>
     <message>
         <source>Not all of the session could be kept.</source>
         <translation>Non è stato possibile mantenere tutta la sessione.</translation>
     </message>
     <message>
-        <source>The session %1 stays as it is; saving asks for another file.</source>
-        <translation>La sessione %1 resta com&apos;è; il salvataggio chiede un altro file.</translation>
+        <source>The session %1 stays as it is; saving will ask for another file name.</source>
+        <translation>La sessione %1 resta com&apos;è; al salvataggio verrà chiesto un altro nome di file.</translation>
     </message>
     <message>
         <source>It is shown as the session says.</source>
@@ -9405,8 +9405,8 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>Come finisce la finestra: i tetraedri al suo bordo si tagliano esattamente lì, o si tengono o tralasciano interi</translation>
     </message>
     <message>
-        <source>All that lived in a range of &amp;errors</source>
-        <translation>Tutto ciò che è vissuto in un intervallo di &amp;errori</translation>
+        <source>All tetrahedra in a range of &amp;errors</source>
+        <translation>Tutti i tetraedri in un intervallo di &amp;errori</translation>
     </message>
     <message>
         <source>In place of one mesh show the tetrahedra of all meshes between two errors, over each other, as surfaces. A window keeps them whole.</source>
@@ -9991,12 +9991,12 @@ Il plugin %2 (%3) non è in uso. %4</translation>
 <context>
     <name>tetra::ViewPanel</name>
     <message>
-        <source>&amp;Load…</source>
-        <translation>&amp;Carica…</translation>
+        <source>&amp;Load Camera…</source>
+        <translation>&amp;Carica camera…</translation>
     </message>
     <message>
-        <source>Sa&amp;ve…</source>
-        <translation>&amp;Salva…</translation>
+        <source>Sa&amp;ve Camera…</source>
+        <translation>&amp;Salva camera…</translation>
     </message>
     <message>
         <source>°</source>

@@ -112,21 +112,21 @@ Option optionOf(const Parameter& parameter)
     return option;
 }
 
-/// Errors name the file, and the line and the column of what is wrong in it.
-Result<ParameterValue> readTransferFunction(const std::string& path)
+/// The first of the file, completed as the window does it. Errors name the file, and the line and the column of what is
+/// wrong in it.
+Result<ParameterValue> readTransferFunction(const std::string& path, const TransferFunction& usual,
+                                            const std::optional<ValueRange>& range)
 {
     constexpr std::size_t largestFile = 16 << 20;
     const auto text = wholeText(path, largestFile);
     if (!text)
         return Error{text.error().kind, "The transfer function cannot be used. " + text.error().text()};
-    auto functions = importTransferFunctions(*text, {});
+    ImportContext context{usual};
+    if (range)
+        context.limits = TransferLimits{range->minimum, range->maximum};
+    auto functions = importTransferFunctions(*text, context);
     if (!functions)
         return Error{ErrorKind::BadInput, "'" + path + "': " + functions.error().text()};
-    if (functions->front().coloursOnly)
-        return Error{ErrorKind::BadInput,
-                     "'" + path +
-                         "' has colours and no opacities, so nothing would be seen. Load it in the "
-                         "window, where it takes the present opacities, and save that."};
     return ParameterValue(std::move(functions->front().function));
 }
 
@@ -147,12 +147,13 @@ Error ofOption(const Error& error, const std::string& name)
     return {error.kind, "'--" + name + "': " + error.text()};
 }
 
-Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name)
+Result<ParameterValue> parseOption(const Arguments& arguments, const Parameter& parameter, const std::string& name,
+                                   const std::optional<ValueRange>& range)
 {
     if (isSwitch(parameter))
         return ParameterValue(!isOnByDefault(parameter));
     if (isTransferFunction(parameter))
-        return readTransferFunction(*arguments.value(name));
+        return readTransferFunction(*arguments.value(name), std::get<TransferFunction>(parameter.defaultValue), range);
     const char separator = parameter.separator != 0 ? parameter.separator : ',';
     std::string text;
     for (const std::string& value : arguments.values(name)) {
@@ -201,14 +202,15 @@ void separatePluginOptions(Syntax& syntax)
             option.name = namedAsPlugins(option.name);
 }
 
-Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters)
+Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters,
+                                     const std::optional<ValueRange>& range)
 {
     ParameterValues values;
     for (const Parameter& parameter : parameters) {
         const std::string name = optionName(arguments, parameter);
         if (!arguments.has(name))
             continue;
-        const auto value = parseOption(arguments, parameter, name);
+        const auto value = parseOption(arguments, parameter, name, range);
         if (!value)
             return ofOption(value.error(), name);
         values[parameter.id] = *value;

@@ -6,6 +6,7 @@
 #include "plugins/host/parameter_values.h"
 #include "plugins/host/plugin_host.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,11 @@ void sayDefaultsFromData(Syntax& syntax, const std::vector<Parameter>& parameter
 /// called when all options are there.
 void separatePluginOptions(Syntax& syntax);
 
-/// The values that the arguments give to these parameters. The error names the option and what it takes.
-Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters);
+/// The values that the arguments give to these parameters. A file with a transfer function is read as the window reads
+/// it: presets from 0 to 1 are stretched over `range`, that of the data, and what a preset lacks is that of the
+/// parameter's default. The error names the option and what it takes.
+Result<ParameterValues> pluginValues(const Arguments& arguments, const std::vector<Parameter>& parameters,
+                                     const std::optional<ValueRange>& range = {});
 
 /// The names that these arguments have for parameters, with the hyphens. The arguments outlive it.
 OptionOfParameter optionNames(const Arguments& arguments);

@@ -211,7 +211,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     for (Parameter& parameter : parameters)
         if (parameter.id == isovaluesId) // one that these data do not have gives an empty surface
             parameter.minimum = parameter.maximum = 0;
-    const auto values = pluginValues(invocation.arguments, parameters);
+    auto values = pluginValues(invocation.arguments, parameters, data.range);
     if (!values)
         return values.error();
     if (const Status used = checkAppearance(invocation.arguments, *view.model, renderer, *values); !used)
@@ -232,6 +232,17 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         return camera.error();
     const FieldExtent field = extentOf(view.model);
     const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
+    if (invocation.arguments.has(std::string(transferId))) {
+        // A file of colours alone takes the opacities that the window shows at first; which they are, the mesh tells.
+        std::erase_if(parameters, [](const Parameter& one) { return one.id != transferId; });
+        for (Parameter& parameter : parameters)
+            parameter.defaultValue = start.appearance.transfer;
+        const auto completing = pluginValues(invocation.arguments, parameters, data.range);
+        if (!completing)
+            return completing.error();
+        for (const auto& [id, value] : *completing)
+            (*values)[id] = value;
+    }
     ParameterValues shown = completed(*values, renderer.plugin->parameters(field), start);
     const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
     if (!query)

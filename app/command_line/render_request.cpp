@@ -184,8 +184,8 @@ std::vector<Option> pictureOptions(PluginHost& host)
                         "stay what they are, and the camera where the domain is the same."},
         {.name = "strict",
          .placeholder = "",
-         .explanation = "Of a session: refuses to draw a picture that is not all that the session says, because its "
-                        "model is another one than it was. Without it, messages say what differs."},
+         .explanation = "Of a session: refuses to draw a picture that does not show all that the session says, because "
+                        "its model has changed. Without it, messages say what differs."},
         {.name = "depth",
          .placeholder = "FILE.png",
          .explanation = "Writes the depth of each pixel, too, as a grey picture of 16 bits, dark where it is near "

@@ -45,8 +45,8 @@ Syntax serveSyntax(PluginHost&)
                      .explanation = "Answer only clients that send the token in the first line of this file."},
                     {.name = "allow-origin",
                      .placeholder = "ORIGIN",
-                     .explanation = "Let pages of the web from there read the models by the browser that shows them "
-                                    "(CORS), such as https://viewer.example; no others can.",
+                     .explanation = "Lets web pages from this origin, such as https://viewer.example, read the models "
+                                    "in the browser that shows them (CORS); no others can.",
                      .repeatable = true},
                     {.name = "limit",
                      .placeholder = "N",
@@ -68,7 +68,7 @@ Result<Outcome> runServe(const Invocation&)
 {
     return Error{ErrorKind::WrongUsage,
                  "This 'tan' was built without its server (CMake option TAN_SERVER). Any HTTP server that gives ranges "
-                 "of files can offer models, too, but finds no meshes."};
+                 "of files can offer models, too, but it extracts no meshes."};
 }
 
 #else

@@ -6,10 +6,11 @@ namespace tetra {
 
 Result<Dataset> tetrahedrized(const Dataset& points, const Progress&)
 {
-    return Error{ErrorKind::WrongUsage,
-                 Message::say("This TAn makes no mesh of the points of '%1': it was built without CGAL (TAN_CGAL). Use "
-                              "one that has it, or data with a grid or with cells.",
-                              points.source.name)};
+    return Error{
+        ErrorKind::WrongUsage,
+        Message::say("This TAn cannot make a mesh of the points of '%1': it was built without CGAL (TAN_CGAL). Use "
+                     "one that has it, or data with a grid or with cells.",
+                     points.source.name)};
 }
 
 } // namespace tetra

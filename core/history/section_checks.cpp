@@ -81,7 +81,7 @@ Message wrongChecksum(std::uint32_t section)
 
 Message impossibleNumbers(std::uint32_t section)
 {
-    return Message::say("section '%1' holds numbers that cannot be", format::sectionName(section));
+    return Message::say("section '%1' holds impossible numbers", format::sectionName(section));
 }
 
 } // namespace

@@ -64,7 +64,7 @@ Status checkTrust(const std::filesystem::path& folder)
     if (status.st_uid != user)
         return cannotTrust(folder, Message::say("it belongs to another user"));
     if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
-        return cannotTrust(folder, Message::say("others can write in it"));
+        return cannotTrust(folder, Message::say("others can write to it"));
     // As the path goes, and where its links lead.
     std::error_code problem;
     for (const std::filesystem::path& path :
@@ -75,7 +75,7 @@ Status checkTrust(const std::filesystem::path& folder)
             if (status.st_uid != user && status.st_uid != 0 && status.st_uid != root.st_uid)
                 return cannotTrust(folder, Message::say("'%1' belongs to another user", above.string()));
             if ((status.st_mode & S_IWOTH) != 0 && (status.st_mode & S_ISVTX) == 0)
-                return cannotTrust(folder, Message::say("everybody can write in '%1'", above.string()));
+                return cannotTrust(folder, Message::say("everybody can write to '%1'", above.string()));
             if (above == above.root_path())
                 break;
         }

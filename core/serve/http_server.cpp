@@ -250,7 +250,7 @@ Result<int> HttpServer::Server::bind(const std::string& address, int port)
 {
     const auto cannot = [&](const Message& why) {
         return Error{ErrorKind::WrongUsage,
-                     Message::say("No server can be at port %1 of '%2': %3. Choose another port with '--port', or "
+                     Message::say("Cannot listen on port %1 of '%2': %3. Choose another port with '--port', or "
                                   "an address of this machine.",
                                   port, printable(address), why)};
     };
@@ -339,7 +339,7 @@ Result<std::vector<MHD_Daemon*>> HttpServer::Server::startDaemons()
         daemons.push_back(daemon);
     }
     if (daemons.empty())
-        return Error{ErrorKind::OutOfResource, Message::say("The system gives the server no thread: %1. %2",
+        return Error{ErrorKind::OutOfResource, Message::say("The system cannot start a thread for the server: %1. %2",
                                                             systemErrorText(problem), resourceRemedy)};
     return daemons;
 }

@@ -7,6 +7,7 @@
 
 #include <QFile>
 #include <QImage>
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -142,6 +143,45 @@ private slots:
         QVERIFY(cloud.pixelColor(0, 0).alpha() == 0);
         const int middle = cloud.pixelColor(30, 15).alpha();
         QVERIFY(middle > 0 && middle < 255);
+    }
+
+    /// What stands from 0 to 1 in ParaView's file is the same picture as what stands over the range of the data.
+    void aPresetFrom0To1IsStretchedOverTheData()
+    {
+        const QJsonArray range = tan({"info", "c60.tan", "--json"}).json()["range"].toArray();
+        const double least = range[0].toDouble(), largest = range[1].toDouble();
+        QVERIFY2(largest > least + 2, QByteArray::number(largest));
+        const auto preset = [&](const char* name, double first, double last) {
+            const auto at = [&](double share) { return QByteArray::number(first + share * (last - first), 'g', 17); };
+            return writeFile(path(name), "[{\"Name\": \"p\", \"RGBPoints\": [" + at(0) + ", 0, 0, 1, " + at(1) +
+                                             ", 1, 0, 0], \"Points\": [" + at(0) + ", 0, 0.5, 0, " + at(0.5) +
+                                             ", 0.1, 0.5, 0, " + at(1) + ", 0.8, 0.5, 0]}]");
+        };
+        QVERIFY(preset("unit.json", 0, 1) && preset("range.json", least, largest));
+        const QStringList bare = {"--no-outline", "--background", "transparent", "--transfer"};
+        const QImage unit = drawn(bare + QStringList{"unit.json"}).first;
+        const QImage stretched = drawn(bare + QStringList{"range.json"}).first;
+        QVERIFY2(largestDifference(unit, stretched) <= 1, QByteArray::number(largestDifference(unit, stretched)));
+        const int middle = unit.pixelColor(30, 15).alpha();
+        QVERIFY2(middle > 0 && middle < 255, QByteArray::number(middle));
+    }
+
+    /// The opacities are those without a function, the colours the file's.
+    void aPresetOfColoursKeepsTheOpacities()
+    {
+        QVERIFY(writeFile(path("colours.json"), R"([{"Name": "green", "RGBPoints": [0, 0, 1, 0, 1, 0, 1, 0]}])"));
+        const QStringList bare = {"--no-outline", "--background", "transparent"};
+        const QImage usual = drawn(bare).first, green = drawn(bare + QStringList{"--transfer", "colours.json"}).first;
+        QCOMPARE(green.size(), usual.size());
+        int opaque = 0;
+        for (int y = 0; y < usual.height(); ++y)
+            for (int x = 0; x < usual.width(); ++x) {
+                const QColor colour = green.pixelColor(x, y);
+                QCOMPARE(colour.alpha(), usual.pixelColor(x, y).alpha());
+                opaque += colour.alpha() > 40 ? 1 : 0;
+                QVERIFY(colour.alpha() <= 40 || (colour.red() < 10 && colour.blue() < 10 && colour.green() > 245));
+            }
+        QVERIFY2(opaque > 20, QByteArray::number(opaque));
     }
 
     /// A volume of which nothing is seen leaves the surface as it is alone, but at a few pixels of its edges, where

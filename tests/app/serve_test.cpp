@@ -595,7 +595,7 @@ private slots:
         QVERIFY2(refusal({.error = 5}).find("changed on its server") != std::string::npos,
                  refusal({.error = 5}).c_str());
         server.reset();
-        QVERIFY2(refusal({.error = 5}).find("gives no answer") != std::string::npos, refusal({.error = 5}).c_str());
+        QVERIFY2(refusal({.error = 5}).find("does not answer") != std::string::npos, refusal({.error = 5}).c_str());
         QVERIFY(!askServer(place, token).ok());
         const LocalServer strict(folder_, {}, {}, {.tetrahedra = 10});
         const auto small = openModel(placeOf(strict.address("part.tan"), true), cached());

@@ -37,6 +37,7 @@ seconds install /packages/tan-desktop_*.deb
 echo "install time: tan-desktop_*.deb $seconds s, all that it needs included"
 check 'ffmpeg is suggested, and neither needed nor installed' \
     "dpkg -s tan-desktop | grep '^Suggests:.*ffmpeg'; ! dpkg -s tan tan-desktop | grep -E '^(Depends|Recommends):.*ffmpeg'; ! command -v ffmpeg"
+check 'the dialogs of Qt speak German and Italian, too' "ls /usr/share/qt6/translations/qtbase_de.qm /usr/share/qt6/translations/qtbase_it.qm"
 check_command_line
 check 'without the VTK readers: told what to install' \
     "! '$bin/tan' info /work/image.vti 2>/work/message; grep -F 'apt install ./tan-vtk-readers_*.deb' /work/message"

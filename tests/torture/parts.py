@@ -751,7 +751,7 @@ PARTS = (
     Part("changes", "a model is changed while it is in use", change_in_use, 500, 10),
     Part("packed", "packed models damaged in 50 ways: bits, ends, chunks exchanged, doubled or left out, also with right checksums",
          damaged_packed, 200, 1),
-    Part("mutants", "models of intent, with right checksums: numbers that cannot be, histories that go round, sections of others; "
+    Part("mutants", "models of intent, with right checksums: impossible numbers, histories that go round, sections of others; "
          "shown, extracted, proved, drawn, packed and unpacked", mutants.attempt_explicit, 3000, 2),
     Part("packed-mutants", "the same of packed models: chunks flipped, doubled, exchanged, spliced; facts, levels, texts",
          mutants.attempt_packed, 3000, 2),

@@ -117,13 +117,13 @@ void ImportDialogTest::aRawFileIsDescribed()
     QVERIFY(!dialog()->isModal());
     QCOMPARE(window_->find<QLineEdit>("import.option.size").text(), QString("8x8x8")); // the likeliest
     QVERIFY(window_->find<QLabel>("import.sizeCheck").text().contains("8 × 8 × 8 × uint8 = 512 bytes"));
-    QVERIFY(window_->find<QLabel>("import.estimate").isVisible());
+    QTRY_VERIFY(window_->find<QLabel>("import.estimate").isVisible());
     click("import.read");
     QTRY_VERIFY(window_->workbench.opening().dataset());
     QCOMPARE(window_->workbench.opening().dataset()->lattice.size, (std::array<std::uint32_t, 3>{8, 8, 8}));
     QVERIFY(!dialog()->isVisible());
     QVERIFY(window_->find<QWidget>("dock.build").isVisible());
-    QVERIFY(window_->find<QLabel>("build.estimate").text().contains("memory"));
+    QTRY_VERIFY(window_->find<QLabel>("build.estimate").text().contains("memory"));
 }
 
 /// C10: by the size of what is in it, which the preview shows.

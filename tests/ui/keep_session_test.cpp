@@ -13,6 +13,8 @@
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <cstdio>
@@ -39,6 +41,7 @@ private slots:
     void aModelThatIsGoneIsTold();
     void whatAProgramLeftBehindIsOffered();
     void theStartPageSaysWhatAndWhen();
+    void theOffersFitIntoTheirPage();
     void whatIsDeclinedIsNotOfferedAgain();
     void whatIsIgnoredIsOfferedInTheBarAndStays();
     void whatCannotBeRestoredStays();
@@ -70,7 +73,7 @@ private:
     void choose(const QString& path) const;
     static SessionDocument ofModel(const QString& path);
     /// As a program that ended unexpectedly does. Returns the file.
-    static std::filesystem::path leave(const SessionDocument& document);
+    static std::filesystem::path leave(const SessionDocument& document, const std::string& name = "left");
     /// What the edits of edit() have made.
     bool showsEdits() const;
 
@@ -137,10 +140,10 @@ SessionDocument KeepSessionTest::ofModel(const QString& path)
     return document;
 }
 
-std::filesystem::path KeepSessionTest::leave(const SessionDocument& document)
+std::filesystem::path KeepSessionTest::leave(const SessionDocument& document, const std::string& name)
 {
     std::filesystem::create_directories(viewFolder());
-    const std::filesystem::path left = viewFolder() / "left.lost.tansession";
+    const std::filesystem::path left = viewFolder() / (name + ".lost.tansession");
     if (!writeTextFile(left, sessionToText(document, viewFolder())))
         qFatal("the session could not be left");
     return left;
@@ -254,6 +257,33 @@ void KeepSessionTest::theStartPageSaysWhatAndWhen()
         QVERIFY(!QKeySequence::mnemonic(button.text()).isEmpty());
     }
     QVERIFY(window_->find<QPushButton>("empty.open").isEnabled()); // nobody is stopped
+}
+
+/// Also beside the panels, on a small screen: with long names, and while data wait to be built.
+void KeepSessionTest::theOffersFitIntoTheirPage()
+{
+    window_.reset();
+    for (const char* name : {"lobster_120x120x34_uint8_threshold.tan", "engine_256x256x128_uint8.tan"}) {
+        const std::filesystem::path model = filePath(folder_.filePath(name));
+        std::filesystem::copy_file(filePath(model_), model);
+        leave(ofModel(pathText(model)), name);
+    }
+    window_ = std::make_unique<WindowFixture>(BackendChoice::Cpu, hostOfThisBuild(), viewFolder());
+    window_->window.resize(1280, 720);
+    window_->window.show();
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(window_->find<QWidget>("dock.build").isVisible());
+    const auto buttons = window_->window.findChildren<QPushButton*>("lost.discard");
+    QCOMPARE(buttons.size(), 2);
+    const auto& page = window_->find<QWidget>("empty");
+    const auto* scrolled = page.findChild<QScrollArea*>();
+    QVERIFY(scrolled != nullptr);
+    QTRY_COMPARE(scrolled->horizontalScrollBar()->maximum(), 0);
+    for (const QPushButton* button : buttons) {
+        QVERIFY(button->isVisible());
+        QVERIFY(page.rect().contains(QRect(button->mapTo(&page, QPoint()), button->size())));
+    }
 }
 
 void KeepSessionTest::whatIsDeclinedIsNotOfferedAgain()

@@ -6,6 +6,7 @@
 #include "tests/core/render/scene_parts.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/panels/accuracy_curve.h"
+#include "ui/panels/build_panel.h"
 #include "ui/panels/parameter_form.h"
 
 #include <QCheckBox>
@@ -35,6 +36,7 @@ private slots:
     void nothingCanBeChosenWithoutAModel();
     void allInputsOfTheAccuracyAgree_data();
     void allInputsOfTheAccuracyAgree();
+    void aTypedErrorIsKept();
     void theCurveIsChosenByMouseKeyAndWheel();
     void theSliderLiesAlongTheCurve();
     void aHeldKeyIsOneStep();
@@ -119,6 +121,27 @@ void PanelsTest::allInputsOfTheAccuracyAgree()
     for (const double preset : accuracyPresets)
         QCOMPARE(window_->find<QToolButton>("accuracy.preset." + QString::number(preset)).isChecked(),
                  preset == percent);
+}
+
+/// However small it is: a value range of 10^6 has a sample's error of 0.00001 %.
+void PanelsTest::aTypedErrorIsKept()
+{
+    open();
+    auto& box = window_->find<QDoubleSpinBox>("accuracy.box");
+    const auto type = [&box](const QString& text) {
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+    };
+    type("0.00001");
+    QCOMPARE(session().view().query.error, 1e-5);
+    QVERIFY2(QLocale().toDouble(box.text().remove(box.suffix())) == 1e-5, qPrintable(box.text()));
+    type("2.5e-7 %");
+    QCOMPARE(session().view().query.error, 2.5e-7);
+    type("0.123456");
+    QCOMPARE(session().view().query.error, 0.123456);
+    type("101"); // more than everything
+    QCOMPARE(session().view().query.error, 0.123456);
 }
 
 void PanelsTest::theCurveIsChosenByMouseKeyAndWheel()
@@ -389,6 +412,7 @@ void PanelsTest::theDetailOfAModelIsChosen()
         choice.click();
         QCOMPARE(error.value(), percent);
         QVERIFY(choice.isChecked());
+        QTRY_VERIFY(!window_->find<BuildPanel>("build").looking());
         const QString needed = window_->find<QLabel>("build.detail." + name + ".size").text();
         QVERIFY2(needed.contains("MiB, ") && needed.endsWith(" s"), qPrintable(needed));
         QVERIFY(choice.accessibleDescription().contains(needed)); // for those who hear it

@@ -23,6 +23,8 @@ private slots:
     void aMovingCameraExtractsNothing();
     void aModelIsSeenAsAtFirst_data();
     void aModelIsSeenAsAtFirst();
+    void aPresetOfParaviewIsStretchedAlike_data();
+    void aPresetOfParaviewIsStretchedAlike();
     void aPictureHoldsItsSession();
     void whatDoesNotGoTogether_data();
     void whatDoesNotGoTogether();
@@ -34,6 +36,8 @@ private:
     bool upToDate() const { return window_->settled() && session().showsQuery(); }
     void saveSession(const QString& name) const;
     QImage savedPicture(const PictureSettings& settings) const;
+    /// How the pictures differ that the window and the program make of the model, the program with these options.
+    QByteArray differenceOfBoth(const QString& mode, const QStringList& options = {}) const;
 
     std::unique_ptr<WindowFixture> window_;
 };
@@ -191,25 +195,58 @@ void RenderedSessionTest::aModelIsSeenAsAtFirst_data()
         QTest::addRow("%s", mode) << QString(mode);
 }
 
+QByteArray RenderedSessionTest::differenceOfBoth(const QString& mode, const QStringList& options) const
+{
+    session().setError(4);
+    session().setBackground(Colour{1, 1, 1});
+    window_->viewport().setCamera(fitted(Camera(), session().model()->description().bounds,
+                                         double(sizeOfPictures.width()) / sizeOfPictures.height()));
+    if (!waitFor([this] { return upToDate(); }))
+        return "the window draws on and on";
+    AnnotationState none;
+    for (AnnotationPlace& place : none.places)
+        place.shown = false;
+    const QImage drawn = savedPicture({sizeOfPictures, 0, false, none}).convertToFormat(QImage::Format_ARGB32);
+    const Run run = tan(QStringList{"render", "c60.tan", "--mode", mode, "--error", "4", "--size", "201x145",
+                                    "--samples", "4", "-o", "program.png"} +
+                        options);
+    return run.exitCode != 0 ? run.messages
+                             : differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
+}
+
 /// The isovalue and the transfer function that nobody has chosen are the window's.
 void RenderedSessionTest::aModelIsSeenAsAtFirst()
 {
     QFETCH(QString, mode);
     window_->find<QAction>("action.mode." + mode).trigger();
-    session().setError(4);
-    session().setBackground(Colour{1, 1, 1});
-    window_->viewport().setCamera(fitted(Camera(), session().model()->description().bounds,
-                                         double(sizeOfPictures.width()) / sizeOfPictures.height()));
-    QTRY_VERIFY(upToDate());
-    AnnotationState none;
-    for (AnnotationPlace& place : none.places)
-        place.shown = false;
-    const QImage drawn = savedPicture({sizeOfPictures, 0, false, none}).convertToFormat(QImage::Format_ARGB32);
-    const Run run = tan({"render", "c60.tan", "--mode", mode, "--error", "4", "--size", "201x145", "--samples", "4",
-                         "-o", "program.png"});
-    QVERIFY2(run.exitCode == 0, run.messages);
-    const QByteArray difference =
-        differenceOf(drawn, QImage(path("program.png")).convertToFormat(QImage::Format_ARGB32));
+    const QByteArray difference = differenceOfBoth(mode);
+    QVERIFY2(difference.isEmpty(), difference);
+}
+
+void RenderedSessionTest::aPresetOfParaviewIsStretchedAlike_data()
+{
+    QTest::addColumn<QByteArray>("preset");
+    QTest::newRow("colours") << QByteArray(R"([{"Name": "fire", "RGBPoints": [0, 0, 0, 0.5, 1, 1, 0.8, 0]}])");
+    QTest::newRow("both") << QByteArray(R"([{"Name": "fire", "RGBPoints": [0, 0, 0, 0.5, 1, 1, 0.8, 0],
+                                             "Points": [0, 0, 0.5, 0, 0.4, 0.05, 0.5, 0, 1, 0.9, 0.5, 0]}])");
+}
+
+/// In the file there are values from 0 to 1, and those of the data end elsewhere.
+void RenderedSessionTest::aPresetOfParaviewIsStretchedAlike()
+{
+    QFETCH(QByteArray, preset);
+    QVERIFY(session().range().maximum > 2);
+    QFile file(path("preset.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(preset) == preset.size());
+    file.close();
+    window_->find<QAction>("action.mode.volume").trigger();
+    const TransferFunction before = session().view().appearance.transfer;
+    window_->find<QAbstractButton>("transfer.load").click();
+    auto& dialog = window_->find<QFileDialog>("transferDialog");
+    emit dialog.fileSelected(file.fileName());
+    dialog.reject();
+    QTRY_VERIFY(session().view().appearance.transfer != before);
+    const QByteArray difference = differenceOfBoth("volume", {"--transfer", "preset.json"});
     QVERIFY2(difference.isEmpty(), difference);
 }
 

@@ -256,7 +256,7 @@ void ServedModelTest::aServerThatGoesIsTold()
     server.reset();
     session().setError(7);
     QTRY_VERIFY(!window_->messages().isEmpty());
-    QVERIFY2(window_->messages().first().contains("gives no answer"), qPrintable(window_->messages().first()));
+    QVERIFY2(window_->messages().first().contains("does not answer"), qPrintable(window_->messages().first()));
     QVERIFY(model() && window_->viewport().scene()); // the picture before stays
     const LocalServer again(
         folder_.path(), {}, {}, {}, [](const ServedRequest&) {}, port);

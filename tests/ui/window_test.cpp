@@ -25,6 +25,7 @@
 #include <QScopeGuard>
 #include <QSet>
 #include <QSignalSpy>
+#include <QThread>
 #include <QToolButton>
 #include <QUrl>
 
@@ -73,6 +74,7 @@ private slots:
     void aBuildThatCannotWriteSaysSo();
     void anExistingModelIsReplacedOnlyWithAWord();
     void aFolderThatDoesNotAnswerStopsNobody();
+    void aBuilderThatThinksLongStopsNobody();
     void aMaximisedWindowIsOneTheNextTime();
     void anExistingModelIsOfferedFirst();
     void aFinishedModelIsNotReplacedByWhatIsKept();
@@ -577,6 +579,38 @@ void WindowTest::aFolderThatDoesNotAnswerStopsNobody()
     QVERIFY(!window_->workbench.building().running());
     start.click();
     QTRY_VERIFY(QFile::exists(target.text()) && !window_->workbench.building().running());
+}
+
+/// A builder that takes its time to say what a build takes holds up nobody; but nothing is built before it is known.
+void WindowTest::aBuilderThatThinksLongStopsNobody()
+{
+    std::counting_semaphore<> answers(0);
+    std::atomic<int> questions = 0;
+    std::atomic<bool> isElsewhere = true;
+    BuildPanel panel(window_->workbench, &lookAtTarget, [&](const BuildQuestion& question) {
+        ++questions;
+        isElsewhere = isElsewhere && QThread::currentThread() != QCoreApplication::instance()->thread();
+        answers.acquire();
+        return outlookOf(question);
+    });
+    const auto end = qScopeGuard([&] { answers.release(1000); });
+    panel.show();
+    window_->window.open(QString::fromStdString(writeNrrd(sampleDataset(8), window_->folderPath())));
+    QTRY_COMPARE(questions.load(), 1);
+    auto& error = *panel.findChild<QDoubleSpinBox*>("build.option.error");
+    const auto& size = *panel.findChild<QLabel*>("build.detail.good.size");
+    const auto& estimate = *panel.findChild<QLabel*>("build.estimate");
+    for (const double percent : {1.0, 2.0, 3.0})
+        error.setValue(percent); // each asks anew
+    panel.findChild<QPushButton*>("build.start")->click();
+    QCoreApplication::processEvents();
+    QVERIFY(!window_->workbench.building().running() && size.text().isEmpty() && estimate.text().isEmpty());
+    QCOMPARE(questions.load(), 1);
+    answers.release(2); // the first question, and of the others only the last one
+    QTRY_VERIFY(!panel.looking());
+    QCOMPARE(questions.load(), 2);
+    QVERIFY(isElsewhere && size.text().contains(" s") && estimate.text().contains("memory"));
+    QTRY_VERIFY(window_->workbench.session().model() && !window_->workbench.building().running());
 }
 
 /// Also after a program that could not end as it should.

@@ -20,6 +20,9 @@ namespace {
 
 constexpr int accuracySteps = 1000;
 
+/// QDoubleSpinBox rounds its value to its decimals; this many keep any double.
+constexpr int allDecimals = 323;
+
 } // namespace
 
 AccuracySlider::AccuracySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent)
@@ -62,7 +65,7 @@ void AccuracySlider::wheelEvent(QWheelEvent* event)
 AccuracyBox::AccuracyBox(QWidget* parent) : QDoubleSpinBox(parent)
 {
     setObjectName("accuracy.box");
-    setDecimals(4);
+    setDecimals(allDecimals);
     setRange(0, 100);
     setSuffix(tr(" %"));
     setAlignment(Qt::AlignRight);
@@ -81,6 +84,19 @@ void AccuracyBox::setAccuracy(double percent)
 QString AccuracyBox::textFromValue(double value) const
 {
     return locale().toString(value, 'g', 4);
+}
+
+double AccuracyBox::valueFromText(const QString& text) const
+{
+    return locale().toDouble(QString(text).remove(suffix()).trimmed());
+}
+
+QValidator::State AccuracyBox::validate(QString& text, int& position) const
+{
+    Q_UNUSED(position);
+    bool isNumber = false;
+    const double value = locale().toDouble(QString(text).remove(suffix()).trimmed(), &isNumber);
+    return isNumber && value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 void AccuracyBox::stepBy(int steps)

@@ -31,7 +31,8 @@ private:
     double accuracy_ = 1;
 };
 
-/// A number box for an error in %, which steps through round numbers.
+/// A number box for an error in %, which steps through round numbers. Takes and keeps any number, plain or with an
+/// exponent, and shows its first digits.
 class AccuracyBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -40,6 +41,8 @@ public:
     void setAccuracy(double percent);
 
     QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
     void stepBy(int steps) override;
 
 signals:

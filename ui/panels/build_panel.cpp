@@ -97,8 +97,9 @@ QString factsOf(const Dataset& dataset)
 
 } // namespace
 
-BuildPanel::BuildPanel(Workbench& workbench, TargetLook::Look look, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), look_(new TargetLook(std::move(look), this)), pages_(new QStackedWidget)
+BuildPanel::BuildPanel(Workbench& workbench, TargetLook::Look look, Ask ask, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), look_(new TargetLook(std::move(look), this)), ask_(std::move(ask)),
+      pages_(new QStackedWidget)
 {
     setObjectName("build");
     nothingPage_ = makeNothingPage();
@@ -324,8 +325,7 @@ void BuildPanel::connectWorkbench()
         if (std::exchange(takesUp_, false))
             takeUpInterrupted();
         showTarget();
-        if (const auto then = std::exchange(then_, {}))
-            then();
+        goOn();
     });
     connect(&workbench_.building(), &Building::interruptedDiscarded, this, [this] {
         beginLook(false);
@@ -402,37 +402,49 @@ void BuildPanel::chooseDetail(int index)
     showDetail();
 }
 
-std::optional<BuildEstimate> BuildPanel::estimateOf(const ParameterValues& values) const
-{
-    const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
-    return builder ? builder->plugin->estimate(workbench_.opening().buildSize(), values, usableThreads())
-                   : std::nullopt;
-}
-
-/// Which choice the options are, and what each takes.
+/// Which choice the options are; what each takes, the builder tells.
 void BuildPanel::showDetail()
 {
-    const ParameterValues values = options_->values();
-    const auto estimate = estimateOf(options_->matteringValues());
-    estimate_->setVisible(estimate.has_value());
-    if (estimate)
-        estimate_->setText(estimateText(workbench_.opening().buildSize(), *estimate));
     showTarget();
     const auto builder = workbench_.host().builder(builder_->currentData().toString().toStdString());
     const auto& dataset = workbench_.opening().dataset();
     if (!builder || !dataset)
         return;
-    resume_->setVisible(builder->plugin->abilities(*dataset, options_->matteringValues()).resumes);
+    const ParameterValues values = options_->values();
     detail_->setExclusive(false); // so that none may be checked
     for (std::size_t index = 0; index < detailErrors.size(); ++index) {
         const ParameterValues detail = builder->plugin->detail(detailErrors[index], dataset->domain);
+        detail_->button(static_cast<int>(index))->setChecked(withValues(values, detail) == values);
+    }
+    detail_->setExclusive(true);
+    askBuilder(*builder->plugin, dataset);
+}
+
+void BuildPanel::askBuilder(const Builder& builder, const std::shared_ptr<const Dataset>& dataset)
+{
+    BuildQuestion question{&builder, dataset, workbench_.opening().buildSize(), options_->matteringValues()};
+    for (const double error : detailErrors)
+        question.others.push_back(withValues(question.values, builder.detail(error, dataset->domain)));
+    outlook_.ask(
+        *this, [ask = ask_, question = std::move(question)] { return ask(question); },
+        [this](const BuildOutlook& outlook) {
+            showOutlook(outlook);
+            goOn();
+        });
+}
+
+void BuildPanel::showOutlook(const BuildOutlook& outlook)
+{
+    estimate_->setVisible(outlook.estimate.has_value());
+    if (outlook.estimate)
+        estimate_->setText(estimateText(workbench_.opening().buildSize(), *outlook.estimate));
+    resume_->setVisible(outlook.resumes);
+    for (std::size_t index = 0; index < detailErrors.size(); ++index) {
+        const auto& needed = outlook.others[index];
         QAbstractButton* button = detail_->button(static_cast<int>(index));
-        button->setChecked(withValues(values, detail) == values);
-        const auto needed = estimateOf(withValues(options_->matteringValues(), detail));
         detailSizes_[index]->setText(needed ? modelSizeText(*needed) : QString());
         button->setAccessibleDescription(button->toolTip() + ". " + detailSizes_[index]->text());
     }
-    detail_->setExclusive(true);
 }
 
 /// While a build runs that is where it works, and what was known before remains.
@@ -448,7 +460,7 @@ void BuildPanel::beginLook(bool takesUp)
 /// At once, or when it is known what is there; but not if what the user reads is then not what they have agreed to.
 void BuildPanel::whenLooked(const std::function<void()>& then)
 {
-    if (!look_->running())
+    if (!looking())
         return then();
     then_ = [this, then, agreed = build_->text()] {
         const TargetFacts& there = *look_->facts();
@@ -456,6 +468,15 @@ void BuildPanel::whenLooked(const std::function<void()>& then)
         if (isNothingThere || build_->text() == agreed)
             then();
     };
+}
+
+/// With what the user has asked for, once all is known.
+void BuildPanel::goOn()
+{
+    if (looking())
+        return;
+    if (const auto then = std::exchange(then_, {}))
+        then();
 }
 
 /// As far as it is known.

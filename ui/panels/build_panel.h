@@ -2,6 +2,8 @@
 #pragma once
 
 #include "plugins/host/interrupted_build.h"
+#include "ui/work/latest_answer.h"
+#include "ui/workbench/build_outlook.h"
 #include "ui/workbench/target_look.h"
 #include "ui/workbench/workbench.h"
 
@@ -23,15 +25,17 @@ namespace tetra {
 
 class ParameterForm;
 
-/// Where a model is built of a dataset. What is there already where the model is to be is looked for in a worker; until
-/// that is known nothing is built and nothing deleted.
+/// Where a model is built of a dataset. What is there already where the model is to be, and what a builder says of the
+/// build, a worker finds out; until both are known nothing is built and nothing deleted.
 class BuildPanel : public QWidget {
     Q_OBJECT
 public:
-    /// `look`: how files are looked for.
-    explicit BuildPanel(Workbench& workbench, TargetLook::Look look = &lookAtTarget, QWidget* parent = nullptr);
-    /// Whether it is still to be found out what is there already.
-    bool looking() const noexcept { return look_->running(); }
+    using Ask = std::function<BuildOutlook(const BuildQuestion&)>;
+    /// `look`: how files are looked for; `ask`: how builders are asked.
+    explicit BuildPanel(Workbench& workbench, TargetLook::Look look = &lookAtTarget, Ask ask = &outlookOf,
+                        QWidget* parent = nullptr);
+    /// Whether it is still to be found out what is there already, or what the builder says.
+    bool looking() const noexcept { return look_->running() || outlook_.isWaiting(); }
 
 signals:
     /// The build is to be stopped, and what is finished kept.
@@ -54,11 +58,13 @@ private:
     void showBuilder(int detail);
     void chooseDetail(int index);
     void showDetail();
-    std::optional<BuildEstimate> estimateOf(const ParameterValues& values) const;
+    void askBuilder(const Builder& builder, const std::shared_ptr<const Dataset>& dataset);
+    void showOutlook(const BuildOutlook& outlook);
     void beginLook(bool takesUp);
     void showTarget();
     void offerExisting(bool offers);
     void whenLooked(const std::function<void()>& then);
+    void goOn();
     /// Shows the builder and the options of an interrupted build of these data, as it goes on with no others.
     void takeUpInterrupted();
     void showInterrupted();
@@ -71,6 +77,7 @@ private:
 
     Workbench& workbench_;
     TargetLook* look_;
+    Ask ask_;
     bool takesUp_ = false;       ///< an interrupted build, if the look finds one
     std::function<void()> then_; ///< what the user has asked for meanwhile
     QStackedWidget* pages_;
@@ -102,6 +109,7 @@ private:
     QPushButton* pause_;
     QPushButton* keep_;
     QPushButton* cancel_;
+    LatestAnswer<BuildOutlook> outlook_;
 };
 
 } // namespace tetra

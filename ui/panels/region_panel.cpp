@@ -30,7 +30,7 @@ RegionPanel::RegionPanel(Session& session, QWidget* parent)
       border_(new QComboBox), values_(new QCheckBox(tr("&Limit to a range of values"))), valueSettings_(new QWidget),
       least_(new ValueSlider("region.least", session)), largest_(new ValueSlider("region.largest", session)),
       reset_(new QPushButton(tr("&Reset to Whole Domain"))),
-      range_(new QCheckBox(tr("All that lived in a range of &errors"))), rangeSettings_(new QWidget)
+      range_(new QCheckBox(tr("All tetrahedra in a range of &errors"))), rangeSettings_(new QWidget)
 {
     setObjectName("region");
     window_->setObjectName("region.window");

@@ -64,7 +64,8 @@ ViewPanel::ViewPanel(Workbench& workbench, Viewport& viewport, QWidget* parent)
     : QWidget(parent), workbench_(workbench), viewport_(viewport), azimuth_(new ValueBox), elevation_(new ValueBox),
       roll_(new ValueBox), up_(new QComboBox), distance_(new ValueBox), fieldOfView_(new ValueBox),
       projection_(new QComboBox), turning_(new QComboBox), background_(new ColourButton),
-      usualBackground_(new QToolButton), load_(new QPushButton(tr("&Load…"))), save_(new QPushButton(tr("Sa&ve…")))
+      usualBackground_(new QToolButton), load_(new QPushButton(tr("&Load Camera…"))),
+      save_(new QPushButton(tr("Sa&ve Camera…")))
 {
     setObjectName("view");
     auto* outer = new QVBoxLayout(this);
@@ -190,16 +191,21 @@ QLayout* ViewPanel::makeFiles()
     load_->setToolTip(tr("Load the camera from a JSON file"));
     save_->setObjectName("view.save");
     save_->setToolTip(tr("Save the camera as a JSON file, which “tan render --camera” takes, too"));
-    auto* row = new QHBoxLayout;
+    auto* colour = new QHBoxLayout;
     auto* label = new QLabel(tr("Bac&kground"));
     label->setBuddy(background_);
-    row->addWidget(label);
-    row->addWidget(background_);
-    row->addWidget(usualBackground_);
-    row->addStretch();
-    row->addWidget(load_);
-    row->addWidget(save_);
-    return row;
+    colour->addWidget(label);
+    colour->addWidget(background_);
+    colour->addWidget(usualBackground_);
+    colour->addStretch();
+    auto* files = new QHBoxLayout;
+    files->addWidget(load_);
+    files->addWidget(save_);
+    files->addStretch();
+    auto* rows = new QVBoxLayout;
+    rows->addLayout(colour);
+    rows->addLayout(files);
+    return rows;
 }
 
 /// Applies a change to the camera that is in use.

@@ -63,7 +63,7 @@ void addFileMenu(QMainWindow& window, Actions& actions)
     actions.saveSessionAs = addAction(*menu, "saveSessionAs", ActionTexts::tr("Save Session &As…"), {},
                                       ActionTexts::tr("Save the session in another file"));
     actions.applyLook =
-        addAction(*menu, "applyLook", ActionTexts::tr("Appl&y Look of…"), {},
+        addAction(*menu, "applyLook", ActionTexts::tr("Appl&y Look From…"), {},
                   ActionTexts::tr("Show the open model as another session or picture shows its own: with its colours, "
                                   "isovalues, camera and settings"));
     menu->addSeparator();

@@ -34,7 +34,8 @@ CommandPalette::CommandPalette(QMainWindow& window, Workbench& workbench)
     search_->setObjectName("palette.search");
     search_->setPlaceholderText(tr("Type what you want to do"));
     search_->setAccessibleName(tr("Command"));
-    search_->setToolTip(tr("The beginnings of its words find a command or a setting. Enter does it, Esc leaves."));
+    search_->setToolTip(
+        tr("Type the beginnings of its words to find a command or a setting. Enter runs it, Esc leaves."));
     search_->setClearButtonEnabled(true);
     search_->installEventFilter(this);
     list_->setObjectName("palette.list");

@@ -332,17 +332,21 @@ void ImportDialog::showPart()
     read_->setEnabled(!isReading() && region_->isUsable() && isLaidOut);
     region_->setEnabled(isLaidOut);
     const std::uint64_t points = isLaidOut ? region_->points().value_or(contents_.points) : 0;
-    estimate_->setVisible(points > 0);
+    needs_.forget();
     if (points == 0)
-        return;
+        return estimate_->hide();
     constexpr double tetrahedraAPoint = 5.5; // of meshes whose cells are not known
     const auto expected = static_cast<std::uint64_t>(tetrahedraAPoint * static_cast<double>(points));
     const BuildSize size{.domain = contents_.domain.value_or(DomainClass::RegularLattice),
                          .points = points,
                          .tetrahedra = std::max(contents_.cells, expected),
                          .type = contents_.type.value_or(SampleType::Float32)};
-    const auto estimate = quickestEstimate(workbench_.host(), size, usableThreads());
-    estimate_->setText(estimate ? estimateText(size, *estimate) : QString());
+    needs_.ask(
+        *this, [&host = workbench_.host(), size] { return quickestEstimate(host, size, usableThreads()); },
+        [this, size](const std::optional<BuildEstimate>& estimate) {
+            estimate_->setText(estimate ? estimateText(size, *estimate) : QString());
+            estimate_->setVisible(estimate.has_value());
+        });
 }
 
 void ImportDialog::showReason(bool fits, const QString& reason)

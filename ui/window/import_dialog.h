@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/panels/import_form.h"
+#include "ui/work/latest_answer.h"
 #include "ui/workbench/import_question.h"
 #include "ui/workbench/workbench.h"
 
@@ -82,6 +83,7 @@ private:
     QProgressBar* bar_;
     QPushButton* read_;
     QPushButton* cancel_;
+    LatestAnswer<std::optional<BuildEstimate>> needs_; ///< of the build
 };
 
 } // namespace tetra

@@ -295,7 +295,7 @@ void MainWindow::connectActions()
     connect(actions_.saveSession, &QAction::triggered, keptSession_, [this] { keptSession_->save(); });
     connect(actions_.saveSessionAs, &QAction::triggered, keptSession_, [this] { keptSession_->saveAs(); });
     connect(actions_.applyLook, &QAction::triggered, this, [this] {
-        askForTextFile(this, "lookDialog", tr("Apply Look of"),
+        askForTextFile(this, "lookDialog", tr("Apply Look From"),
                        tr("Sessions and pictures with their sessions (*.tansession *.png)"),
                        [this](const QString& path) { workbench_.opening().applyLook(filePath(path)); });
     });

@@ -450,7 +450,7 @@ void Opening::applyLook(const std::filesystem::path& path)
                 view.camera = fitted(view.camera, model->description().bounds, session_.shape());
             session_.setView(view, tr("Apply Look"));
             if (!restored.differences.empty())
-                emit failed(tr("Not all of the look of %1 could be taken over.").arg(pathText(path.filename())) +
+                emit failed(tr("Not all of the look of %1 could be applied.").arg(pathText(path.filename())) +
                             listOf(restored.differences));
         };
     });
@@ -501,9 +501,9 @@ void Opening::showSession(const RestoredView& restored, const OpenedModel& opene
     if (const auto other = differentModel(document, *opened.model); other && isWhole)
         told << translatedMessage(other->text);
     if (!isAll)
-        told
-            << tr("Not all of the session could be kept.") + listOf(restored.differences)
-            << tr("The session %1 stays as it is; saving asks for another file.").arg(pathText(opened.from.filename()));
+        told << tr("Not all of the session could be kept.") + listOf(restored.differences)
+             << tr("The session %1 stays as it is; saving will ask for another file name.")
+                    .arg(pathText(opened.from.filename()));
     else if (!told.isEmpty())
         told << tr("It is shown as the session says.");
     if (!told.isEmpty())

@@ -33,7 +33,7 @@ void fitPlaces(SessionDocument& kept, const ViewValue& start, const Model& model
     ViewValue& view = kept.view;
     if (kept.hasCamera)
         differences.push_back(
-            {"camera", Message::say("The domain is another one, so the camera keeps its direction and shows all of "
+            {"camera", Message::say("The domain is different, so the camera keeps its direction and shows all of "
                                     "the model.")});
     kept.hasCamera = false;
     const FocusState& focus = view.query.focus;
@@ -82,7 +82,7 @@ void fitIsovalues(ViewValue& view, const ViewValue& start, const ValueRange& ran
     const std::string from = formatNumber(range.minimum), to = formatNumber(range.maximum);
     if (isAll) {
         differences.push_back({"isovalues", Message::say("None of the isovalues lies within the model's values, %1 "
-                                                         "to %2, so its usual ones are shown.",
+                                                         "to %2, so the default ones are shown.",
                                                          from, to)});
         view.isovalues = start.isovalues;
     } else {
@@ -114,7 +114,7 @@ void fitTransfer(Appearance& appearance, const ViewValue& start, const ValueRang
     const auto tell = [&differences] {
         if (std::ranges::find(differences, "transfer", &SessionDifference::part) == differences.end())
             differences.push_back({"transfer", Message::say("The transfer function has no point within the model's "
-                                                            "values, so the usual one is shown.")});
+                                                            "values, so the default one is shown.")});
     };
     if (!appearance.transfer.opacities.empty() && !overlap(appearance.transfer, range)) {
         tell();
@@ -180,8 +180,8 @@ Appearance known(Appearance appearance, const std::vector<Provided<Renderer>>& m
 {
     if (rendererOf(modes, appearance.mode) == nullptr) {
         if (!appearance.mode.empty())
-            differences.push_back({"mode", Message::say("There is no rendering mode '%1' here, so that it is shown as "
-                                                        "'%2'. It may belong to a plugin that is not installed.",
+            differences.push_back({"mode", Message::say("There is no rendering mode '%1' here, so the model is shown "
+                                                        "as '%2'. It may belong to a plugin that is not installed.",
                                                         appearance.mode, start.mode)});
         appearance.mode = start.mode;
     }
@@ -218,8 +218,8 @@ std::optional<SessionDifference> differentModel(const SessionDocument& document,
     if (document.identity == 0 || document.identity == modelIdentity(model))
         return std::nullopt;
     return SessionDifference{"model",
-                             Message::say("The model '%1' is another one than when the session was saved: it was built "
-                                          "anew, or replaced.",
+                             Message::say("The model '%1' has changed since the session was saved: it was built anew, "
+                                          "or replaced.",
                                           model.path().string())};
 }
 

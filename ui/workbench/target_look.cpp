@@ -22,20 +22,12 @@ TargetLook::TargetLook(Look look, QObject* parent) : QObject(parent), look_(std:
 void TargetLook::begin(const std::filesystem::path& target)
 {
     facts_.reset();
-    running_ = true;
-    const quint64 number = ++newest_;
-    job_.submit([this, target, number](const std::stop_token&) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, number, facts = look_(target)] {
-                if (number != newest_)
-                    return;
-                facts_ = facts;
-                running_ = false;
-                emit found();
-            },
-            Qt::QueuedConnection);
-    });
+    answer_.ask(
+        *this, [look = look_, target] { return look(target); },
+        [this](const TargetFacts& facts) {
+            facts_ = facts;
+            emit found();
+        });
 }
 
 } // namespace tetra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/work/latest_job.h"
+#include "ui/work/latest_answer.h"
 
 #include <QObject>
 
@@ -32,7 +32,7 @@ public:
 
     /// Ends with found(), unless another look begins first.
     void begin(const std::filesystem::path& target);
-    bool running() const noexcept { return running_; }
+    bool running() const noexcept { return answer_.isWaiting(); }
     /// Of the last look; nothing while one runs.
     const std::optional<TargetFacts>& facts() const noexcept { return facts_; }
 
@@ -42,9 +42,7 @@ signals:
 private:
     Look look_;
     std::optional<TargetFacts> facts_;
-    bool running_ = false;
-    quint64 newest_ = 0;
-    LatestJob job_;
+    LatestAnswer<TargetFacts> answer_;
 };
 
 } // namespace tetra

@@ -14,7 +14,7 @@ Status ScatteredDelaunay::start()
 {
     return Error{
         ErrorKind::WrongUsage,
-        Message::say("This TAn makes no mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one "
+        Message::say("This TAn cannot make a mesh of scattered points: it was built without CGAL (TAN_CGAL). Use one "
                      "that has it, or data with a grid or with cells.")};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers that cannot be are refused where they are read, however right the checksums are: no mesh has a vertex without
+// Impossible numbers are refused where they are read, however right the checksums are: no mesh has a vertex without
 // a place or a value, and no bound is negative or not a number.
 #include "core/history/number_limits.h"
 #include "tests/core/history/model_fixture.h"
@@ -91,8 +91,7 @@ private slots:
             QVERIFY(!told.ok());
             QCOMPARE(told.error().kind, ErrorKind::BadInput);
             const std::string name(format::sectionName(static_cast<std::uint32_t>(one.section)));
-            QVERIFY2(told.error().text().find("section '" + name + "' holds numbers that cannot be") !=
-                         std::string::npos,
+            QVERIFY2(told.error().text().find("section '" + name + "' holds impossible numbers") != std::string::npos,
                      told.error().text().c_str());
             const bool isOfMesh = one.section == SectionId::SiteValues || one.section == SectionId::SitePositions;
             QVERIFY(!withChunks || !isOfMesh || !mesh.ok());

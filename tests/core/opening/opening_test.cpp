@@ -207,7 +207,7 @@ private slots:
         QTest::addColumn<QString>("cacheFolder");
         QTest::newRow("none can be made") << "/proc/none/cache";
         QTest::newRow("it is a file") << "model.tan";
-        QTest::newRow("others can write in it") << "open to all";
+        QTest::newRow("others can write to it") << "open to all";
     }
     void aCacheThatCannotBeUsedIsNoReasonNotToOpen()
     {

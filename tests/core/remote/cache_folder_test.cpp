@@ -217,7 +217,7 @@ private slots:
         QVERIFY(CacheFolder::open(path).ok());
         for (const mode_t mode : {0770, 0702, 0777}) {
             QCOMPARE(::chmod(path.c_str(), mode), 0);
-            QVERIFY(refused("others can write in it"));
+            QVERIFY(refused("others can write to it"));
         }
         QCOMPARE(::chmod(path.c_str(), 0755), 0);
         QVERIFY(CacheFolder::open(path).ok());

@@ -126,8 +126,8 @@ private slots:
                     dripping);
             });
         }
-        QVERIFY2(silent.find("gives no answer: nothing came for 0.1 seconds") != std::string::npos, silent.c_str());
-        QVERIFY2(dripped.find("gives no answer: nothing came for 0.1 seconds") != std::string::npos, dripped.c_str());
+        QVERIFY2(silent.find("does not answer: nothing came for 0.1 seconds") != std::string::npos, silent.c_str());
+        QVERIFY2(dripped.find("does not answer: nothing came for 0.1 seconds") != std::string::npos, dripped.c_str());
     }
 
     void whoThinksForLongIsWaitedFor()
@@ -207,7 +207,7 @@ private slots:
         QVERIFY(!endless && endless.error().kind == ErrorKind::WrongUsage && endless.error().text().size() < 20'000);
         const auto nowhere = fetchOnce("http://127.0.0.1:1/x.tan", "", limits());
         QVERIFY(!nowhere);
-        QCOMPARE(nowhere.error().text(), std::string("'http://127.0.0.1:1/x.tan' gives no answer: nothing answers at "
+        QCOMPARE(nowhere.error().text(), std::string("'http://127.0.0.1:1/x.tan' does not answer: nothing answers at "
                                                      "that host and port. Check the address and the network."));
     }
 };
