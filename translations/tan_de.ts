@@ -1754,6 +1754,10 @@ beliebige Verwerfung</translation>
         <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
         <translation>Diese Datei gibt es schon. Sie können sie öffnen; wenn Sie bauen, wird sie ersetzt, sobald das Modell fertig ist.</translation>
     </message>
+    <message>
+        <source>This exists and is not a model. Choose another name.</source>
+        <translation>Das gibt es schon, und es ist kein Modell. Wählen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CacheDialog</name>
@@ -2846,16 +2850,16 @@ beliebige Verwerfung</translation>
         <translation>Beenden und &amp;später fortsetzen</translation>
     </message>
     <message>
-        <source>If you stop now, you can keep what is finished as %1, a model of lower accuracy. The finished model %2 stays as it is.</source>
-        <translation>Wenn Sie jetzt anhalten, können Sie das Fertige als %1 behalten, ein Modell geringerer Genauigkeit. Das fertige Modell %2 bleibt, wie es ist.</translation>
-    </message>
-    <message>
         <source>Stop and Keep</source>
         <translation>Anhalten und behalten</translation>
     </message>
     <message>
         <source>Stop the build of %1 and keep what is finished?</source>
         <translation>Den Bau von %1 anhalten und das Fertige behalten?</translation>
+    </message>
+    <message>
+        <source>If you stop now, you can keep what is finished as a model of its own, named after its error. The finished model %1 stays as it is.</source>
+        <translation>Wenn Sie jetzt anhalten, können Sie behalten, was fertig ist: als eigenes Modell, das nach seinem Fehler benannt ist. Das fertige Modell %1 bleibt, wie es ist.</translation>
     </message>
 </context>
 <context>
@@ -7425,10 +7429,6 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <translation>Der Arbeitsspeicher reicht nicht, um „%1“ zu schreiben.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would hold more vertices than a PLY file can number. Write a .vtu file.</source>
-        <translation>„%1“ hätte mehr Knoten, als eine PLY-Datei nummerieren kann. Schreiben Sie eine .vtu-Datei.</translation>
-    </message>
-    <message>
         <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
         <translation>Die Fläche „%1“ hat %2 und kann nicht geschrieben werden.</translation>
     </message>
@@ -8728,6 +8728,58 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>TAn reads files such as %1; the manual lists all of them. Samples alone, without a header, are read as a raw file.</source>
         <translation>TAn liest Dateien wie %1; das Handbuch nennt alle. Abtastwerte allein, ohne Kopf, werden als Rohdatei gelesen.</translation>
     </message>
+    <message>
+        <source>What &apos;%1&apos; says of its model is impossible: %2. Tell whoever runs the server, or fetch the model and look at it with &apos;tan verify&apos;.</source>
+        <translation>Was „%1“ von seinem Modell sagt, ist unmöglich: %2. Sagen Sie es dem Betreiber des Servers, oder holen Sie das Modell und prüfen Sie es mit „tan verify“.</translation>
+    </message>
+    <message>
+        <source>it has %1 sites</source>
+        <translation>es hat %1 Stützstellen</translation>
+    </message>
+    <message>
+        <source>it has %1 tetrahedra</source>
+        <translation>es hat %1 Tetraeder</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes</source>
+        <translation>es hat %1 Bytes</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of its %2 sites</source>
+        <translation>ein Netz hat %1 seiner %2 Stützstellen</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of its %2 tetrahedra</source>
+        <translation>ein Netz hat %1 seiner %2 Tetraeder</translation>
+    </message>
+    <message>
+        <source>a mesh has the error %1 % and the warping %2 %</source>
+        <translation>ein Netz hat den Fehler %1 % und die Verwerfung %2 %</translation>
+    </message>
+    <message>
+        <source>a mesh with %1 sites comes before one with %2</source>
+        <translation>ein Netz mit %1 Stützstellen steht vor einem mit %2</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of %2 sites, and the model %3</source>
+        <translation>ein Netz hat %1 von %2 Stützstellen und das Modell %3</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of %2 tetrahedra, and the model %3</source>
+        <translation>ein Netz hat %1 von %2 Tetraedern und das Modell %3</translation>
+    </message>
+    <message>
+        <source>a mesh keeps %1 times the error</source>
+        <translation>ein Netz hält das %1-fache des Fehlers ein</translation>
+    </message>
+    <message>
+        <source>a tetrahedron lives at errors that are not numbers from 0</source>
+        <translation>ein Tetraeder lebt bei Fehlern, die keine Zahlen ab 0 sind</translation>
+    </message>
+    <message>
+        <source>the libcurl of this machine does not do what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
+        <translation>die libcurl dieses Rechners kann nicht, was TAn braucht (%1). Prüfen Sie die Adresse und SSL_CERT_FILE, und installieren Sie eine libcurl mit HTTPS ab 7.85.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -8819,6 +8871,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
     <message>
         <source>It is shown as the session says.</source>
         <translation>Es wird so gezeigt, wie die Sitzung sagt.</translation>
+    </message>
+    <message>
+        <source>It will be offered again the next time.</source>
+        <translation>Sie wird beim nächsten Start wieder angeboten.</translation>
     </message>
 </context>
 <context>

@@ -1754,6 +1754,10 @@ deformazione qualsiasi</translation>
         <source>This file exists. You can open it; if you build, it is replaced when the build is done.</source>
         <translation>Questo file esiste. Si può aprirlo; se si costruisce, viene sostituito a costruzione finita.</translation>
     </message>
+    <message>
+        <source>This exists and is not a model. Choose another name.</source>
+        <translation>Esiste già e non è un modello. Scegliere un altro nome.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::CacheDialog</name>
@@ -2846,16 +2850,16 @@ deformazione qualsiasi</translation>
         <translation>Esci e &amp;riprendi dopo</translation>
     </message>
     <message>
-        <source>If you stop now, you can keep what is finished as %1, a model of lower accuracy. The finished model %2 stays as it is.</source>
-        <translation>Fermandola ora si può conservare la parte finita come %1, un modello meno accurato. Il modello finito %2 resta com&apos;è.</translation>
-    </message>
-    <message>
         <source>Stop and Keep</source>
         <translation>Ferma e conserva</translation>
     </message>
     <message>
         <source>Stop the build of %1 and keep what is finished?</source>
         <translation>Fermare la costruzione di %1 e conservare ciò che è pronto?</translation>
+    </message>
+    <message>
+        <source>If you stop now, you can keep what is finished as a model of its own, named after its error. The finished model %1 stays as it is.</source>
+        <translation>Se si ferma ora, ciò che è pronto si può conservare come modello a sé, con il suo errore nel nome. Il modello finito %1 resta com&apos;è.</translation>
     </message>
 </context>
 <context>
@@ -7425,10 +7429,6 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <translation>La memoria non basta per scrivere «%1».</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; would hold more vertices than a PLY file can number. Write a .vtu file.</source>
-        <translation>«%1» avrebbe più vertici di quanti un file PLY possa numerare. Scrivere un file .vtu.</translation>
-    </message>
-    <message>
         <source>The surface &apos;%1&apos; has %2, so it cannot be written.</source>
         <translation>La superficie «%1» ha %2, perciò non può essere scritta.</translation>
     </message>
@@ -8728,6 +8728,58 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>TAn reads files such as %1; the manual lists all of them. Samples alone, without a header, are read as a raw file.</source>
         <translation>TAn legge file come %1; il manuale li elenca tutti. I soli campioni, senza intestazione, si leggono come file grezzo.</translation>
     </message>
+    <message>
+        <source>What &apos;%1&apos; says of its model is impossible: %2. Tell whoever runs the server, or fetch the model and look at it with &apos;tan verify&apos;.</source>
+        <translation>Ciò che «%1» dice del suo modello è impossibile: %2. Avvisare chi gestisce il server, oppure scaricare il modello ed esaminarlo con «tan verify».</translation>
+    </message>
+    <message>
+        <source>it has %1 sites</source>
+        <translation>ha %1 siti</translation>
+    </message>
+    <message>
+        <source>it has %1 tetrahedra</source>
+        <translation>ha %1 tetraedri</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes</source>
+        <translation>ha %1 byte</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of its %2 sites</source>
+        <translation>una mesh ha %1 dei suoi %2 siti</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of its %2 tetrahedra</source>
+        <translation>una mesh ha %1 dei suoi %2 tetraedri</translation>
+    </message>
+    <message>
+        <source>a mesh has the error %1 % and the warping %2 %</source>
+        <translation>una mesh ha l&apos;errore %1 % e la deformazione %2 %</translation>
+    </message>
+    <message>
+        <source>a mesh with %1 sites comes before one with %2</source>
+        <translation>una mesh con %1 siti precede una con %2</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of %2 sites, and the model %3</source>
+        <translation>una mesh ha %1 di %2 siti, e il modello %3</translation>
+    </message>
+    <message>
+        <source>a mesh has %1 of %2 tetrahedra, and the model %3</source>
+        <translation>una mesh ha %1 di %2 tetraedri, e il modello %3</translation>
+    </message>
+    <message>
+        <source>a mesh keeps %1 times the error</source>
+        <translation>una mesh mantiene %1 volte l&apos;errore</translation>
+    </message>
+    <message>
+        <source>a tetrahedron lives at errors that are not numbers from 0</source>
+        <translation>un tetraedro vive a errori che non sono numeri da 0 in su</translation>
+    </message>
+    <message>
+        <source>the libcurl of this machine does not do what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
+        <translation>la libcurl di questo computer non fa ciò che serve a TAn (%1). Controllare l&apos;indirizzo e SSL_CERT_FILE e installare una libcurl con HTTPS, 7.85 o successiva.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
@@ -8819,6 +8871,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
     <message>
         <source>It is shown as the session says.</source>
         <translation>Lo si mostra come dice la sessione.</translation>
+    </message>
+    <message>
+        <source>It will be offered again the next time.</source>
+        <translation>Verrà offerta di nuovo al prossimo avvio.</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,7 @@
 #include <QImageReader>
 #include <QJsonDocument>
 
+#include <cerrno>
 #include <cstring>
 
 namespace tetra {
@@ -208,7 +209,7 @@ Result<std::string> sessionInPicture(const std::filesystem::path& path)
         return file.error();
     QFile device;
     if (!device.open(file->descriptor(), QIODevice::ReadOnly))
-        return cannotReadFile(path, Message::say("%1", device.errorString().toStdString()));
+        return cannotReadFile(path, EIO);
     QImageReader reader(&device, "png");
     return reader.text(sessionKey()).toStdString();
 }

@@ -450,7 +450,7 @@ void Opening::applyLook(const std::filesystem::path& path)
                 view.camera = fitted(view.camera, model->description().bounds, session_.shape());
             session_.setView(view, tr("Apply Look"));
             if (!restored.differences.empty())
-                emit failed(tr("Not all of the look of %1 could be applied.").arg(pathText(path.filename())) +
+                emit failed(tr("Not all of the look of %1 could be applied.").arg(shownName(path)) +
                             listOf(restored.differences));
         };
     });
@@ -502,8 +502,10 @@ void Opening::showSession(const RestoredView& restored, const OpenedModel& opene
         told << translatedMessage(other->text);
     if (!isAll)
         told << tr("Not all of the session could be kept.") + listOf(restored.differences)
-             << tr("The session %1 stays as it is; saving will ask for another file name.")
-                    .arg(pathText(opened.from.filename()));
+             << (opened.source == SessionSource::Lost
+                     ? tr("It will be offered again the next time.")
+                     : tr("The session %1 stays as it is; saving will ask for another file name.")
+                           .arg(shownName(opened.from)));
     else if (!told.isEmpty())
         told << tr("It is shown as the session says.");
     if (!told.isEmpty())

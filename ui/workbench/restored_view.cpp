@@ -69,6 +69,12 @@ bool overlap(const TransferFunction& transfer, const ValueRange& range)
            transfer.opacities.back().value >= range.minimum;
 }
 
+Message noneWithin(const ValueRange& range)
+{
+    return Message::say("None of the isovalues lies within the model's values, %1 to %2, so the default ones are shown.",
+                        formatNumber(range.minimum), formatNumber(range.maximum));
+}
+
 /// From another range.
 void fitIsovalues(ViewValue& view, const ViewValue& start, const ValueRange& range, Differences& differences)
 {
@@ -81,9 +87,7 @@ void fitIsovalues(ViewValue& view, const ViewValue& start, const ValueRange& ran
     const bool isAll = outside == std::ssize(view.isovalues);
     const std::string from = formatNumber(range.minimum), to = formatNumber(range.maximum);
     if (isAll) {
-        differences.push_back({"isovalues", Message::say("None of the isovalues lies within the model's values, %1 "
-                                                         "to %2, so the default ones are shown.",
-                                                         from, to)});
+        differences.push_back({"isovalues", noneWithin(range)});
         view.isovalues = start.isovalues;
     } else {
         differences.push_back({"isovalues", Message::say("%1 of %2 isovalues are left out: they are not within the "
@@ -104,9 +108,7 @@ void fitOwnIsovalues(Appearance& appearance, const ValueRange& range, Difference
         return isovalues != nullptr && !isovalues->empty() && std::ranges::all_of(*isovalues, isOutside);
     });
     if (lost > 0 && std::ranges::find(differences, "isovalues", &SessionDifference::part) == differences.end())
-        differences.push_back({"isovalues", Message::say("None of the isovalues lies within the model's values, %1 "
-                                                         "to %2, so its usual ones are shown.",
-                                                         formatNumber(range.minimum), formatNumber(range.maximum))});
+        differences.push_back({"isovalues", noneWithin(range)});
 }
 
 void fitTransfer(Appearance& appearance, const ViewValue& start, const ValueRange& range, Differences& differences)
