@@ -230,9 +230,11 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto camera = cameraOf(invocation.arguments, usual, data.bounds, request.picture);
     if (!camera)
         return camera.error();
-    const FieldExtent field = extentOf(view.model);
-    const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
-    ParameterValues shown = completed(*values, renderer.plugin->parameters(field), start);
+    const auto field = extentOf(view.model);
+    if (!field)
+        return field.error();
+    const ViewValue start = startingView(renderingModes(invocation.host), *view.model, *field);
+    ParameterValues shown = completed(*values, renderer.plugin->parameters(*field), start);
     const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
     if (!query)
         return query.error();
@@ -323,8 +325,10 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.found = *found;
     view.model = found->model;
     const auto modes = renderingModes(invocation.host);
-    const FieldExtent field = extentOf(view.model);
-    RestoredView restored = restoredView(*document, modes, *view.model, field);
+    const auto field = extentOf(view.model);
+    if (!field)
+        return field.error();
+    RestoredView restored = restoredView(*document, modes, *view.model, *field);
     auto differences = differencesOf(invocation, *document, restored, *found);
     if (!differences)
         return differences.error();
@@ -342,7 +346,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     if (!camera)
         return camera.error();
     seen.camera = *camera;
-    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen);
+    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(*field), seen);
     view.lens = seen.lens;
     view.scene.width = request.picture.width;
     view.scene.height = request.picture.height;
