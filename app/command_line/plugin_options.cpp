@@ -130,10 +130,19 @@ Result<ParameterValue> readTransferFunction(const std::string& path)
     return ParameterValue(std::move(functions->front().function));
 }
 
+/// Whether something of a message is `name`.
+bool names(const Message& message, const std::string& name)
+{
+    const auto& arguments = message.arguments();
+    return arguments.empty()
+               ? message.text() == name
+               : std::ranges::any_of(arguments, [&](const Message& argument) { return names(argument, name); });
+}
+
 /// With the option, unless the error speaks of it already.
 Error ofOption(const Error& error, const std::string& name)
 {
-    if (error.text().find("'--" + name + "'") != std::string::npos)
+    if (names(error.message, "--" + name))
         return error;
     return {error.kind, "'--" + name + "': " + error.text()};
 }

@@ -134,14 +134,15 @@ bool isMappingDamaged(int index) noexcept
 
 Error cannotReadFile(const std::filesystem::path& path, const Message& reason)
 {
-    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason)};
+    return {ErrorKind::BadInput, Message::say("Cannot read '%1': %2", path.string(), reason), path};
 }
 
 Error cannotReadFile(const std::filesystem::path& path, int systemError)
 {
     const Message reason = systemErrorText(systemError);
     if (isLackOfResources(systemError))
-        return {ErrorKind::OutOfResource, cannotReadFile(path, Message::say("%1. %2", reason, resourceRemedy)).message};
+        return {ErrorKind::OutOfResource, cannotReadFile(path, Message::say("%1. %2", reason, resourceRemedy)).message,
+                path};
     switch (systemError) {
     case ENOENT: return cannotReadFile(path, Message::say("%1. Check its name and folder.", reason));
     case EACCES: return cannotReadFile(path, Message::say("%1. Ask its owner for the right to read it.", reason));
@@ -225,7 +226,8 @@ Result<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem
     file->guard_ = guardMapping(file->bytes_);
     if (file->guard_ < 0)
         return Error{ErrorKind::OutOfResource,
-                     Message::say("Cannot open '%1': too many files are open. Close some of them.", path.string())};
+                     Message::say("Cannot open '%1': too many files are open. Close some of them.", path.string()),
+                     path};
     return std::shared_ptr<const MappedFile>(file);
 }
 

@@ -54,9 +54,10 @@ inline Result<std::string> wholeText(const std::filesystem::path& path, std::siz
         return file.error();
     const std::span<const std::byte> bytes = (*file)->bytes();
     if (bytes.size() > most)
-        return Error{ErrorKind::BadInput,
-                     Message::say("Cannot read '%1': it has more than %2 bytes, too many for such a file.",
-                                  path.string(), most)};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("Cannot read '%1': it has more than %2 bytes, too many for such a file.", path.string(), most),
+            path};
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 

@@ -81,7 +81,7 @@ private:
     std::uint32_t positionBytes() const;
     Status checkCount(Expected expected, std::uint64_t count) const;
 
-    static Error bad(Message text) { return {ErrorKind::BadInput, std::move(text)}; }
+    Error bad(Message text) const { return {ErrorKind::BadInput, std::move(text), name_}; }
     Error damaged(const Message& what) const
     {
         return bad(Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", name_, what));

@@ -126,7 +126,8 @@ Result<std::shared_ptr<const Model>> Model::open(const std::filesystem::path& pa
         return Error{
             ErrorKind::BadInput,
             Message::say("'%1' is damaged: the checksum of its text is wrong. Copy the file again, or build it again.",
-                         path.string())};
+                         path.string()),
+            path};
     const Result<bool> delaunay = readHistoryKind(mapped, *layout);
     if (!delaunay.ok())
         return delaunay.error();

@@ -53,7 +53,7 @@ constexpr PrefixPart prefixParts[] = {{SectionId::StarOffsets, PrefixShare::Site
 Error damagedModel(const std::string& name, const Message& what)
 {
     return {ErrorKind::BadInput,
-            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", name, what)};
+            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", name, what), name};
 }
 
 Error wrongSum(const std::string& name, const Section& section)

@@ -70,7 +70,8 @@ std::uint64_t bitsOf(std::uint64_t word, std::uint64_t first, std::uint64_t end)
 Error damaged(const MappedFile& file, const Message& what)
 {
     return {ErrorKind::BadInput,
-            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", file.path().string(), what)};
+            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", file.path().string(), what),
+            file.path()};
 }
 
 Message wrongChecksum(std::uint32_t section)

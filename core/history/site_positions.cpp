@@ -74,7 +74,8 @@ Error inconsistentModel(const Model& model, const Message& what)
     if (const Status intact = model.checkIntact(); !intact)
         return intact.error();
     return {ErrorKind::BadInput,
-            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", model.path().string(), what)};
+            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", model.path().string(), what),
+            model.path()};
 }
 
 } // namespace tetra

@@ -55,7 +55,7 @@ Error saidOtherwise(const std::string& address, const FetchedAnswer& answer)
 {
     constexpr std::size_t mostSaid = 1000;
     if (answer.status == 401)
-        return {ErrorKind::WrongUsage, tokenWanted(shownAddress(address))};
+        return {ErrorKind::WrongUsage, tokenWanted(shownAddress(address)), shownAddress(address), Credential::Token};
     const auto json = parseJson(textIn(answer));
     const JsonValue* const said = json ? json->find("error") : nullptr;
     if (answer.status == 200 || said == nullptr || said->string() == nullptr)
@@ -269,7 +269,7 @@ Result<UnpackedMesh> servedMesh(const std::string& address, const std::string& q
 
 bool wantsToken(const Error& error)
 {
-    return error.message.sentence() == tokenWanted({}).sentence();
+    return error.wants == Credential::Token;
 }
 
 } // namespace tetra

@@ -91,7 +91,8 @@ Result<std::unique_ptr<PackedFileWriter>> PackedFileWriter::create(const std::fi
             ErrorKind::BadInput,
             Message::say("'%1' is damaged: the checksum of its text is wrong. Copy the file again, or build it "
                          "again.",
-                         model.path().string())};
+                         model.path().string()),
+            model.path()};
     writer->text_.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return writer;
 }
@@ -201,7 +202,8 @@ Result<std::unique_ptr<const PackedFile>> PackedFile::open(ByteSource source, co
 Error PackedFile::damaged(const Message& what) const
 {
     return {ErrorKind::BadInput,
-            Message::say("'%1' is damaged: %2. Copy the file again, or pack the model again.", name_.string(), what)};
+            Message::say("'%1' is damaged: %2. Copy the file again, or pack the model again.", name_.string(), what),
+            name_};
 }
 
 Status PackedFile::readFront(const Progress& progress)

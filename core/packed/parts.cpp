@@ -418,8 +418,10 @@ Status checkSections(const Model& model, const FileLayout& layout)
 {
     const std::span<const std::byte> file = model.fileBytes();
     const auto damaged = [&](const Message& what) {
-        return Error{ErrorKind::BadInput, Message::say("'%1' is damaged: %2. Copy the file again, or build it again.",
-                                                       model.path().string(), what)};
+        return Error{
+            ErrorKind::BadInput,
+            Message::say("'%1' is damaged: %2. Copy the file again, or build it again.", model.path().string(), what),
+            model.path()};
     };
     std::uint64_t end = sizeof(Header) + layout.sections.size() * sizeof(Section);
     for (const Section& section : layout.sections) {

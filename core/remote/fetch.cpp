@@ -102,7 +102,7 @@ int tellFetching(void* user, curl_off_t expected, curl_off_t now, curl_off_t, cu
 
 Error noAnswer(const std::string& shown, const Refusal& refusal)
 {
-    return {refusal.kind, Message::say("'%1' gives no answer: %2", shown, refusal.reason)};
+    return {refusal.kind, Message::say("'%1' gives no answer: %2", shown, refusal.reason), shown};
 }
 
 /// An answer, and after how long to ask again if it says so.

@@ -41,7 +41,8 @@ constexpr MarkedText notEnoughMemory = Message::marked("Not enough memory to rea
 
 Error cannotRead(std::string_view address, const Refusal& refusal)
 {
-    return {refusal.kind, Message::say("Cannot read '%1': %2", shownAddress(address), refusal.reason)};
+    const std::string shown = shownAddress(address);
+    return {refusal.kind, Message::say("Cannot read '%1': %2", shown, refusal.reason), shown, refusal.wants};
 }
 
 Refusal changedFile()
@@ -83,16 +84,16 @@ Refusal wrongPart()
 
 constexpr int unauthorized = 401;
 
-Message passwordWanted()
+/// `wantsBearer`: HttpAnswer's.
+Refusal credentialWanted(bool wantsBearer)
 {
-    return Message::say("the server wants a name and a password. Give them in the address, "
-                        "https://NAME:PASSWORD@..., or download the file.");
-}
-
-Message tokenWanted()
-{
-    return Message::say("the server answers only those who have its token. Give the one that whoever runs it has set; "
-                        "on the command line by '--token-file'.");
+    Refusal refusal =
+        wantsBearer ? final(Message::say("the server answers only those who have its token. Give the one that whoever "
+                                         "runs it has set; on the command line by '--token-file'."))
+                    : final(Message::say("the server wants a name and a password. Give them in the address, "
+                                         "https://NAME:PASSWORD@..., or download the file."));
+    refusal.wants = wantsBearer ? Credential::Token : Credential::Password;
+    return refusal;
 }
 
 /// What a status means that brings no data. `wantsBearer`: HttpAnswer's.
@@ -103,7 +104,7 @@ Refusal refusedStatus(int status, bool wantsBearer)
         return refusal;
     };
     switch (status) {
-    case unauthorized: return mayHaveMoved(final(wantsBearer ? tokenWanted() : passwordWanted()));
+    case unauthorized: return mayHaveMoved(credentialWanted(wantsBearer));
     case 407:
         return final(Message::say("the proxy wants a name and a password. Set https_proxy to an address with "
                                   "both."));
@@ -654,9 +655,7 @@ private:
 
 bool isUnauthorized(const Error& error)
 {
-    const std::vector<Message>& said = error.message.arguments();
-    return !said.empty() && (said.back().sentence() == passwordWanted().sentence() ||
-                             said.back().sentence() == tokenWanted().sentence());
+    return error.wants != Credential::None;
 }
 
 std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> pieces, std::uint64_t bytesOfPiece,

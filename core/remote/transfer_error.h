@@ -13,6 +13,7 @@ struct Refusal {
     bool again = false; ///< another attempt may
     bool moved = false; ///< the address that a redirection led to may have had its time
     ErrorKind kind = ErrorKind::BadInput;
+    Credential wants = Credential::None;
 };
 
 /// No other attempt will.

@@ -38,7 +38,8 @@ struct FileContents {
 
 /// Reads files of some formats into datasets. Never crashes on bad input: every refusal is an Error that says what is
 /// wrong in the file and what to do, "it is empty. Copy it again."; the program adds which file that is, unless the
-/// text begins with "Cannot read 'FILE'" because it is another one. Runs on a worker thread; safe to call from any.
+/// error says that its text names a file (Error::file), which may be another one. Runs on a worker thread; safe to call
+/// from any.
 class Reader {
 public:
     virtual ~Reader() = default;

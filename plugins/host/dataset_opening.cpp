@@ -63,10 +63,13 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
                                path.string())
                 : Message::say("'%1' is a picture. TAn reads volumes, among them stacks of TIFF pictures, and opens "
                                "pictures that it has saved with their session.",
-                               path.string())};
+                               path.string()),
+            path};
     if (const std::string program = unpackingProgram(bytes); !program.empty())
-        return {ErrorKind::BadInput, Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.",
-                                                  path.string(), program)};
+        return {
+            ErrorKind::BadInput,
+            Message::say("'%1' is packed. Unpack it first, by '%2', and open what is in it.", path.string(), program),
+            path};
     return {ErrorKind::BadInput,
             Message::say("'%1' has an unknown format. %2%3", path.string(),
                          host.readers().empty()
@@ -74,7 +77,8 @@ Error noneReads(PluginHost& host, const std::filesystem::path& path, std::span<c
                              : Message::say("TAn reads files such as %1; the manual lists all of them. "
                                             "Samples alone, without a header, are read as a raw file.",
                                             readEndings(host)),
-                         host.explainMissing(PluginKind::Reader))};
+                         host.explainMissing(PluginKind::Reader)),
+            path};
 }
 
 /// The reader with the highest score for a file of this name that begins so; none if no plugin is set.
@@ -193,8 +197,11 @@ Error inPackedFile(Error error, const ReadableFile& file)
 {
     if (!file.unpacked)
         return error;
-    for (const auto& [unpacked, original] : file.names)
+    for (const auto& [unpacked, original] : file.names) {
         error.message = renamed(error.message, unpacked.string(), original.string());
+        if (error.file == unpacked)
+            error.file = original;
+    }
     if (error.kind == ErrorKind::BadInput)
         error.message = Message::say(
             "%1 (It was unpacked by itself. If it names other files, unpack it beside them: gunzip.)", error.message);
@@ -232,7 +239,8 @@ Result<Provided<Reader>> chooseReader(PluginHost& host, const std::filesystem::p
         return Error{
             ErrorKind::BadInput,
             Message::say("'%1' is a TAn model, and a dataset is wanted here: the file that the model was built from.",
-                         path.string())};
+                         path.string()),
+            path};
     Provided<Reader> best = bestReader(host, path, *bytes);
     if (best.plugin == nullptr && isPackedByGzip(*bytes)) {
         const auto inside = firstUnpackedBytes(path);
@@ -277,8 +285,8 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
         return part.error();
     auto dataset = withHoles(*part, progress.part(partEnd, 1));
     if (!dataset && dataset.error().kind != ErrorKind::Cancelled)
-        return Error{dataset.error().kind,
-                     Message::say("Cannot read '%1': %2", path.string(), dataset.error().message)};
+        return Error{dataset.error().kind, Message::say("Cannot read '%1': %2", path.string(), dataset.error().message),
+                     path};
     if (dataset && dataset->domain == DomainClass::Curvilinear) // cells were looked at when they became a mesh
         dataset->convex = hasConvexDomain(*dataset);
     progress.report(1, Message::marked("Reading"));

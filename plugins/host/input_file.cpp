@@ -12,7 +12,7 @@ namespace tetra {
 
 Result<Buffer<std::byte>> firstBytesOf(const std::filesystem::path& path)
 {
-    const auto bad = [](Message what) { return Error{ErrorKind::BadInput, std::move(what)}; };
+    const auto bad = [&](Message what) { return Error{ErrorKind::BadInput, std::move(what), path}; };
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
     if (!std::filesystem::exists(status) && isAddress(path.string()))

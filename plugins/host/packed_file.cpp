@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 Error cannotUnpack(const fs::path& path, ErrorKind kind, const Message& reason)
 {
-    return {kind, Message::say("Cannot read '%1': %2", path.string(), reason)};
+    return {kind, Message::say("Cannot read '%1': %2", path.string(), reason), path};
 }
 
 Error damagedGzip(const fs::path& path)

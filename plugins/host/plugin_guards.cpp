@@ -88,18 +88,15 @@ private:
 /// A reader says what is wrong in a file, and of which file it is said here; unless it speaks of another one itself.
 Error inFile(const std::filesystem::path& path, const Error& error)
 {
-    const std::string& text = error.text();
-    const bool namesAFile = text.starts_with("Cannot read '") || text.starts_with("Cannot open '") ||
-                            text.find("'" + path.string() + "'") != std::string::npos;
-    if (error.kind == ErrorKind::Cancelled || namesAFile)
+    if (error.kind == ErrorKind::Cancelled || !error.file.empty())
         return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message), path};
 }
 
 Error tooLittleMemoryToRead(const std::filesystem::path& path)
 {
     return {ErrorKind::OutOfResource,
-            Message::say("Not enough memory to read '%1'. Close other programs.", path.string())};
+            Message::say("Not enough memory to read '%1'. Close other programs.", path.string()), path};
 }
 
 /// contentHash(), which may take long for a lattice.

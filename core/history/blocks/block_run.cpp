@@ -360,7 +360,7 @@ Error RunFiles::damaged(std::uint32_t block) const
 Error RunFiles::unreadable(std::uint32_t block, const Message& why) const
 {
     return {ErrorKind::OutOfResource,
-            Message::say("Cannot read '%1', which this build had written: %2", path(block).string(), why)};
+            Message::say("Cannot read '%1', which this build had written: %2", path(block).string(), why), path(block)};
 }
 
 } // namespace tetra

@@ -78,6 +78,12 @@ struct MarkedText {
     operator std::string() const { return text; }
 };
 
+/// A whole number, as a text shows it: neither a truth value nor a character, which would be shown as one.
+template <class Type>
+concept WholeNumber =
+    std::integral<Type> && !std::same_as<Type, bool> && !std::same_as<Type, char> && !std::same_as<Type, wchar_t> &&
+    !std::same_as<Type, char8_t> && !std::same_as<Type, char16_t> && !std::same_as<Type, char32_t>;
+
 /// What is said to a user: an English sentence with places %1 to %9, and what stands in them. Programs that speak other
 /// languages translate the sentence, and put the same into its places; which is why it is not put together from pieces.
 class Message {
@@ -89,7 +95,7 @@ public:
     Message(MarkedText marked) : text_(marked.text), sentence_(marked.text) {}
     Message(std::string_view text) : text_(text) {}
     Message(const char* text) : text_(text) {}
-    template <std::integral Number> Message(Number number) : text_(std::to_string(number)) {}
+    template <WholeNumber Number> Message(Number number) : text_(std::to_string(number)) {}
 
     /// A sentence of this program, with its arguments: messages, or what is one. Translators' tools find it by this
     /// name, so it is a literal.
@@ -143,24 +149,33 @@ private:
     std::vector<Message> arguments_;
 };
 
-/// An error is a value: what happened, where, and what to do about it.
+/// What a server wants of whoever asks before it gives anything.
+enum class Credential { None, Password, Token };
+
+/// An error is a value: what happened, where, and what to do about it. What programs ask about it stands in fields of
+/// its own: nobody looks for it in the words.
 struct Error {
     ErrorKind kind = ErrorKind::BadInput;
     Message message;
+    /// The file or address that the message names. Empty: whoever knows which one it is adds its name.
+    std::filesystem::path file{};
+    /// What the server of that address wants, and was not given or not rightly.
+    Credential wants = Credential::None;
 
     /// In English.
     const std::string& text() const noexcept { return message.text(); }
 };
 
 /// Either a value or an Error. Never throws; `value()` on an error is a programming mistake: asserted, and undefined
-/// without assertions.
+/// without assertions. A Result is true when it has a value; one of a bool is asked by ok(), as it would read like
+/// that.
 template <class Value> class [[nodiscard]] Result {
 public:
     Result(Value value) : content_(std::in_place_index<0>, std::move(value)) {}
     Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
 
     bool ok() const noexcept { return content_.index() == 0; }
-    explicit operator bool() const noexcept { return ok(); }
+    explicit operator bool() const noexcept requires(!std::same_as<Value, bool>) { return ok(); }
 
     const Value& value() const& { return present(std::get_if<0>(&content_)); }
     Value& value() & { return present(std::get_if<0>(&content_)); }

@@ -39,7 +39,7 @@ Error inFile(const fs::path& path, const Error& error)
 {
     if (error.kind == ErrorKind::Cancelled || error.kind == ErrorKind::OutOfResource)
         return error;
-    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message)};
+    return {error.kind, Message::say("Cannot read '%1': %2", path.string(), error.message), path};
 }
 
 /// An error in a data file, with the header whose description it does not fit.
@@ -102,7 +102,8 @@ Result<VolumeFile> openVolume(const fs::path& path, const File& file, const Para
     if (!values.empty())
         return Error{ErrorKind::WrongUsage,
                      Message::say("'--%1' describes raw files, and the header of '%2' tells it. Leave it out.",
-                                  values.begin()->first, path.string())};
+                                  values.begin()->first, path.string()),
+                     path};
     return openNrrd(path, file);
 }
 

@@ -154,7 +154,7 @@ Message usableNames(const SolutionArray& source, Blanked blanked)
 {
     std::string list;
     for (const std::string_view name : names)
-        if (const auto usable = varies({name, source.solution, source.grid}, blanked, {}); usable && *usable)
+        if (const auto usable = varies({name, source.solution, source.grid}, blanked, {}); usable.ok() && *usable)
             list += (list.empty() ? "" : ", ") + std::string(name);
     return list.empty() ? Message::say("No array of this solution varies.")
                         : Message::say("These can be taken: %1.", list);

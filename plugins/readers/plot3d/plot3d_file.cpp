@@ -58,7 +58,7 @@ Error changedMeanwhile(const std::filesystem::path& path)
 
 Error inPlot3dFile(const std::filesystem::path& path, const Message& text, ErrorKind kind)
 {
-    return {kind, Message::say("Cannot read '%1': %2", path.string(), text)};
+    return {kind, Message::say("Cannot read '%1': %2", path.string(), text), path};
 }
 
 Result<Plot3dSource> loadPlot3d(const std::filesystem::path& path, const Progress& progress)
@@ -115,7 +115,7 @@ Result<std::size_t> chooseGrid(const Plot3dFile& file, std::int64_t wanted)
             ErrorKind::WrongUsage);
     if (wanted > static_cast<std::int64_t>(count))
         return Error{ErrorKind::WrongUsage,
-                     Message::say("'%1' has no grid %2: it holds %3.", path.string(), wanted, count)};
+                     Message::say("'%1' has no grid %2: it holds %3.", path.string(), wanted, count), path};
     const std::size_t grid = wanted == 0 ? 0 : static_cast<std::size_t>(wanted - 1);
     const auto& size = file.layout.sizes[grid];
     if (std::ranges::min(size) < 2)

@@ -31,7 +31,7 @@ constexpr MarkedText install = Message::marked("Install VTK with 'apt install li
 
 Error cannotRead(const std::string& file, ErrorKind kind, const Message& reason)
 {
-    return {kind, Message::say("Cannot read '%1': %2", file, reason)};
+    return {kind, Message::say("Cannot read '%1': %2", file, reason), file};
 }
 
 Error notEnoughToStart(const Message& reason)

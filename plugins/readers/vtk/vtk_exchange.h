@@ -118,7 +118,9 @@ template <class Archive> void exchange(Archive& archive, std::vector<Message>& m
 
 template <class Archive> void exchange(Archive& archive, Error& error)
 {
-    exchangeAll(archive, error.kind, error.message);
+    std::string file = error.file.string();
+    exchangeAll(archive, error.kind, error.message, file);
+    error.file = file;
 }
 
 template <class Archive> void exchange(Archive& archive, Eigen::Vector3d& vector)

@@ -6,6 +6,13 @@
 
 using namespace tetra;
 
+// What would be shown as a number and is none, and a question that has two answers, are not compiled.
+static_assert(std::constructible_from<Message, int> && std::constructible_from<Message, std::uint8_t>);
+static_assert(!std::constructible_from<Message, bool> && !std::constructible_from<Message, char>);
+static_assert(!std::constructible_from<Message, char8_t> && !std::constructible_from<Message, wchar_t>);
+static_assert(std::constructible_from<bool, Result<int>> && std::constructible_from<bool, Status>);
+static_assert(!std::constructible_from<bool, Result<bool>>);
+
 class MessageTest : public QObject {
     Q_OBJECT
 private slots:
@@ -49,6 +56,15 @@ private slots:
         QCOMPARE(error.message.arguments()[1].sentence(), std::string("it has %1 bytes"));
         const Message again = Message::of(error.message.sentence(), error.message.arguments());
         QCOMPARE(again.text(), error.text());
+    }
+
+    /// Whoever passes an error on asks its fields and not its words.
+    void errorsNameWhatTheySpeakOf()
+    {
+        const Error error{ErrorKind::BadInput, Message::say("'%1' is empty.", "a.raw"), "a.raw"};
+        QCOMPARE(error.file, std::filesystem::path("a.raw"));
+        QVERIFY(cancelledError("Reading").file.empty());
+        QVERIFY(error.wants == Credential::None);
     }
 };
 

@@ -67,6 +67,7 @@ private slots:
         QVERIFY(!file);
         QCOMPARE(file.error().kind, ErrorKind::BadInput);
         QVERIFY(file.error().text().find("'" + path.string() + "'") != std::string::npos);
+        QCOMPARE(file.error().file, path);
         QVERIFY2(file.error().text().find(says) != std::string::npos, file.error().text().c_str());
         QVERIFY(!wholeText(path, 10));
     }

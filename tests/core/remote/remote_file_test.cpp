@@ -567,6 +567,8 @@ private slots:
             const auto file = RemoteFile::open(server.address("/a.tan"), cacheIn(home), hasty());
             QVERIFY(!file.ok() && isUnauthorized(file.error()));
             const bool wantsToken = QByteArray(scheme).toLower().startsWith("bearer") && scheme[6] != 's';
+            QVERIFY(file.error().wants == (wantsToken ? Credential::Token : Credential::Password));
+            QCOMPARE(file.error().file.string(), server.address("/a.tan"));
             QCOMPARE(file.error().text().find("have its token") != std::string::npos, wantsToken);
             QCOMPARE(file.error().text().find("a name and a password") == std::string::npos, wantsToken);
         }

@@ -216,8 +216,8 @@ private slots:
     {
         SomeReader reader;
         const auto guard = guarded(reader, target());
-        const auto textOf = [&](ErrorKind kind, const Message& message) {
-            reader.error = Error{kind, message};
+        const auto textOf = [&](ErrorKind kind, const Message& message, const fs::path& named = {}) {
+            reader.error = Error{kind, message, named};
             const auto read = guard->read("a.some", {}, {});
             const auto probed = guard->probe("a.some", {}, {});
             return read.error().text() == probed.error().text() ? read.error().text() : "different";
@@ -225,9 +225,10 @@ private slots:
         QCOMPARE(textOf(ErrorKind::BadInput, "it is empty."), std::string("Cannot read 'a.some': it is empty."));
         QCOMPARE(textOf(ErrorKind::WrongUsage, "it has no array."),
                  std::string("Cannot read 'a.some': it has no array."));
-        QCOMPARE(textOf(ErrorKind::BadInput, "Cannot read 'b.some': it is empty."),
-                 std::string("Cannot read 'b.some': it is empty."));
-        QCOMPARE(textOf(ErrorKind::BadInput, "In 'a.some' is nothing."), std::string("In 'a.some' is nothing."));
+        // Whether a text names a file is not read out of its words.
+        QCOMPARE(textOf(ErrorKind::BadInput, "'b.some' is empty.", "b.some"), std::string("'b.some' is empty."));
+        QCOMPARE(textOf(ErrorKind::BadInput, "Cannot read 'b.some'."),
+                 std::string("Cannot read 'a.some': Cannot read 'b.some'."));
         QCOMPARE(textOf(ErrorKind::Cancelled, "Reading was cancelled."), std::string("Reading was cancelled."));
     }
 

@@ -48,7 +48,9 @@ template <class Value> void send(ExchangeOutput& output, VtkMessage message, Val
 
 Error inFile(const VtkRequest& request, const Error& error)
 {
-    return {error.kind, Message::say("Cannot read '%1': %2", request.path, error.message)};
+    if (!error.file.empty())
+        return error;
+    return {error.kind, Message::say("Cannot read '%1': %2", request.path, error.message), request.path};
 }
 
 Result<FileContents> lookInto(const VtkSource& source, const VtkRequest& request, const VtkLog& log,
