@@ -53,6 +53,13 @@ public:
     /// not finite and cells that are blanked out (Dataset::cells): the program makes holes of them, withHoles().
     virtual Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                                  const Progress& progress) const = 0;
+    /// read() for somebody who takes only `region` of data that are no grid: what lies beyond has to be there, but need
+    /// not be sound (CellComplex::region). For a reader of cells; others read all, as here.
+    virtual Result<Dataset> readAround(const Eigen::AlignedBox3d& /*region*/, const std::filesystem::path& path,
+                                       const ParameterValues& values, const Progress& progress) const
+    {
+        return read(path, values, progress);
+    }
     /// The names that another file may have which read() opens beside `path`, the likeliest first, whether or not they
     /// exist: if the one that does is packed by gzip, the program unpacks it and gives read() both in another folder.
     virtual std::vector<std::filesystem::path> companions(const std::filesystem::path& /*path*/,

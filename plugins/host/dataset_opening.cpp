@@ -275,7 +275,10 @@ Result<Dataset> openDataset(PluginHost& host, const std::filesystem::path& path,
         return file.error();
     const double readBegin = file->unpacked ? unpackEnd : 0;
     constexpr double readEnd = 0.7, partEnd = 0.8;
-    auto whole = reader->plugin->read(file->path, file->values, progress.part(readBegin, readEnd));
+    const Progress reading = progress.part(readBegin, readEnd);
+    auto whole = options.part.region
+                     ? reader->plugin->readAround(*options.part.region, file->path, file->values, reading)
+                     : reader->plugin->read(file->path, file->values, reading);
     if (!whole)
         return inPackedFile(whole.error(), *file);
     if (file->unpacked)

@@ -135,9 +135,35 @@ public:
     Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                          const Progress& progress) const override
     {
+        return finished(path, progress, [&](const Progress& part) { return plugin_.read(path, values, part); });
+    }
+    Result<Dataset> readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
+                               const ParameterValues& values, const Progress& progress) const override
+    {
+        return finished(path, progress,
+                        [&](const Progress& part) { return plugin_.readAround(region, path, values, part); });
+    }
+    std::vector<std::filesystem::path> companions(const std::filesystem::path& path,
+                                                  const ParameterValues& values) const override
+    {
+        return guard_.callOr(std::vector<std::filesystem::path>(), [&] { return plugin_.companions(path, values); });
+    }
+    Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
+                               const Progress& progress) const override
+    {
+        const auto contents =
+            guard_.call(tooLittleMemoryToRead(path), [&] { return plugin_.probe(path, values, progress); });
+        return contents ? contents : inFile(path, contents.error());
+    }
+
+private:
+    /// What is read, with what a reader may leave out.
+    template <class Read>
+    Result<Dataset> finished(const std::filesystem::path& path, const Progress& progress, const Read& read) const
+    {
         constexpr double readEnd = 0.9; // what is left is for the hash
         return guard_.call(tooLittleMemoryToRead(path), [&]() -> Result<Dataset> {
-            auto dataset = plugin_.read(path, values, progress.part(0, readEnd));
+            auto dataset = read(progress.part(0, readEnd));
             if (!dataset)
                 return inFile(path, dataset.error());
             Source& source = dataset->source;
@@ -157,20 +183,7 @@ public:
             return dataset;
         });
     }
-    std::vector<std::filesystem::path> companions(const std::filesystem::path& path,
-                                                  const ParameterValues& values) const override
-    {
-        return guard_.callOr(std::vector<std::filesystem::path>(), [&] { return plugin_.companions(path, values); });
-    }
-    Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
-                               const Progress& progress) const override
-    {
-        const auto contents =
-            guard_.call(tooLittleMemoryToRead(path), [&] { return plugin_.probe(path, values, progress); });
-        return contents ? contents : inFile(path, contents.error());
-    }
 
-private:
     const Reader& plugin_;
     Guard guard_;
 };

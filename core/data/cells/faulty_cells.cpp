@@ -64,8 +64,9 @@ void removeDuplicates(const CleanCells& cells, CutCells& cut, MeshFaces& faces, 
 /// Which cells of the file overlap which, and which of them go.
 class Overlapping {
 public:
-    Overlapping(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, const CutCells& cut)
-        : positions_(positions), cells_(cells), cut_(cut)
+    Overlapping(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, std::uint64_t cellCount,
+                const CutCells& cut)
+        : positions_(positions), cells_(cells), cellCount_(cellCount), cut_(cut)
     {
         for (const Tetrahedron& tetrahedron : cut.tetrahedra)
             volume_ += volumeOf(positions, tetrahedron);
@@ -106,7 +107,7 @@ private:
     std::uint64_t cellOf(std::uint32_t tetrahedron) const { return cells_.origins[cut_.cells[tetrahedron]]; }
     bool tooMuch(const Amount& amount) const
     {
-        return amount.cells * cellsPerFaultyOne > cells_.count() &&
+        return amount.cells * cellsPerFaultyOne > cellCount_ &&
                amount.volume * static_cast<double>(cellsPerFaultyOne) > volume_;
     }
     double volumeOfCell(std::uint64_t cell)
@@ -196,12 +197,13 @@ private:
         return {ErrorKind::BadInput,
                 Message::say("At least %1 of the mesh's %2 cells are faulty, more than a thousandth. The first is cell "
                              "%3 at (%4, %5, %6): %7. Repair the mesh in the program that made it.",
-                             std::max(gone_.cells, least_.cells), cells_.count(), first.cell, formatNumber(place[0]),
+                             std::max(gone_.cells, least_.cells), cellCount_, first.cell, formatNumber(place[0]),
                              formatNumber(place[1]), formatNumber(place[2]), cellFaultText(first.fault))};
     }
 
     std::span<const Eigen::Vector3d> positions_;
     const CleanCells& cells_;
+    std::uint64_t cellCount_;
     const CutCells& cut_;
     double volume_ = 0;
     std::vector<double> volumes_; ///< of the file's cells
@@ -213,12 +215,12 @@ private:
 
 } // namespace
 
-Status takeOutFaulty(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, CutCells& cut,
-                     Repairs& repairs, const Progress& progress)
+Status takeOutFaulty(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, std::uint64_t cellCount,
+                     CutCells& cut, Repairs& repairs, const Progress& progress)
 {
     MeshFaces faces = findMeshFaces(cut.tetrahedra);
     removeDuplicates(cells, cut, faces, repairs);
-    return Overlapping(positions, cells, cut).run(cut, faces, repairs, progress);
+    return Overlapping(positions, cells, cellCount, cut).run(cut, faces, repairs, progress);
 }
 
 } // namespace tetra

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <span>
 
 namespace tetra {
@@ -16,7 +17,8 @@ namespace tetra {
 /// that no two overlap, of the rest first the one that overlaps the most. `repairs` is told. Error: BadInput if more
 /// than a thousandth of the cells, and of the volume, would have to go because of overlaps; cancelled. Positive
 /// tetrahedra; findOverlaps() for each layer of cells that is taken out, three or four at most.
-Status takeOutFaulty(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, CutCells& cut,
-                     Repairs& repairs, const Progress& progress);
+/// `cellCount`: of how many cells `cut` is.
+Status takeOutFaulty(std::span<const Eigen::Vector3d> positions, const CleanCells& cells, std::uint64_t cellCount,
+                     CutCells& cut, Repairs& repairs, const Progress& progress);
 
 } // namespace tetra

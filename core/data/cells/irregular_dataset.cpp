@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/guarded.h"
+#include "core/base/sort_unique.h"
 #include "core/data/cells/cell_complex.h"
 #include "core/data/cells/clean_cells.h"
 #include "core/data/cells/cut_cells.h"
@@ -10,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace tetra {
@@ -116,22 +119,71 @@ SampleType typeOfPointValues(const ComplexValues& values, const Repairs& repairs
 
 using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 
+/// Whether points lie in the part of a complex that has to be sound.
+bool isJudged(const CellComplex& complex, std::span<const std::uint32_t> points)
+{
+    return !complex.region || std::ranges::all_of(points, [&](std::uint32_t point) {
+        return complex.region->contains(complex.positions[point]);
+    });
+}
+
+/// Of how many cells the tetrahedra are.
+std::uint64_t cellsOf(const CutCells& cut)
+{
+    std::vector<std::uint32_t> cells = cut.cells;
+    sortUnique(cells);
+    return cells.size();
+}
+
+void append(CutCells& cut, const CutCells& more)
+{
+    cut.tetrahedra.insert(cut.tetrahedra.end(), more.tetrahedra.begin(), more.tetrahedra.end());
+    cut.cells.insert(cut.cells.end(), more.cells.begin(), more.cells.end());
+}
+
+/// takeOutFaulty() where it is judged.
+Status takeOutFaultyWithin(const CellComplex& complex, const CleanCells& cells, CutCells& cut, Repairs& repairs,
+                           const Progress& progress)
+{
+    if (!complex.region)
+        return takeOutFaulty(complex.positions, cells, cells.count(), cut, repairs, progress);
+    CutCells within, beyond;
+    for (std::size_t t = 0; t < cut.tetrahedra.size(); ++t) {
+        CutCells& part = isJudged(complex, cut.tetrahedra[t]) ? within : beyond;
+        part.tetrahedra.push_back(cut.tetrahedra[t]);
+        part.cells.push_back(cut.cells[t]);
+    }
+    if (within.tetrahedra.empty())
+        return {};
+    const Status sound = takeOutFaulty(complex.positions, cells, cellsOf(within), within, repairs, progress);
+    append(within, beyond);
+    cut.tetrahedra = std::move(within.tetrahedra);
+    cut.cells = std::move(within.cells);
+    return sound;
+}
+
 /// Holes that cells too warped to be cut leave are said; with more than one in so many the mesh is another one.
 constexpr std::uint64_t cellsPerWarpedOne = 100;
 
 Status checkWarped(const CellComplex& complex, const CleanCells& cells, const CutCells& cutChecked, Repairs& repairs)
 {
-    repairs.warped = cutChecked.warped.size();
-    for (const std::uint32_t cell : cutChecked.warped)
+    const auto judged = [&](std::uint32_t cell) { return isJudged(complex, cells.nodesOf(cell)); };
+    std::vector<std::uint32_t> warped;
+    std::ranges::copy_if(cutChecked.warped, std::back_inserter(warped), judged);
+    repairs.warped = warped.size();
+    for (const std::uint32_t cell : warped)
         repairs.faulty.push_back({cells.origins[cell], CellFault::Warped});
-    if (cutChecked.warped.size() * cellsPerWarpedOne <= cells.count())
+    std::uint64_t count = 0;
+    for (std::uint32_t cell = 0; cell < cells.count(); ++cell)
+        count += judged(cell) ? 1 : 0;
+    if (warped.size() * cellsPerWarpedOne <= count)
         return {};
-    const std::uint64_t origin = cells.origins[cutChecked.warped.front()];
+    const std::uint64_t origin = cells.origins[warped.front()];
     const Eigen::Vector3d& place = complex.positions[complex.corners[complex.offsets[origin]]];
     return Error{ErrorKind::BadInput,
                  Message::say("%1 cells are folded or so warped that no tetrahedra fill them; the first is cell %2 at "
                               "(%3, %4, %5). Repair the mesh in the program that made it.",
-                              cutChecked.warped.size(), origin, formatNumber(place[0]), formatNumber(place[1]),
+                              warped.size(), origin, formatNumber(place[0]), formatNumber(place[1]),
                               formatNumber(place[2]))};
 }
 
@@ -199,8 +251,7 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
         return sound.error();
     if (cutting->tetrahedra.empty())
         return Error{ErrorKind::BadInput, Message::say("No cell of the mesh has a volume: nothing is left.")};
-    if (const Status sound = takeOutFaulty(complex.positions, *cells, *cutting, repairs, progress.part(0.5, 0.95));
-        !sound)
+    if (const Status sound = takeOutFaultyWithin(complex, *cells, *cutting, repairs, progress.part(0.5, 0.95)); !sound)
         return sound.error();
     const std::vector<double> all = pointValues(complex, values, *cells, *cutting, repairs);
     Tetrahedra tetrahedra = std::move(cutting->tetrahedra);
@@ -224,7 +275,7 @@ Result<Dataset> makeDataset(const CellComplex& complex, const ComplexValues& val
     dataset.positions = std::move(positions);
     dataset.values = *field;
     dataset.tetrahedra = std::make_shared<const Tetrahedra>(std::move(tetrahedra));
-    dataset.convex = hasConvexDomain(dataset);
+    dataset.convex = !complex.region && hasConvexDomain(dataset);
     dataset.source = source;
     dataset.source.hash = contentHash(dataset.values, dataset.positions, dataset.tetrahedra);
     dataset.remarks = repairRemarks(repairs);

@@ -378,6 +378,8 @@ struct CellComplex {
     std::vector<std::uint64_t> offsets; ///< the corners of cell c are corners[offsets[c]] up to corners[offsets[c + 1]]
     std::vector<std::uint64_t> corners; ///< numbers of positions
     std::vector<std::uint8_t> blanked;  ///< one per cell, nonzero: the cell is a hole; empty if there are none
+    /// All that will be taken: only what lies in it has to be sound, and is looked at. What lies beyond stays as it is.
+    std::optional<Eigen::AlignedBox3d> region{};
 };
 
 /// Values for the points of a complex, or for its cells.
@@ -393,8 +395,9 @@ struct ComplexValues {
 /// no cell uses, cells with a repeated corner, without volume, numbered the other way round or duplicated. Cells that
 /// overlap others, also by lying on the same side of a face, are taken out, which `faultyCells` lists, if they are at
 /// most a thousandth of the cells or of the volume (C10). The boundary may touch itself. Refused with a count and an
-/// example: polyhedra, more than a thousandth of faulty cells, numbers of points out of range, nothing left. One
-/// thread, about 300 bytes a tetrahedron, and 100 more where cells overlap; safe from any thread.
+/// example: polyhedra, more than a thousandth of faulty cells, numbers of points out of range, nothing left. Of a
+/// complex with a region the judgement is about what lies in it, and the mesh sound there. One thread, about 300 bytes
+/// a tetrahedron, and 100 more where cells overlap; safe from any thread.
 TAN_API Result<Dataset> irregularDataset(const CellComplex& complex, const ComplexValues& values, const Source& source,
                                          const Progress& progress = {});
 

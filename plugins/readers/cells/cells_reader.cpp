@@ -66,6 +66,35 @@ bool isFlat(const CellsFile& file)
     return std::ranges::all_of(file.complex.shapes, [](CellShape shape) { return shape == CellShape::Flat; });
 }
 
+CellsRequest requestOf(const std::vector<Parameter>& parameters, const ParameterValues& values)
+{
+    CellsRequest request{parameterValue<std::string>(parameters, values, "array"),
+                         parameterValue<std::string>(parameters, values, "component")};
+    if (request.array == "automatic") // what other readers say
+        request.array.clear();
+    return request;
+}
+
+/// `region`: CellComplex's.
+Result<Dataset> readMesh(const std::filesystem::path& path, const CellsRequest& request,
+                         const std::optional<Eigen::AlignedBox3d>& region, const Progress& progress)
+{
+    constexpr double readingShare = 0.4;
+    const auto reading = progress.part(0, readingShare);
+    const auto made = [&](Result<CellsFile> file, bool orPoints) -> Result<Dataset> {
+        if (!file)
+            return file.error();
+        file->complex.region = region;
+        const std::string array = file->arrayName.empty() ? "" : ", " + printable(file->arrayName);
+        const Source source{.name = path.filename().string() + array, .path = path, .hash = 0};
+        return orPoints && isFlat(*file) ? pointsOf(*std::move(file), source)
+                                         : meshOf(*file, source, progress.part(readingShare, 1));
+    };
+    return withFile<Dataset>(
+        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading), true); },
+        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading), false); });
+}
+
 } // namespace
 
 std::vector<std::string> CellsReader::nameFilters() const
@@ -105,23 +134,13 @@ std::vector<Parameter> CellsReader::parameters() const
 Result<Dataset> CellsReader::read(const std::filesystem::path& path, const ParameterValues& values,
                                   const Progress& progress) const
 {
-    constexpr double readingShare = 0.4;
-    CellsRequest request{parameterValue<std::string>(parameters(), values, "array"),
-                         parameterValue<std::string>(parameters(), values, "component")};
-    if (request.array == "automatic") // what other readers say
-        request.array.clear();
-    const auto reading = progress.part(0, readingShare);
-    const auto made = [&](Result<CellsFile> file, bool orPoints) -> Result<Dataset> {
-        if (!file)
-            return file.error();
-        const std::string array = file->arrayName.empty() ? "" : ", " + printable(file->arrayName);
-        const Source source{.name = path.filename().string() + array, .path = path, .hash = 0};
-        return orPoints && isFlat(*file) ? pointsOf(*std::move(file), source)
-                                         : meshOf(*file, source, progress.part(readingShare, 1));
-    };
-    return withFile<Dataset>(
-        path, [&](std::string_view bytes) { return made(readVtu(bytes, request, reading), true); },
-        [&](std::string_view bytes) { return made(readUcd(bytes, request, reading), false); });
+    return readMesh(path, requestOf(parameters(), values), std::nullopt, progress);
+}
+
+Result<Dataset> CellsReader::readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
+                                        const ParameterValues& values, const Progress& progress) const
+{
+    return readMesh(path, requestOf(parameters(), values), region, progress);
 }
 
 Result<FileContents> CellsReader::probe(const std::filesystem::path& path, const ParameterValues& /*values*/,

@@ -15,6 +15,8 @@ public:
     std::vector<Parameter> parameters() const override;
     Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                          const Progress& progress) const override;
+    Result<Dataset> readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
+                               const ParameterValues& values, const Progress& progress) const override;
     Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
                                const Progress& progress) const override;
 };

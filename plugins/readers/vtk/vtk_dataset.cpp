@@ -93,21 +93,23 @@ Result<Dataset> pointsDataset(VtkFindings& found, const Source& source)
     return scatteredDataset(std::move(found.positions), std::move(values), source.name);
 }
 
-Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const Progress& progress)
+Result<Dataset> cellsDataset(VtkFindings& found, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
+                             const Progress& progress)
 {
     const ComplexValues values{doublesOf(found), found.perCell, found.type};
     found.samples = {};
-    const CellComplex complex{std::move(found.positions), std::move(found.shapes), std::move(found.offsets),
-                              std::move(found.corners), std::move(found.blanked)};
+    const CellComplex complex{std::move(found.positions), std::move(found.shapes),  std::move(found.offsets),
+                              std::move(found.corners),   std::move(found.blanked), region};
     return irregularDataset(complex, values, source, progress);
 }
 
 } // namespace
 
-Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Progress& progress)
+Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
+                          const Progress& progress)
 {
     const std::vector<Message> remarks = std::move(findings.remarks);
-    auto dataset = findings.kind == VtkDataKind::Cells    ? cellsDataset(findings, source, progress)
+    auto dataset = findings.kind == VtkDataKind::Cells    ? cellsDataset(findings, source, region, progress)
                    : findings.kind == VtkDataKind::Points ? pointsDataset(findings, source)
                                                           : gridDataset(findings, progress);
     if (!dataset)

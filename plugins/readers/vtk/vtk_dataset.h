@@ -6,11 +6,17 @@
 #include <tan/base.h>
 #include <tan/data.h>
 
+#include <Eigen/Geometry>
+
+#include <optional>
+
 namespace tetra {
 
 /// The dataset that the findings make: checked as those of every reader, cells cut into tetrahedra, points on one place
 /// merged. `source` says the file; the hash is found here. The error says what is wrong with "it", for the caller to
 /// name the file.
-Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const Progress& progress);
+/// `region`: CellComplex's.
+Result<Dataset> datasetOf(VtkFindings findings, const Source& source, const std::optional<Eigen::AlignedBox3d>& region,
+                          const Progress& progress);
 
 } // namespace tetra

@@ -31,10 +31,11 @@ Result<VtkRequest> requestFor(const fs::path& path, const ParameterValues& value
     return request;
 }
 
-Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const Progress& progress)
+Result<Dataset> toDataset(VtkFindings findings, const fs::path& path, const std::optional<Eigen::AlignedBox3d>& region,
+                          const Progress& progress)
 {
     const Source source{path.filename().string() + ", " + findings.arrayName, path, 0};
-    auto dataset = datasetOf(std::move(findings), source, progress);
+    auto dataset = datasetOf(std::move(findings), source, region, progress);
     if (!dataset)
         return dataset.error();
     progress.report(1, Message::marked("Reading"));
@@ -67,6 +68,18 @@ std::vector<Parameter> VtkReader::parameters() const
 
 Result<Dataset> VtkReader::read(const fs::path& path, const ParameterValues& values, const Progress& progress) const
 {
+    return readAny(std::nullopt, path, values, progress);
+}
+
+Result<Dataset> VtkReader::readAround(const Eigen::AlignedBox3d& region, const fs::path& path,
+                                      const ParameterValues& values, const Progress& progress) const
+{
+    return readAny(region, path, values, progress);
+}
+
+Result<Dataset> VtkReader::readAny(const std::optional<Eigen::AlignedBox3d>& region, const fs::path& path,
+                                   const ParameterValues& values, const Progress& progress) const
+{
     constexpr double untilFound = 0.7; // of the time, roughly; the rest makes the dataset out of it
     const auto request = requestFor(path, values);
     if (!request)
@@ -74,7 +87,7 @@ Result<Dataset> VtkReader::read(const fs::path& path, const ParameterValues& val
     auto answer = askVtkHelper(helper_, *request, progress.part(0, untilFound));
     if (!answer)
         return answer.error();
-    return toDataset(std::get<VtkFindings>(std::move(*answer)), path, progress.part(untilFound, 1));
+    return toDataset(std::get<VtkFindings>(std::move(*answer)), path, region, progress.part(untilFound, 1));
 }
 
 Result<FileContents> VtkReader::probe(const fs::path& path, const ParameterValues& values,

@@ -17,10 +17,15 @@ public:
     std::vector<Parameter> parameters() const override;
     Result<Dataset> read(const std::filesystem::path& path, const ParameterValues& values,
                          const Progress& progress) const override;
+    Result<Dataset> readAround(const Eigen::AlignedBox3d& region, const std::filesystem::path& path,
+                               const ParameterValues& values, const Progress& progress) const override;
     Result<FileContents> probe(const std::filesystem::path& path, const ParameterValues& values,
                                const Progress& progress) const override;
 
 private:
+    Result<Dataset> readAny(const std::optional<Eigen::AlignedBox3d>& region, const std::filesystem::path& path,
+                            const ParameterValues& values, const Progress& progress) const;
+
     std::filesystem::path helper_;
 };
 

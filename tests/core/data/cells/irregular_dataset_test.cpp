@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data/cells/irregular_check.h"
+#include "core/data/dataset_part.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/tetrahedron_overlap.h"
 #include "core/mesh/face_adjacency.h"
@@ -382,6 +383,44 @@ private slots:
         QVERIFY(!dataset.ok());
         const QString text = QString::fromStdString(dataset.error().text());
         QVERIFY2(text.contains("cells are faulty, more than a thousandth. The first is cell"), qPrintable(text));
+    }
+
+    /// Only what is taken is judged: two cubes that overlap, and a third one far from them.
+    void whatLiesBeyondARegionIsNotJudged()
+    {
+        CellComplex complex = twoCubes({0.5, 0.5, 0.5}, 0.25);
+        const auto firstPoint = static_cast<std::uint64_t>(complex.positions.size());
+        const CellComplex third = singleCell(CellShape::Hexahedron);
+        for (const Eigen::Vector3d& place : third.positions)
+            complex.positions.push_back(place + Eigen::Vector3d(10, 0, 0));
+        for (const std::uint64_t corner : third.corners)
+            complex.corners.push_back(firstPoint + corner);
+        complex.shapes.push_back(CellShape::Hexahedron);
+        complex.offsets.push_back(complex.corners.size());
+        const ComplexValues values = linearValues(complex);
+        QVERIFY(!datasetOf(complex, values).ok());
+
+        DatasetPart part;
+        part.region = complex.region = Eigen::AlignedBox3d(Eigen::Vector3d(9, -1, -1), Eigen::Vector3d(13, 3, 3));
+        const auto whole = datasetOf(complex, values);
+        QVERIFY2(whole.ok(), whole ? "" : whole.error().text().c_str());
+        const auto taken = takePart(*whole, part);
+        QVERIFY2(taken.ok(), taken ? "" : taken.error().text().c_str());
+        QCOMPARE(totalVolume6(*taken), referenceVolume6(CellShape::Hexahedron));
+        QVERIFY(checkIrregular(*taken).ok());
+        QVERIFY2(remarksOf(*taken).contains("A part of 8 of the 24 points."), qPrintable(remarksOf(*taken)));
+
+        // Around the others they are refused, and counted without the third one.
+        complex.region = Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(3, 3, 3));
+        const auto refused = datasetOf(complex, values);
+        QVERIFY(!refused.ok());
+        QVERIFY2(refused.error().text().starts_with("At least 1 of the mesh's 2 cells are faulty"),
+                 refused.error().text().c_str());
+        // A region without anything is takePart()'s to refuse.
+        part.region = complex.region = Eigen::AlignedBox3d(Eigen::Vector3d(50, 0, 0), Eigen::Vector3d(51, 1, 1));
+        const auto nothing = datasetOf(complex, values);
+        QVERIFY2(nothing.ok(), nothing ? "" : nothing.error().text().c_str());
+        QVERIFY(!takePart(*nothing, part).ok());
     }
 
     /// C10: meshes damaged at random in up to a thousandth of their cells: what is left covers its domain once, and

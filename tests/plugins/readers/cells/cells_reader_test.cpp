@@ -395,6 +395,26 @@ private slots:
         QVERIFY(contents->arrays[2].perCell);
     }
 
+    /// Only the part that is taken has to be sound: two cells that overlap, and one far from them.
+    void whatLiesBeyondARegionMayOverlap()
+    {
+        const auto path = file("overlap.inp", "9 3 1 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 2\n"
+                                              "6 10 0 0\n7 11 0 0\n8 10 1 0\n9 10 0 1\n"
+                                              "1 1 tet 1 2 3 4\n2 1 tet 1 2 3 5\n3 1 tet 6 7 8 9\n"
+                                              "1 1\nheat, K\n1 1\n2 2\n3 3\n4 4\n5 5\n6 6\n7 7\n8 8\n9 9\n");
+        QVERIFY(!reader_.read(path, {}, {}).ok());
+        const Eigen::AlignedBox3d beside(Eigen::Vector3d(9, -1, -1), Eigen::Vector3d(12, 2, 2));
+        const auto dataset = reader_.readAround(beside, path, {}, {});
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+        QCOMPARE(dataset->pointCount(), std::uint64_t(9));
+        const Eigen::AlignedBox3d around(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(2, 2, 2));
+        const auto refused = reader_.readAround(around, path, {}, {});
+        QVERIFY(!refused.ok());
+        QVERIFY2(refused.error().text().find("At least 1 of the mesh's 2 cells are faulty") != std::string::npos,
+                 refused.error().text().c_str());
+        QCOMPARE(refused.error().file, path);
+    }
+
     void scores()
     {
         const auto score = [&](const char* name, std::string_view text) {
