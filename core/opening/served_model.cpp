@@ -78,6 +78,68 @@ Error saysNonsense(const std::string& address)
                          shownAddress(address))};
 }
 
+/// More than any model has, or less.
+constexpr std::uint32_t leastServedSites = 4, mostServedSites = 0xfffffffe;
+constexpr std::uint64_t mostServedTetrahedra = std::uint64_t(1) << 40, mostServedBytes = std::uint64_t(1) << 44;
+
+Error saysTheImpossible(const std::string& address, const Message& what)
+{
+    return {ErrorKind::BadInput,
+            Message::say("What '%1' says of its model is impossible: %2. Tell whoever runs the server, or fetch the "
+                         "model and look at it with 'tan verify'.",
+                         shownAddress(address), what),
+            shownAddress(address)};
+}
+
+/// Whether a model can be so large: else what is wrong with it.
+std::optional<Message> impossibleModel(std::uint32_t sites, std::uint64_t tetrahedra, std::uint64_t bytes)
+{
+    if (sites < leastServedSites || sites > mostServedSites)
+        return Message::say("it has %1 sites", sites);
+    if (tetrahedra == 0 || tetrahedra > mostServedTetrahedra)
+        return Message::say("it has %1 tetrahedra", tetrahedra);
+    if (bytes == 0 || bytes > mostServedBytes)
+        return Message::say("it has %1 bytes", bytes);
+    return {};
+}
+
+/// The same of its meshes, the first of which is the coarsest one.
+std::optional<Message> impossibleMesh(const WholeSizes& sizes)
+{
+    const MeshSize* before = nullptr;
+    for (const MeshSize& mesh : sizes.meshes) {
+        if (mesh.sites < leastServedSites || mesh.sites > sizes.sites)
+            return Message::say("a mesh has %1 of its %2 sites", mesh.sites, sizes.sites);
+        if (mesh.tetrahedra == 0 || mesh.tetrahedra > sizes.tetrahedra)
+            return Message::say("a mesh has %1 of its %2 tetrahedra", mesh.tetrahedra, sizes.tetrahedra);
+        if (!(mesh.error >= 0) || !std::isfinite(mesh.error) || !(mesh.warping >= 0) || !std::isfinite(mesh.warping))
+            return Message::say("a mesh has the error %1 % and the warping %2 %", formatNumber(mesh.error),
+                                formatNumber(mesh.warping));
+        if (before != nullptr && mesh.sites <= before->sites)
+            return Message::say("a mesh with %1 sites comes before one with %2", before->sites, mesh.sites);
+        before = &mesh;
+    }
+    return {};
+}
+
+/// The same of a mesh that it sent.
+std::optional<Message> impossibleAnswer(const ExtractedMesh& mesh, const UnpackedMesh& sent, const WholeSizes& whole)
+{
+    const auto isLife = [](float error) { return error >= 0; };      // no NaN
+    const bool isOfSites = mesh.method != VariableMethod::Insertion; // which takes points that are no sites, too
+    if (mesh.keptSites > mesh.wholeSites || (isOfSites && mesh.wholeSites > whole.sites))
+        return Message::say("a mesh has %1 of %2 sites, and the model %3", mesh.keptSites, mesh.wholeSites,
+                            whole.sites);
+    if (mesh.keptTetrahedra > mesh.wholeTetrahedra || (isOfSites && mesh.wholeTetrahedra > whole.tetrahedra))
+        return Message::say("a mesh has %1 of %2 tetrahedra, and the model %3", mesh.keptTetrahedra,
+                            mesh.wholeTetrahedra, whole.tetrahedra);
+    if (!std::isfinite(mesh.scale) || !(mesh.scale >= 1))
+        return Message::say("a mesh keeps %1 times the error", formatNumber(mesh.scale));
+    if (!std::ranges::all_of(sent.birthErrors, isLife) || !std::ranges::all_of(sent.deathErrors, isLife))
+        return Message::say("a tetrahedron lives at errors that are not numbers from 0");
+    return {};
+}
+
 /// An answer in JSON.
 Result<JsonValue> askedFor(const std::string& address, std::string_view question, const std::string& token,
                            const FetchLimits& limits, ServerConnection& connection, const Progress& progress)
@@ -101,7 +163,7 @@ std::optional<MeshSize> sizeIn(const JsonValue& entry)
     const auto sites = numberIn<std::uint32_t>(&(*array)[0]);
     const auto tetrahedra = numberIn<std::uint64_t>(&(*array)[1]);
     const auto error = numberIn<double>(&(*array)[2]), warping = numberIn<double>(&(*array)[3]);
-    if (!sites || !tetrahedra || !error || !warping || *sites == 0 || !(*error >= 0) || !(*warping >= 0))
+    if (!sites || !tetrahedra || !error || !warping)
         return {};
     return MeshSize{*sites, *tetrahedra, *error, *warping};
 }
@@ -120,7 +182,7 @@ std::optional<WholeSizes> sizesIn(const JsonValue& told)
     sizes.bytes = *bytes;
     for (const JsonValue& entry : *meshes->array()) {
         const auto size = sizeIn(entry);
-        if (!size || size->sites > sizes.sites || (!sizes.meshes.empty() && size->sites <= sizes.meshes.back().sites))
+        if (!size)
             return {};
         sizes.meshes.push_back(*size);
     }
@@ -140,8 +202,8 @@ bool takeFigures(const JsonValue& told, ExtractedMesh& mesh)
     const auto scale = numberIn<double>(*figures, "scale");
     const JsonValue* const method = figures->find("method");
     const JsonValue* const overlaps = told.find("overlaps");
-    if (!wholeSites || !wholeTetrahedra || !keptSites || !keptTetrahedra || !scale || !(*scale >= 1) ||
-        method == nullptr || method->string() == nullptr || overlaps == nullptr)
+    if (!wholeSites || !wholeTetrahedra || !keptSites || !keptTetrahedra || !scale || method == nullptr ||
+        method->string() == nullptr || overlaps == nullptr)
         return false;
     const auto known = choiceOf<VariableMethod>(methodWords, *method->string());
     const bool* const isOver = std::get_if<bool>(&overlaps->content);
@@ -201,6 +263,9 @@ Result<ServerOffer> askServer(const std::string& address, const std::string& tok
     const JsonValue* const form = told->find("form");
     if (!bytes || !unpacked || !sites || form == nullptr || form->string() == nullptr)
         return offer;
+    for (const std::uint64_t size : {*bytes, *unpacked})
+        if (const auto wrong = impossibleModel(*sites, 1, size))
+            return saysTheImpossible(place, *wrong);
     return ServerOffer{.findsMeshes = true,
                        .form = *form->string() == "packed" ? ModelForm::Packed : ModelForm::Explicit,
                        .fileBytes = *bytes,
@@ -228,6 +293,10 @@ Result<std::shared_ptr<const ServedModel>> ServedModel::ask(const std::string& a
     const bool* const isWarping = warps != nullptr ? std::get_if<bool>(&warps->content) : nullptr;
     if (!sizes || tag == nullptr || tag->string() == nullptr || isWarping == nullptr)
         return saysNonsense(address);
+    if (const auto wrong = impossibleModel(sizes->sites, sizes->tetrahedra, sizes->bytes))
+        return saysTheImpossible(address, *wrong);
+    if (const auto wrong = impossibleMesh(*sizes))
+        return saysTheImpossible(address, *wrong);
     return std::make_shared<const ServedModel>(address, token, *tag->string(), *isWarping, *std::move(sizes),
                                                std::move(connection));
 }
@@ -249,6 +318,8 @@ Result<std::shared_ptr<const ExtractedMesh>> ServedModel::extract(const MeshQuer
     if (*tag->string() != tag_)
         return Error{ErrorKind::BadInput,
                      Message::say("The model '%1' was changed on its server. Open it again.", shownAddress(address_))};
+    if (const auto wrong = impossibleAnswer(*mesh, *unpacked, sizes()))
+        return saysTheImpossible(address_, *wrong);
     mesh->mesh = std::move(unpacked->mesh);
     mesh->sites.resize(mesh->mesh.positions.size());
     std::ranges::fill(mesh->sites, ExtractedMesh::noSite);

@@ -28,7 +28,7 @@ struct ServerOffer {
 };
 
 /// Asks a server what it offers; `address` as isAddress(), either form. A server that is none of ours finds no meshes.
-/// Errors: it cannot be reached, or has no such model; cancelled.
+/// Errors: it cannot be reached, has no such model, or says what no model is; cancelled.
 TAN_INTERNAL Result<ServerOffer> askServer(const std::string& address, const std::string& token,
                                            const Progress& progress = {});
 
@@ -40,7 +40,8 @@ TAN_INTERNAL Result<UnpackedMesh> servedMesh(const std::string& address, const s
 /// A model at `tan serve`, which finds its meshes; all questions go over one connection.
 class TAN_INTERNAL ServedModel final : public WholeElsewhere {
 public:
-    /// Asks for its sizes, for which the server opens it. Errors: those of fetchOnce(); what the server says.
+    /// Asks for its sizes, for which the server opens it. Errors: those of fetchOnce(); what the server says; BadInput
+    /// for numbers that no model has.
     static Result<std::shared_ptr<const ServedModel>> ask(const std::string& address, const std::string& token,
                                                           const Progress& progress);
 

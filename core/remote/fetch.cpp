@@ -22,6 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
+constexpr std::size_t longestAddress = 64 << 10; ///< with a question
 constexpr std::chrono::seconds mostForConnectingOnce{15};
 constexpr milliseconds longestWaitForTurn{5'000}, usualWaitForTurn{1'000}, betweenLooks{50};
 constexpr std::uint64_t mostOfRefusal = 64 << 10, mostUnannounced = std::uint64_t(256) << 20;
@@ -122,19 +123,24 @@ Result<Fetched> fetched(CURL* curl, const std::string& shown, const std::string&
         throw std::bad_alloc();
     Fetching fetching{progress, limits};
     std::array<char, CURL_ERROR_SIZE> detail{};
-    ::curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
+    CurlOptions options(curl);
     // A way that is dead, as behind a router that has forgotten it, is told from a server that thinks.
-    ::curl_easy_setopt(curl, CURLOPT_TCP_KEEPALIVE, 1L);
-    ::curl_easy_setopt(curl, CURLOPT_TCP_KEEPIDLE, 10L);
-    ::curl_easy_setopt(curl, CURLOPT_TCP_KEEPINTVL, 5L);
-    ::curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, detail.data());
-    ::curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, &takeFetchedHead);
-    ::curl_easy_setopt(curl, CURLOPT_HEADERDATA, &fetching);
-    ::curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, &takeFetchedContent);
-    ::curl_easy_setopt(curl, CURLOPT_WRITEDATA, &fetching);
-    ::curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
-    ::curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, &tellFetching);
-    ::curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &fetching);
+    options.set(CURLOPT_HTTPHEADER, headers.get())
+        .set(CURLOPT_TCP_KEEPALIVE, 1L)
+        .set(CURLOPT_TCP_KEEPIDLE, 10L)
+        .set(CURLOPT_TCP_KEEPINTVL, 5L)
+        .set(CURLOPT_ERRORBUFFER, detail.data())
+        .set(CURLOPT_HEADERFUNCTION, &takeFetchedHead)
+        .set(CURLOPT_HEADERDATA, &fetching)
+        .set(CURLOPT_WRITEFUNCTION, &takeFetchedContent)
+        .set(CURLOPT_WRITEDATA, &fetching)
+        .set(CURLOPT_NOPROGRESS, 0L)
+        .set(CURLOPT_XFERINFOFUNCTION, &tellFetching)
+        .set(CURLOPT_XFERINFODATA, &fetching);
+    if (options.code() != CURLE_OK) {
+        ::curl_easy_reset(curl); // it points to what ends here
+        return noAnswer(shown, refusedSettings(options.code()));
+    }
     const CURLcode code = ::curl_easy_perform(curl);
     ::curl_easy_reset(curl); // it points to what ends here
     if (fetching.lacksMemory || code == CURLE_OUT_OF_MEMORY)
@@ -183,19 +189,20 @@ Result<FetchedAnswer> ServerConnection::fetch(const std::string& address, const 
             handle = std::exchange(kept_, nullptr);
         }
         if (handle == nullptr)
-            handle.reset(newCurlHandle(address, mostForConnectingOnce), &::curl_easy_cleanup);
-        else if (!renewCurlHandle(handle.get(), address, mostForConnectingOnce))
-            throw std::bad_alloc();
+            handle.reset(newCurlHandle(), &::curl_easy_cleanup);
         if (handle == nullptr)
             throw std::bad_alloc();
+        if (const CURLcode code = setCurlHandle(handle.get(), address, mostForConnectingOnce); code != CURLE_OK)
+            return noAnswer(shown, refusedSettings(code));
         auto answer = fetched(handle.get(), shown, token, limits, progress);
         const std::lock_guard lock(mutex_);
         kept_.swap(handle);
         return answer;
     };
     const auto ask = [&]() -> Result<FetchedAnswer> {
-        const std::string shown = shownAddress(address);
-        if (!isRemoteAddress(address))
+        constexpr std::size_t mostShown = 16 << 10;
+        const std::string shown = shownAddress(address.substr(0, mostShown));
+        if (!isRemoteAddress(address) || address.size() > longestAddress)
             return Error{
                 ErrorKind::WrongUsage,
                 Message::say("'%1' is not the address of a server. Write it as http://HOST:PORT/NAME.tan.", shown)};

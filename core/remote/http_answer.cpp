@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace tetra {
 
@@ -37,6 +38,30 @@ std::string keptText(std::string_view text)
 {
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     return text.size() > longestText || std::ranges::any_of(text, isControl) ? std::string() : std::string(text);
+}
+
+/// "Sun, 06 Nov 1994 08:49:37 GMT", which all servers write today.
+std::optional<std::chrono::sys_seconds> timeOf(std::string_view text)
+{
+    constexpr std::string_view pattern = "???, 00 ??? 0000 00:00:00 GMT",
+                               months = "JanFebMarAprMayJunJulAugSepOctNovDec";
+    if (text.size() != pattern.size())
+        return {};
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool isDigit = text[i] >= '0' && text[i] <= '9';
+        if (pattern[i] == '0' ? !isDigit : pattern[i] != '?' && text[i] != pattern[i])
+            return {};
+    }
+    const auto number = [&](std::size_t at, std::size_t digits) { return *parseNumber<int>(text.substr(at, digits)); };
+    const std::size_t month = months.find(text.substr(8, 3));
+    if (month == std::string_view::npos || month % 3 != 0)
+        return {};
+    const std::chrono::year_month_day day(std::chrono::year(number(12, 4)), std::chrono::month(unsigned(month) / 3 + 1),
+                                          std::chrono::day(unsigned(number(5, 2))));
+    if (!day.ok())
+        return {};
+    return std::chrono::sys_days(day) + std::chrono::hours(number(17, 2)) + std::chrono::minutes(number(20, 2)) +
+           std::chrono::seconds(number(23, 2));
 }
 
 /// HTTP/1.1 206 Partial Content
@@ -86,6 +111,15 @@ std::string_view HttpAnswer::validator() const
     return !entityTag.empty() && !entityTag.starts_with("W/") ? entityTag : lastModified;
 }
 
+bool HttpAnswer::tellsChanges() const
+{
+    const std::string_view told = validator();
+    if (told.empty() || told != lastModified)
+        return !told.empty();
+    const auto changed = timeOf(lastModified), answered = timeOf(date);
+    return changed && answered ? *changed < *answered : lastModified != date;
+}
+
 bool HttpAnswer::sameState(const HttpAnswer& other) const
 {
     return entityTag == other.entityTag && lastModified == other.lastModified;
@@ -116,6 +150,8 @@ void takeHeaderLine(HttpAnswer& answer, std::string_view line)
         answer.entityTag = keptText(value);
     } else if (name == "last-modified") {
         answer.lastModified = keptText(value);
+    } else if (name == "date") {
+        answer.date = keptText(value);
     } else if (name == "content-type") {
         answer.contentType = smallLetters(trimmed(keptText(value.substr(0, value.find(';')))));
     } else if (name == "content-encoding") {

@@ -32,6 +32,7 @@ struct HttpAnswer {
     std::optional<std::uint64_t> contentLength;
     std::string entityTag;    ///< as it stands there, with its quotes and W/
     std::string lastModified; ///< as it stands there
+    std::string date;         ///< when the answer was made, as it stands there
     std::string contentType;  ///< small letters, without parameters
     std::string contentEncoding;
     std::optional<std::uint64_t> retryAfter; ///< seconds, at most an hour; a date is left out
@@ -39,6 +40,10 @@ struct HttpAnswer {
 
     /// What If-Range takes: a strong tag or else the date; empty if there is neither.
     std::string_view validator() const;
+    /// Whether what it says of the file's state will be another one after the next change: a strong tag, or a date
+    /// that is past. A file that was changed within the second of the answer may be changed again within it, and keep
+    /// its date (RFC 9110, 8.8.2.2).
+    bool tellsChanges() const;
     /// What tells one state of a file from another: both.
     bool sameState(const HttpAnswer& other) const;
 

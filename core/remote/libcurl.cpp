@@ -36,27 +36,24 @@ bool isCurlReady()
     return ready;
 }
 
-CURL* newCurlHandle(const std::string& address, std::chrono::milliseconds mostForConnecting)
+CURL* newCurlHandle()
 {
-    CURL* const handle = isCurlReady() ? ::curl_easy_init() : nullptr;
-    if (handle == nullptr || renewCurlHandle(handle, address, mostForConnecting))
-        return handle;
-    ::curl_easy_cleanup(handle);
-    return nullptr;
+    return isCurlReady() ? ::curl_easy_init() : nullptr;
 }
 
-bool renewCurlHandle(CURL* handle, const std::string& address, std::chrono::milliseconds mostForConnecting)
+CURLcode setCurlHandle(CURL* handle, const std::string& address, std::chrono::milliseconds mostForConnecting)
 {
     ::curl_easy_reset(handle);
-    const auto set = [handle](CURLoption option, auto value) {
-        return ::curl_easy_setopt(handle, option, value) == CURLE_OK;
-    };
     const std::string certificates = trustedCertificates();
-    // Copies are made of all texts.
-    return set(CURLOPT_URL, address.c_str()) && set(CURLOPT_PROTOCOLS_STR, "http,https") &&
-           (certificates.empty() || set(CURLOPT_CAINFO, certificates.c_str())) && set(CURLOPT_NOSIGNAL, 1L) &&
-           set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION) &&
-           set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(mostForConnecting.count()));
+    CurlOptions options(handle); // copies are made of all texts
+    options.set(CURLOPT_URL, address.c_str())
+        .set(CURLOPT_PROTOCOLS_STR, "http,https")
+        .set(CURLOPT_NOSIGNAL, 1L)
+        .set(CURLOPT_USERAGENT, "TAn/" TAN_VERSION)
+        .set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(mostForConnecting.count()));
+    if (!certificates.empty())
+        options.set(CURLOPT_CAINFO, certificates.c_str());
+    return options.code();
 }
 
 } // namespace tetra

@@ -271,6 +271,7 @@ public:
     {
         if (multi_ == nullptr)
             throw std::bad_alloc();
+        // Known since 7.30, and no more than are asked for anyway.
         ::curl_multi_setopt(multi_, CURLMOPT_MAX_TOTAL_CONNECTIONS, long(mostInFlight));
     }
     ~Connections() { ::curl_multi_cleanup(multi_); }
@@ -303,9 +304,9 @@ public:
         const ByteRange range{0, pieceBytes};
         if (const Status got = request({&range, 1}, take, progress); !got)
             return got;
-        state = first_->validator().empty() ? std::string()
-                                            : addressWithoutUser(address) + '\n' + first_->entityTag + '\n' +
-                                                  first_->lastModified + '\n' + std::to_string(size);
+        state = !first_->tellsChanges() ? std::string()
+                                        : addressWithoutUser(address) + '\n' + first_->entityTag + '\n' +
+                                              first_->lastModified + '\n' + std::to_string(size);
         const bool isTemporary = state.empty() || options.afresh;
         std::string key = state;
         if (isTemporary) {
@@ -492,8 +493,8 @@ private:
                 if (request->notBefore > now)
                     continue;
                 work.running.splice(work.running.end(), work.waiting, request);
-                if (!start(*request))
-                    throw std::bad_alloc();
+                if (const CURLcode code = start(*request); code != CURLE_OK)
+                    return cannotRead(address, refusedSettings(code));
                 ++work.counts.requests;
             }
             int active = 0;
@@ -538,7 +539,8 @@ private:
         return std::max(options.silence, milliseconds(8000 * pieceBytes / options.bytesPerSecond));
     }
 
-    bool start(Request& request)
+    /// CURLE_OK, or why the request cannot be made.
+    CURLcode start(Request& request)
     {
         request.answer = {};
         request.checked = false;
@@ -548,13 +550,12 @@ private:
         request.piece.clear();
         request.refusal.reset();
         request.detail[0] = '\0';
-        CURL* const handle = newCurlHandle(request.address, std::min(mostForConnecting, options.silence));
-        if (handle == nullptr)
-            return false;
-        request.handle = handle;
-        const auto set = [handle](CURLoption option, auto value) {
-            return ::curl_easy_setopt(handle, option, value) == CURLE_OK;
-        };
+        request.handle = newCurlHandle();
+        if (request.handle == nullptr)
+            return CURLE_OUT_OF_MEMORY;
+        const milliseconds mostToConnect = std::min(mostForConnecting, options.silence);
+        if (const CURLcode set = setCurlHandle(request.handle, request.address, mostToConnect); set != CURLE_OK)
+            return set;
         const std::string range = std::to_string(request.offset) + '-' + std::to_string(request.end - 1);
         const std::string_view validator = request.first ? request.first->validator() : std::string_view();
         const auto addHeader = [&request](const char* name, std::string_view value) {
@@ -565,17 +566,25 @@ private:
             return value.empty() || longer != nullptr;
         };
         if (!addHeader("If-Range: ", validator) || !addHeader("Authorization: Bearer ", options.token))
-            return false;
-        // Copies are made of all texts but the buffer for errors.
-        const bool isSet =
-            set(CURLOPT_REDIR_PROTOCOLS_STR, smallLetters(address.substr(0, 6)) == "https:" ? "https" : "http,https") &&
-            set(CURLOPT_FOLLOWLOCATION, options.token.empty() ? 1L : 0L) && set(CURLOPT_MAXREDIRS, mostRedirections) &&
-            set(CURLOPT_QUICK_EXIT, 1L) && set(CURLOPT_RANGE, range.c_str()) &&
-            set(CURLOPT_HTTPHEADER, request.headers) && set(CURLOPT_ERRORBUFFER, request.detail.data()) &&
-            set(CURLOPT_HEADERFUNCTION, &takeHead) && set(CURLOPT_HEADERDATA, &request) &&
-            set(CURLOPT_WRITEFUNCTION, &takeContent) && set(CURLOPT_WRITEDATA, &request) &&
-            set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
-        return isSet && ::curl_multi_add_handle(connections_->multi(), handle) == CURLM_OK;
+            return CURLE_OUT_OF_MEMORY;
+        const bool isSafe = smallLetters(address.substr(0, 6)) == "https:";
+        CurlOptions set(request.handle); // copies are made of all texts but the buffer for errors
+        set.set(CURLOPT_REDIR_PROTOCOLS_STR, isSafe ? "https" : "http,https")
+            .set(CURLOPT_FOLLOWLOCATION, options.token.empty() ? 1L : 0L)
+            .set(CURLOPT_MAXREDIRS, mostRedirections)
+            .set(CURLOPT_QUICK_EXIT, 1L)
+            .set(CURLOPT_RANGE, range.c_str())
+            .set(CURLOPT_HTTPHEADER, request.headers)
+            .set(CURLOPT_ERRORBUFFER, request.detail.data())
+            .set(CURLOPT_HEADERFUNCTION, &takeHead)
+            .set(CURLOPT_HEADERDATA, &request)
+            .set(CURLOPT_WRITEFUNCTION, &takeContent)
+            .set(CURLOPT_WRITEDATA, &request)
+            .set(CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
+        if (set.code() != CURLE_OK)
+            return set.code();
+        return ::curl_multi_add_handle(connections_->multi(), request.handle) == CURLM_OK ? CURLE_OK
+                                                                                          : CURLE_OUT_OF_MEMORY;
     }
 
     void stop(Request& request)

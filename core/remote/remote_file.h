@@ -56,8 +56,9 @@ TAN_INTERNAL std::vector<ByteRange> mergedRanges(std::span<const std::uint64_t> 
 /// it broke. In memory is nothing but what is on its way.
 ///
 /// Each answer is held against the first one: a file that is changed meanwhile is refused, with If-Range before its
-/// bytes come. What the server sends is otherwise taken as it is: whoever reads a model checks it. Without ETag and
-/// Last-Modified nothing tells a changed file of the same size, and the cache is emptied at the end.
+/// bytes come. What the server sends is otherwise taken as it is: whoever reads a model checks it. Without an
+/// ETag or a Last-Modified that is past (HttpAnswer::tellsChanges()) nothing tells a changed file of the same size, and
+/// the cache is emptied at the end.
 ///
 /// source() may be called from any number of threads; those that need the network wait for each other. Cancelling ends
 /// each call within a tenth of a second. Copies share the file. Errors name the address and say what to do: BadInput

@@ -27,6 +27,18 @@ Refusal brokenOff()
                               "later, or download the file and open the copy."));
 }
 
+Refusal refusedSettings(CURLcode code)
+{
+    if (code == CURLE_OUT_OF_MEMORY)
+        throw std::bad_alloc();
+    Refusal refusal =
+        final(Message::say("the libcurl of this machine does not do what TAn needs (%1). Check the address and "
+                           "SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.",
+                           ::curl_easy_strerror(code)));
+    refusal.kind = ErrorKind::OutOfResource;
+    return refusal;
+}
+
 bool isBusy(int status) noexcept
 {
     constexpr int tooManyRequests = 429, serviceUnavailable = 503;

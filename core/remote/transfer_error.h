@@ -28,6 +28,9 @@ Refusal brokenOff();
 /// as it came, or 0. May throw std::bad_alloc, which may be the error.
 Refusal refusedTransfer(CURLcode code, const char* detail, int status);
 
+/// What it means that libcurl cannot be set up to ask. May throw std::bad_alloc, which may be why.
+Refusal refusedSettings(CURLcode code);
+
 /// Whether an answer's status says that the server is at its limit for now: then it is asked again after a while.
 bool isBusy(int status) noexcept;
 

@@ -200,6 +200,11 @@ private slots:
                 QVERIFY(refusal.reason.text().ends_with('.'));
                 QVERIFY(refusal.reason.text().find('\x1b') == std::string::npos);
             }
+        for (int code = CURLE_OK + 1; code < CURL_LAST; ++code)
+            if (code != CURLE_OUT_OF_MEMORY)
+                QCOMPARE(refusedSettings(static_cast<CURLcode>(code)).kind, ErrorKind::OutOfResource);
+        const auto endless = fetchOnce("http://127.0.0.1:1/" + std::string(1 << 20, 'x'), "", limits());
+        QVERIFY(!endless && endless.error().kind == ErrorKind::WrongUsage && endless.error().text().size() < 20'000);
         const auto nowhere = fetchOnce("http://127.0.0.1:1/x.tan", "", limits());
         QVERIFY(!nowhere);
         QCOMPARE(nowhere.error().text(), std::string("'http://127.0.0.1:1/x.tan' gives no answer: nothing answers at "

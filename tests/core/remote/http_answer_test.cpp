@@ -68,6 +68,29 @@ private slots:
         QVERIFY(answerOf("HTTP/1.1 206 x\n\nETag: \"behind\"\n").entityTag.empty());
     }
 
+    /// A file that was changed within the second of the answer may be changed again and keep its date.
+    void aDateTellsChangesWhenItIsPast()
+    {
+        const auto tells = [](const std::string& changed, const std::string& answered, const char* tag = "") {
+            std::string head = "HTTP/1.1 206 x\n";
+            head += *tag != '\0' ? std::string("ETag: ") + tag + "\n" : "";
+            head += changed.empty() ? "" : "Last-Modified: " + changed + "\n";
+            head += answered.empty() ? "" : "Date: " + answered + "\n";
+            return answerOf(head).tellsChanges();
+        };
+        const std::string second = "Wed, 01 Oct 2025 10:00:00 GMT";
+        QVERIFY(!tells(second, second));
+        QVERIFY(tells(second, "Wed, 01 Oct 2025 10:00:01 GMT"));
+        QVERIFY(tells(second, "Thu, 01 Jan 2026 00:00:00 GMT"));
+        QVERIFY(!tells("Thu, 01 Jan 2026 00:00:00 GMT", second)); // its clock is wrong
+        QVERIFY(tells("Mon, 29 Feb 2024 23:59:59 GMT", "Fri, 01 Mar 2024 00:00:00 GMT"));
+        QVERIFY(tells(second, second, "\"strong\""));
+        QVERIFY(!tells(second, second, "W/\"weak\""));
+        QVERIFY(tells(second, "")); // a server without a clock
+        QVERIFY(!tells("yesterday", "yesterday"));
+        QVERIFY(!tells("", second));
+    }
+
     void whatIsWrongInAHeadIsLeftOut()
     {
         QVERIFY(!answerOf("HTTP/1.1 206 x\nContent-Range: bytes 0-9/20\nContent-Range: bytes 5-9/20\n").contentRange);

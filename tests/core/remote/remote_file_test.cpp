@@ -2,6 +2,7 @@
 // Files on HTTP servers, read by ranges into a cache (R28, B5), and all that servers, networks and disks do wrong.
 #include "core/remote/remote_file.h"
 
+#include "core/remote/fetch.h"
 #include "core/remote/piece_store.h"
 #include "tests/core/base/small_disk.h"
 #include "tests/core/remote/http_server.h"
@@ -795,6 +796,43 @@ private slots:
             QVERIFY(file->state().empty());
         }
         QCOMPARE(cache.bytes(), 0u);
+    }
+
+    /// Changed within the second in which it is read, it may be changed again and keep its date.
+    void aDateOfThisSecondTellsNoChanges()
+    {
+        const QTemporaryDir home;
+        const CacheFolder cache = cacheIn(home);
+        for (const bool isPast : {false, true}) {
+            const FaultyHttpServer server(content(), [&](const Request&, std::size_t, Reply& reply) {
+                reply.remove("ETag");
+                reply.set("Date", isPast ? "Wed, 01 Oct 2025 10:00:01 GMT" : FaultyHttpServer::date);
+            });
+            {
+                const auto file = RemoteFile::open(server.address(), cache);
+                std::string problem;
+                QCOMPARE(wholeFile(file, problem), content());
+                QCOMPARE(file->state().empty(), !isPast);
+            }
+            QCOMPARE(cache.bytes() == 0, !isPast);
+        }
+    }
+
+    /// What libcurl refuses to be set to has nothing to do with memory.
+    void refusedSettingsAreTold()
+    {
+        const QTemporaryDir home;
+        const FaultyHttpServer server(content());
+        const QByteArray before = qgetenv("SSL_CERT_FILE");
+        qputenv("SSL_CERT_FILE", QByteArray(9'000'000, 'x')); // more than libcurl takes of any text
+        const auto file = RemoteFile::open(server.address(), cacheIn(home));
+        const auto answer = fetchOnce(server.address(), "", {"text/plain", 1000});
+        before.isNull() ? qunsetenv("SSL_CERT_FILE") : qputenv("SSL_CERT_FILE", before);
+        QVERIFY(!file.ok() && !answer.ok());
+        for (const Error& error : {file.error(), answer.error()}) {
+            QCOMPARE(error.kind, ErrorKind::OutOfResource);
+            QVERIFY2(error.text().find("does not do what TAn needs (") != std::string::npos, error.text().c_str());
+        }
     }
 
     void aWeakETagGoesByTheDate()
