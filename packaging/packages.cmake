@@ -26,7 +26,9 @@ set(core_of_same_version "tan-core (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_CORE_PACKAGE_NAME tan-core)
 set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libs)
 # The version is not seen from its symbols.
-set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libcurl4 (>= 7.87)")
+if(TAN_NETWORK)
+    set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libcurl4 (>= 7.87)")
+endif()
 # Loaded at run time, so that no link says so; the library does without, but for pictures by OpenGL.
 set(CPACK_DEBIAN_CORE_PACKAGE_RECOMMENDS "ca-certificates, libegl1, libgl1-mesa-dri, libopengl0")
 # libtan-core lies where the system looks: installing it tells the loader, and packages of programs that use it which one has it.

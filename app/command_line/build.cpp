@@ -122,6 +122,16 @@ Status checkAbilities(const Arguments& arguments, const Provided<Builder>& build
     return {};
 }
 
+/// Of a build with '--resume': where what is done lies.
+Error withWayOn(const Error& error, const std::filesystem::path& workFolder)
+{
+    std::error_code problem;
+    if (error.kind != ErrorKind::Cancelled || !std::filesystem::exists(workFolder, problem))
+        return error;
+    return {error.kind, error.text() + " What is done is kept in '" + printable(workFolder.string()) +
+                            "': the same command continues from there."};
+}
+
 /// Tells if threads were asked for that the build had no use for.
 void tellThreads(const Arguments& arguments, int threads, const Provided<Builder>& builder, const Dataset& dataset,
                  const ParameterValues& values, Outcome& outcome)
@@ -258,7 +268,8 @@ Result<Outcome> runBuild(const Invocation& invocation)
     if (!build) {
         if (isPacked && arguments.has("resume"))
             packing->keep(); // with what the build left in it
-        return build.error();
+        return arguments.has("resume") ? withWayOn(build.error(), output + (isPacked ? ".packing" : ".work"))
+                                       : build.error();
     }
     Outcome outcome = describe(*build, output, isPacked);
     if (isPacked)

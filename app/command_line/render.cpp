@@ -230,8 +230,10 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
     const auto camera = cameraOf(invocation.arguments, usual, data.bounds, request.picture);
     if (!camera)
         return camera.error();
-    const FieldExtent field = extentOf(view.model);
-    const ViewValue start = startingView(renderingModes(invocation.host), *view.model, field);
+    const auto field = extentOf(view.model);
+    if (!field)
+        return field.error();
+    const ViewValue start = startingView(renderingModes(invocation.host), *view.model, *field);
     if (invocation.arguments.has(std::string(transferId))) {
         // A file of colours alone takes the opacities that the window shows at first; which they are, the mesh tells.
         std::erase_if(parameters, [](const Parameter& one) { return one.id != transferId; });
@@ -243,7 +245,7 @@ Result<ModelView> viewByOptions(const Invocation& invocation, const RenderReques
         for (const auto& [id, value] : *completing)
             (*values)[id] = value;
     }
-    ParameterValues shown = completed(*values, renderer.plugin->parameters(field), start);
+    ParameterValues shown = completed(*values, renderer.plugin->parameters(*field), start);
     const auto query = queryOf(invocation.arguments, presentView(*camera, shown));
     if (!query)
         return query.error();
@@ -335,8 +337,10 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     view.found = *found;
     view.model = found->model;
     const auto modes = renderingModes(invocation.host);
-    const FieldExtent field = extentOf(view.model);
-    RestoredView restored = restoredView(*document, modes, *view.model, field);
+    const auto field = extentOf(view.model);
+    if (!field)
+        return field.error();
+    RestoredView restored = restoredView(*document, modes, *view.model, *field);
     auto differences = differencesOf(invocation, *document, restored, *found);
     if (!differences)
         return differences.error();
@@ -354,7 +358,7 @@ Result<ModelView> viewBySession(const Invocation& invocation, const RenderReques
     if (!camera)
         return camera.error();
     seen.camera = *camera;
-    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(field), seen);
+    view.scene = sceneOf(view.model, renderer->plugin, renderer->plugin->parameters(*field), seen);
     view.lens = seen.lens;
     view.scene.width = request.picture.width;
     view.scene.height = request.picture.height;

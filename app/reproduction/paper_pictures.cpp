@@ -20,8 +20,10 @@ constexpr std::array<std::uint8_t, 4> ground = {255, 255, 255, 255};
 Result<DrawnPicture> drawPicture(PluginHost& host, const std::shared_ptr<const Model>& model,
                                  const PaperPicture& picture, const Progress& progress)
 {
-    const FieldExtent field = extentOf(model);
-    ViewValue view = startingView(renderingModes(host), *model, field);
+    const auto field = extentOf(model);
+    if (!field)
+        return field.error();
+    ViewValue view = startingView(renderingModes(host), *model, *field);
     view.appearance.settings.clear();
     if (picture.drawsSurfacesWithCells)
         view.appearance.settings["order"] = std::string("with-cell");
@@ -29,7 +31,7 @@ Result<DrawnPicture> drawPicture(PluginHost& host, const std::shared_ptr<const M
     const auto renderer = host.renderer(picture.mode);
     if (!renderer)
         return renderer.error();
-    SceneRequest request = sceneOf(model, renderer->plugin, renderer->plugin->parameters(field), view);
+    SceneRequest request = sceneOf(model, renderer->plugin, renderer->plugin->parameters(*field), view);
     request.query = picture.query;
     request.width = request.height = paperPictureSide;
     ScenePipeline pipeline;

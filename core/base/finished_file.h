@@ -11,7 +11,7 @@
 namespace tetra {
 
 /// Whether a FileWriter would replace what is there, or make it; else its error. Makes nothing.
-TAN_INTERNAL Status checkTarget(const std::filesystem::path& target);
+Status checkTarget(const std::filesystem::path& target);
 
 /// Gives a finished file on the same disk the name of `target`, as commit() does: synced, with the permissions of what
 /// was there, and never over what a FileWriter refuses. Errors: as FileWriter's; then `made` stays.

@@ -18,9 +18,9 @@ struct MergedPoints {
 
 /// Leaves one point on each place, the first there, with the mean of the values there: a mesh has one value at a vertex
 /// (S20). The others keep their order. O(n log n).
-TAN_INTERNAL MergedPoints mergePoints(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values);
+MergedPoints mergePoints(std::vector<Eigen::Vector3d>& positions, std::vector<double>& values);
 
 /// What was done, in a sentence for the user; empty if nothing was.
-TAN_INTERNAL Message mergeRemark(const MergedPoints& merged);
+Message mergeRemark(const MergedPoints& merged);
 
 } // namespace tetra

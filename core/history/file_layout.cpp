@@ -32,6 +32,20 @@ constexpr Expected perTetrahedron[] = {
 constexpr std::uint32_t positionBytesInFloats = 12;
 constexpr std::uint32_t positionBytesInDoubles = 24;
 
+/// That of a regular lattice follows from its size, spacing and origin, but for roundings.
+bool isBoxOfLattice(const Header& header)
+{
+    constexpr double rounding = 1e-6;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double low = header.origin[axis], high = low + header.spacing[axis] * (header.latticeSize[axis] - 1);
+        const double slack = rounding * std::max(std::abs(low), std::abs(high));
+        if (!std::isfinite(high) || std::abs(header.boundingBox[axis] - low) > slack ||
+            std::abs(header.boundingBox[axis + 3] - high) > slack)
+            return false;
+    }
+    return true;
+}
+
 bool isDomain(const Header& header, DomainClass domain)
 {
     return header.domainClass == static_cast<std::uint32_t>(domain);
@@ -206,6 +220,8 @@ Status LayoutReader::checkPlace() const
         if (!std::isfinite(header.boundingBox[axis]) || !std::isfinite(header.boundingBox[axis + 3]) ||
             header.boundingBox[axis] > header.boundingBox[axis + 3])
             return damaged(Message::say("its bounding box makes no sense"));
+    if (isDomain(header, DomainClass::RegularLattice) && !isBoxOfLattice(header))
+        return damaged(Message::say("its bounding box makes no sense"));
     const bool warps = canWarp(DomainClass(header.domainClass));
     if (!(header.warpingWeight >= 0) || !std::isfinite(header.warpingWeight) || warps != (header.warpingWeight > 0) ||
         header.leftHanded > (isDomain(header, DomainClass::Curvilinear) ? 1u : 0u))

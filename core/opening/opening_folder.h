@@ -11,16 +11,16 @@
 namespace tetra {
 
 /// Where an opening puts what it fetches and unpacks.
-struct TAN_INTERNAL OpeningFolder {
+struct OpeningFolder {
     CacheFolder folder;
     std::shared_ptr<const WorkFolder> own; ///< that is in, if nobody else finds it; it goes with the last copy
 };
 
 /// The cache that the options name or, where that cannot be used, a folder of this opening's own. Errors: neither can
 /// be had, what is said of the cache; WrongUsage for a TAN_CACHE_MB that is not a number.
-TAN_INTERNAL Result<OpeningFolder> openingFolder(const OpenOptions& options);
+Result<OpeningFolder> openingFolder(const OpenOptions& options);
 
 /// A folder of its own among the system's temporary files, with the same limit. Errors: it cannot be made.
-TAN_INTERNAL Result<OpeningFolder> folderOfItsOwn(const OpenOptions& options);
+Result<OpeningFolder> folderOfItsOwn(const OpenOptions& options);
 
 } // namespace tetra

@@ -2,12 +2,8 @@
 #include "core/remote/address.h"
 
 #include "core/base/text.h"
-#include "core/remote/libcurl.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <memory>
-#include <new>
 
 namespace tetra {
 namespace {
@@ -15,25 +11,6 @@ namespace {
 bool startsWithSmall(std::string_view text, std::string_view start)
 {
     return text.size() >= start.size() && std::ranges::equal(text.substr(0, start.size()), start, {}, smallLetter);
-}
-
-/// The address without these parts; empty for what is none.
-std::string without(std::string_view address, std::initializer_list<CURLUPart> parts)
-{
-    const std::unique_ptr<CURLU, decltype(&::curl_url_cleanup)> url(::curl_url(), &::curl_url_cleanup);
-    if (!url)
-        throw std::bad_alloc();
-    if (address.find('\0') != std::string_view::npos ||
-        ::curl_url_set(url.get(), CURLUPART_URL, std::string(address).c_str(), CURLU_NON_SUPPORT_SCHEME) != CURLUE_OK)
-        return {};
-    for (const CURLUPart part : parts)
-        ::curl_url_set(url.get(), part, nullptr, 0);
-    char* text = nullptr;
-    if (::curl_url_get(url.get(), CURLUPART_URL, &text, 0) != CURLUE_OK)
-        return {};
-    std::string result(text);
-    ::curl_free(text);
-    return result;
 }
 
 /// `shown` is the address as libcurl understands it. A password with a slash in it that nobody has escaped ends the
@@ -59,8 +36,7 @@ bool isRemoteAddress(std::string_view text) noexcept
 
 std::string shownAddress(std::string_view address)
 {
-    const std::string shown =
-        without(address, {CURLUPART_USER, CURLUPART_PASSWORD, CURLUPART_OPTIONS, CURLUPART_QUERY, CURLUPART_FRAGMENT});
+    const std::string shown = addressWithoutUser(address, AddressPart::UpToQuery);
     if (!shown.empty())
         return printable(withoutSplitPassword(shown, address));
     const std::size_t scheme = address.find("://"), at = address.rfind('@');
@@ -68,11 +44,6 @@ std::string shownAddress(std::string_view address)
     if (at != std::string_view::npos)
         bare = std::string(scheme < at ? address.substr(0, scheme + 3) : "") + std::string(address.substr(at + 1));
     return printable(std::string_view(bare).substr(0, bare.find_first_of("?#")));
-}
-
-std::string addressWithoutUser(std::string_view address)
-{
-    return without(address, {CURLUPART_USER, CURLUPART_PASSWORD, CURLUPART_OPTIONS});
 }
 
 } // namespace tetra

@@ -16,8 +16,11 @@ TAN_INTERNAL bool isRemoteAddress(std::string_view text) noexcept;
 /// to its last '@'.
 TAN_INTERNAL std::string shownAddress(std::string_view address);
 
-/// The address without a name and password of a user, as what tells one file from another; empty for what libcurl
-/// cannot take apart.
-std::string addressWithoutUser(std::string_view address);
+/// What of an address is wanted.
+enum class AddressPart { UpToQuery, All };
+
+/// The address without a name and password of a user: all of the rest tells one file from another. Empty for what
+/// libcurl cannot take apart, and where that is left out.
+std::string addressWithoutUser(std::string_view address, AddressPart part = AddressPart::All);
 
 } // namespace tetra

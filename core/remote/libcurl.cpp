@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remote/libcurl.h"
 
+#include "core/remote/address.h"
+
 #include <tan/version.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <new>
+#include <string_view>
 #include <system_error>
 
 namespace tetra {
@@ -28,7 +34,34 @@ std::string trustedCertificates()
     return {};
 }
 
+/// The address without these parts; empty for what is none.
+std::string without(std::string_view address, std::initializer_list<CURLUPart> parts)
+{
+    const std::unique_ptr<CURLU, decltype(&::curl_url_cleanup)> url(::curl_url(), &::curl_url_cleanup);
+    if (!url)
+        throw std::bad_alloc();
+    if (address.find('\0') != std::string_view::npos ||
+        ::curl_url_set(url.get(), CURLUPART_URL, std::string(address).c_str(), CURLU_NON_SUPPORT_SCHEME) != CURLUE_OK)
+        return {};
+    for (const CURLUPart part : parts)
+        ::curl_url_set(url.get(), part, nullptr, 0);
+    char* text = nullptr;
+    if (::curl_url_get(url.get(), CURLUPART_URL, &text, 0) != CURLUE_OK)
+        return {};
+    std::string result(text);
+    ::curl_free(text);
+    return result;
+}
+
 } // namespace
+
+std::string addressWithoutUser(std::string_view address, AddressPart part)
+{
+    if (part == AddressPart::All)
+        return without(address, {CURLUPART_USER, CURLUPART_PASSWORD, CURLUPART_OPTIONS});
+    return without(address,
+                   {CURLUPART_USER, CURLUPART_PASSWORD, CURLUPART_OPTIONS, CURLUPART_QUERY, CURLUPART_FRAGMENT});
+}
 
 bool isCurlReady()
 {

@@ -119,6 +119,22 @@ private slots:
         QVERIFY2(verified.exitCode == 0, verified.output + verified.messages);
     }
 
+    void saysHowToGoOn()
+    {
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(tanProgram(), {"build", "noise.nrrd", "--resume", "--block", "none", "-o", "kept.tan"});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(unfinishedBytes() > 1'000'000, 60'000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60'000));
+        const Run run = collect(process);
+        QCOMPARE(run.exitCode, 130);
+        QVERIFY2(run.messages.contains("is kept in 'kept.tan.work': the same command continues from there."),
+                 run.messages);
+        QVERIFY(QDir(folder_.filePath("kept.tan.work")).removeRecursively());
+    }
+
     /// What is kept lies beside a finished model, which stays as it is.
     void keepsBesideAFinishedModel()
     {

@@ -681,6 +681,30 @@ private slots:
         QVERIFY(!QFile::exists(place_.filePath("no.ply")));
     }
 
+    /// Which surface it shows follows from a coarse mesh. Without that there is no picture, rather than another one.
+    void noPictureIsGuessed()
+    {
+        ModelServer models(*ServedFolder::open(folder_.toStdString()), {}, {});
+        HttpServer server({},
+                          {.takesLong = ModelServer::takesLong,
+                           .answer =
+                               [&](const ServedRequest& request) {
+                                   return request.target.find("budget=") == std::string::npos
+                                              ? models.answer(request)
+                                              : textAnswer(500, "application/json", "{\"error\": \"Out of order.\"}");
+                               }},
+                          [](const HttpRecord&) {});
+        const auto port = server.bind("127.0.0.1", 0);
+        QVERIFY(port.ok());
+        const std::jthread thread([&](const std::stop_token& stop) { (void)server.run(Progress(stop, {})); });
+        const QString address = "http://127.0.0.1:" + QString::number(*port) + "/lattice.tan";
+        const Run run = runTan(
+            {"render", address, "--at-server", "--error", "8", "--size", "64x48", "-o", "guessed.png"}, place_.path());
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.messages.contains("Out of order."), run.messages);
+        QVERIFY(!QFile::exists(place_.filePath("guessed.png")));
+    }
+
     /// R28: every command that reads a model takes the token of its server.
     void eachCommandTakesAToken()
     {

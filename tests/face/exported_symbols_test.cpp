@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library exports its face, and of its inside what is on a list. The list may only become shorter: what plugins and
-// programs need is to stand in the face.
+// The library exports its face, and of its inside what is on a list: what TAn's own programs call, and plugins do not.
 #include <QDirIterator>
 #include <QFile>
 #include <QProcess>

@@ -297,6 +297,8 @@ def change_bytes(file, other, chance):
 def change_chunk(file, other, chance):
     """The bytes of a packed chunk."""
     chunks = file.chunks()
+    if not chunks:  # another change has taken them all
+        return "no chunk"
     own = chance.choice(chunks)
     for _ in range(chance.choice((1, 1, 2, 40))):
         if not own[1]:
@@ -318,6 +320,8 @@ def change_chunk(file, other, chance):
 def change_chunks(file, other, chance):
     """Packed chunks in another order, twice, left out, of another kind or from another model."""
     chunks = file.chunks()
+    if not chunks:
+        return "no chunk"
     at, where = chance.randrange(len(chunks)), chance.randrange(len(chunks))
     way = chance.randrange(6)
     if way == 0:
@@ -397,14 +401,20 @@ def legacy_mesh(path):
     return points, tetrahedra, struct.unpack_from(">%d%s" % (count, form), content, values.end())
 
 
-def wrong_mesh(path, file):
-    """Why nobody can use a mesh, or nothing: a vertex without a place or a value, or out of all that the header allows."""
-    points, tetrahedra, values = legacy_mesh(path)
-    count = len(points) // 3
+def unusable(points, tetrahedra, values):
+    """Why nobody can use a mesh, or nothing: a vertex without a place or a value."""
     if not all(map(math.isfinite, points)) or not all(map(math.isfinite, values)):
         return "a mesh with a number that is not finite"
-    if any(corner >= count for at, corner in enumerate(tetrahedra) if at % 5 != 0):
+    if any(corner >= len(points) // 3 for at, corner in enumerate(tetrahedra) if at % 5 != 0):
         return "a mesh with a corner that is not there"
+    return None
+
+
+def wrong_mesh(path, file):
+    """The same, or a vertex out of all that the header allows."""
+    points, tetrahedra, values = legacy_mesh(path)
+    if problem := unusable(points, tetrahedra, values):
+        return problem
     low, high = file.number("d", 112), file.number("d", 120)
     slack = 1e-6 * max(abs(low), abs(high))
     if any(value < low - slack or value > high + slack for value in values):

@@ -12,6 +12,7 @@ import zlib
 from dataclasses import dataclass
 from typing import Callable
 
+import answers
 import mutants
 import repeated
 import serving
@@ -758,6 +759,8 @@ PARTS = (
     Part("cache", "queries through the cache of unpacked models and of files from servers: killed, interrupted, three at once, a damaged "
          "or full cache, a limit", cached, 840, 12),
     Part("servers", "`tan serve` under load, stopped, killed, short of memory or descriptors", served, 200, 4),
+    Part("answers", "a server of which some answers are not its own: status, headers, lengths, ranges, bytes, meshes with right checksums, "
+         "no HTTP at all; fetched, and at the server", answers.attempt, 1000, 2),
     Part("grids", "a curvilinear grid, even, folded, wrapped or collapsed, some with holes: built by both builders and in blocks, proved at "
          "eight accuracies, drawn", hard_grid, 100, 2),
     Part("meshes", "a mesh with overlaps, flips, slivers, doubles, parts that only touch, NaN: built, proved at eight accuracies, drawn",

@@ -173,15 +173,44 @@ void StatisticsTest::allOfItIsCopied()
 {
     window_->find<QPushButton>("statistics.copy").click();
     const QString text = QGuiApplication::clipboard()->text();
-    QVERIFY(text.contains("c60.tan"));
-    const LevelStatistics last = levelStatistics(*session().model(), std::nullopt).back();
-    QVERIFY2(text.contains('\t' + QLocale().toString(static_cast<qulonglong>(last.tetrahedra)) + '\t'),
-             qPrintable(text));
-    QVERIFY(text.contains("Triangles\t"));
-    QVERIFY2(text.contains("\nGuaranteed\terror " + percentText(session().view().query.error) + '\n'),
-             qPrintable(text));
-    QVERIFY(text.contains("A frame\t"));
-    QCOMPARE(text.count('\n', Qt::CaseSensitive) > 12, true);
+    // The facts, each once.
+    const QStringList facts = text.section("\n\n", 0, 0).split('\n');
+    QMap<QString, QString> values;
+    for (const QString& fact : facts) {
+        QVERIFY2(fact.count('\t') == 1, qPrintable(fact));
+        values[fact.section('\t', 0, 0)] = fact.section('\t', 1);
+    }
+    QCOMPARE(values.size(), facts.size());
+    const Model& model = *session().model();
+    const auto count = [](std::uint64_t number) { return QLocale().toString(static_cast<qulonglong>(number)); };
+    const MeshSize shown = meshSizeAt(model, bothWithin(session().view().query.error));
+    QCOMPARE(values.value("Model"), QString("c60.tan"));
+    QCOMPARE(values.value("Total vertices"), count(model.siteCount()));
+    QCOMPARE(values.value("Shown"), count(shown.sites) + " vertices, " + count(shown.tetrahedra) + " tetrahedra");
+    QCOMPARE(values.value("Guaranteed"), "error " + percentText(session().view().query.error));
+    std::uint64_t triangles = 0;
+    for (const Drawable& drawable : window_->viewport().scene()->drawables)
+        if (const Surface* const surface = std::get_if<Surface>(&drawable.shape))
+            triangles += surface->mesh->triangles.size();
+    QVERIFY(triangles > 0);
+    QCOMPARE(values.value("Triangles"), count(triangles));
+    for (const char* name : {"Values", "File", "Preparation", "A frame"})
+        QVERIFY2(!values.value(name).isEmpty(), name);
+    // The table as it is shown, and each accuracy's mesh in it.
+    const QStringList lines = text.section("\n\n", 1).split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), qsizetype(accuracyPresets.size()) + 1);
+    for (int line = 0; line < int(lines.size()); ++line) {
+        const QTreeWidgetItem& row = *(line == 0 ? table().headerItem() : table().topLevelItem(line - 1));
+        QStringList cells;
+        for (int column = 0; column < table().columnCount(); ++column)
+            cells.append(row.text(column));
+        QCOMPARE(lines[line].split('\t'), cells);
+        if (line == 0)
+            continue;
+        const double error = accuracyPresets[std::size_t(line - 1)];
+        const MeshSize size = meshSizeAt(model, bothWithin(error));
+        QCOMPARE(cells.mid(0, 3), (QStringList{percentText(error), count(size.sites), count(size.tetrahedra)}));
+    }
 }
 
 void StatisticsTest::theTableIsSaved()

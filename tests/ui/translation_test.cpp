@@ -25,6 +25,8 @@ private slots:
     void everyTextIsTranslated();
     void everyTextOfAPluginIsTranslated_data() { addTranslations(); }
     void everyTextOfAPluginIsTranslated();
+    void everyPlaceOfAMessageIsFilled_data() { addLanguageRows(); }
+    void everyPlaceOfAMessageIsFilled();
     void germanHasASpaceBeforeAnEllipsis();
     void theWindowSpeaksGerman();
     void theWindowSpeaksItalian();
@@ -120,6 +122,26 @@ void TranslationTest::addTranslations()
     for (const Language& language : languages())
         if (QString(language.code) != "en")
             QTest::newRow(language.code) << QString(language.code);
+}
+
+/// A message may have nine, in any order.
+void TranslationTest::everyPlaceOfAMessageIsFilled()
+{
+    QFETCH(QString, language);
+    const Speaking speaking(language);
+    const Message nine = Message::of(
+        "%9 %8 %7 %6 %5 %4 %3 %2 %1: 100 % of %1.",
+        {Message(1), Message(2), Message(3), Message(4), Message(5), Message(6), Message(7), Message(8), Message(9)});
+    QCOMPARE(translatedMessage(nine), QString("9 8 7 6 5 4 3 2 1: 100 % of 1."));
+    QCOMPARE(QString::fromStdString(nine.text()), translatedMessage(nine));
+    // A message within a message is translated, too.
+    const Message inner = Message::say("%1 was cancelled.", std::string("x"));
+    const Message outer = Message::of("a %4", {Message(1), Message(2), Message(3), inner});
+    QCOMPARE(translatedMessage(outer), "a " + translatedMessage(inner));
+    if (language == "en")
+        QCOMPARE(translatedMessage(inner), QString("x was cancelled."));
+    else
+        QVERIFY(translatedMessage(inner) != QString("x was cancelled.") && translatedMessage(inner).contains('x'));
 }
 
 /// Of core, plugins and window: none is missing, and none has lost its source.

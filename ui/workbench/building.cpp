@@ -98,7 +98,7 @@ void Building::lookAtBuild()
         opened.becomes = target;
         if (model && *model) {
             opened.model = *model;
-            opened.field = extentOf(*model);
+            opened.field = knownExtentOf(*model);
             opened.view = isFirst ? opening_.views().find(target) : std::nullopt;
         }
         const Result<OpenedModel> look = model ? Result<OpenedModel>(std::move(opened)) : model.error();

@@ -187,7 +187,7 @@ std::function<void()> Opening::whenModelCame(const std::filesystem::path& place,
     const auto openedOf = [&as, &progress](const FoundModel& found) {
         OpenedModel opened = as;
         opened.model = found.model;
-        opened.field = extentOf(found.model, progress.withCallback({}));
+        opened.field = knownExtentOf(found.model, progress.withCallback({}));
         opened.sitesOfWhole = found.isWhole ? 0 : found.sitesOfWhole;
         opened.bytesOfWhole = found.fileBytes;
         opened.bytesRead = found.readBytes;
@@ -405,7 +405,7 @@ Result<OpenedModel> Opening::openModel(const std::filesystem::path& path) const
     const auto model = Model::open(path);
     if (!model)
         return model.error();
-    return OpenedModel{.model = *model, .field = extentOf(*model), .view = views_.find(path)};
+    return OpenedModel{.model = *model, .field = knownExtentOf(*model), .view = views_.find(path)};
 }
 
 void Opening::openSession(const std::filesystem::path& path, SessionSource source, const std::filesystem::path& located)

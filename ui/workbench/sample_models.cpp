@@ -96,13 +96,15 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
     const auto model = Model::open(file);
     if (!model)
         return model.error();
-    const FieldExtent field = extentOf(*model);
+    const auto field = extentOf(*model);
+    if (!field)
+        return field.error();
     const auto modes = renderingModes(host);
     const ThumbnailStyle style = thumbnailStyle(kind);
     const auto mode = std::ranges::find(modes, style.mode, &Provided<Renderer>::id);
     if (mode == modes.end())
         return Error{ErrorKind::OutOfResource, host.explainMissing(PluginKind::Renderer)};
-    ViewValue view = startingView(modes, **model, field, double(thumbnailWidth) / thumbnailHeight);
+    ViewValue view = startingView(modes, **model, *field, double(thumbnailWidth) / thumbnailHeight);
     view.appearance.settings[outlineId] = false;
     view.appearance.settings[boundaryId] = std::string(style.boundary ? boundaryValues : boundaryOff);
     if (style.boundary)
@@ -113,7 +115,7 @@ Result<QImage> drawThumbnail(PluginHost& host, const SampleKind& kind, const Pro
                         .width = thumbnailWidth,
                         .height = thumbnailHeight,
                         .transparent = true},
-                       sceneOf(*model, mode->plugin, mode->plugin->parameters(field), view), progress.part(0.6, 1));
+                       sceneOf(*model, mode->plugin, mode->plugin->parameters(*field), view), progress.part(0.6, 1));
 }
 
 Status makeFolder(const std::filesystem::path& folder)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbench/view_picture.h"
 
+#include "core/base/guarded.h"
+#include "core/base/text.h"
 #include "core/history/whole_elsewhere.h"
 #include "ui/annotations/annotation_painter.h"
 #include "ui/session/accuracy_scale.h"
@@ -9,7 +11,6 @@
 #include <tan/render.h>
 
 #include <algorithm>
-#include <new>
 
 namespace tetra {
 namespace {
@@ -52,16 +53,25 @@ FieldExtent roughExtentOf(const Model& model)
     return {model.description().range, model.description().bounds};
 }
 
-FieldExtent extentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
-try {
-    FieldExtent field = roughExtentOf(*model);
-    if (const auto mesh = coarseMesh(model, progress)) {
+Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
+{
+    const auto look = [&]() -> Result<FieldExtent> {
+        FieldExtent field = roughExtentOf(*model);
+        const auto mesh = coarseMesh(model, progress);
+        if (!mesh)
+            return mesh.error();
         field.volumes = volumeHistogram(**mesh, field.range.minimum, field.range.maximum, volumeParts);
         field.surface = surfaceValue(**mesh, field.range.minimum, field.range.maximum);
-    }
-    return field;
-} catch (const std::bad_alloc&) {
-    return roughExtentOf(*model);
+        return field;
+    };
+    return guarded(Message::marked("Not enough memory to read '%1'. Close other programs."), look,
+                   visibleText(model->path().native()));
+}
+
+FieldExtent knownExtentOf(const std::shared_ptr<const Model>& model, const Progress& progress)
+{
+    const auto field = extentOf(model, progress);
+    return field ? *field : roughExtentOf(*model);
 }
 
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,

@@ -21,8 +21,10 @@ namespace tetra {
 FieldExtent roughExtentOf(const Model& model);
 /// What defaults follow from: the model's range and box, and by a coarse mesh of it how the values share the volume, so
 /// that transfer functions to begin with show what is rare, and where the data have a surface. The same for window and
-/// command line. Takes some milliseconds, or asks a server: not for the GUI thread.
-FieldExtent extentOf(const std::shared_ptr<const Model>& model, const Progress& progress = {});
+/// command line. Takes some milliseconds, or asks a server: not for the GUI thread. Errors: those of a mesh.
+Result<FieldExtent> extentOf(const std::shared_ptr<const Model>& model, const Progress& progress = {});
+/// For who shows a model as well as it goes: without a mesh, its range and its box.
+FieldExtent knownExtentOf(const std::shared_ptr<const Model>& model, const Progress& progress = {});
 
 /// How a model is seen that nobody has looked at yet, in a picture of this width / height.
 ViewValue startingView(const std::vector<Provided<Renderer>>& modes, const Model& model, const FieldExtent& field,

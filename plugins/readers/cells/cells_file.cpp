@@ -18,6 +18,13 @@ Result<int> componentOf(const CellsRequest& request, int components)
                      request.component, components, components - 1)};
 }
 
+std::string takenName(const FileArray& array, int component)
+{
+    if (array.components == 1)
+        return array.name;
+    return array.name + (component < 0 ? " (magnitude)" : " (component " + std::to_string(component) + ")");
+}
+
 Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays)
 {
     std::string names;

@@ -20,13 +20,15 @@ struct CellsRequest {
 struct CellsFile {
     CellComplex complex;
     ComplexValues values;
-    std::string arrayName;    ///< of the values
+    std::string arrayName;    ///< of the values, with what was taken of several components
     bool joinsPoints = false; ///< by lines or polygons
     std::vector<Message> remarks{};
 };
 
 /// The component that a request names of an array with so many, -1 for the magnitude. Errors: WrongUsage.
 Result<int> componentOf(const CellsRequest& request, int components);
+/// What was taken of an array, as componentOf() tells the component: "U", "U (magnitude)", "U (component 0)".
+std::string takenName(const FileArray& array, int component);
 /// That no array has the name asked for, naming those there are.
 Error unknownArray(const std::string& name, const std::vector<FileArray>& arrays);
 

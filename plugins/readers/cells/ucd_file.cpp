@@ -314,7 +314,7 @@ Result<CellsFile> readUcd(std::string_view bytes, const CellsRequest& request, c
                         reading.values(perCell, place, arrays[i].components, *component, file.values.values);
                     !status)
                     return status.error();
-                file.arrayName = arrays[i].name;
+                file.arrayName = takenName(arrays[i], *component);
                 return file;
             }
             place += static_cast<std::uint64_t>(arrays[i].components);

@@ -209,7 +209,7 @@ public:
     {
         file_.complex.offsets = {0};
         file_.values.perCell = chosen.array.perCell;
-        file_.arrayName = chosen.array.name;
+        file_.arrayName = takenName(chosen.array, component);
         file_.values.type = component < 0 && isInteger(chosen.type) ? SampleType::Float64 : chosen.type;
     }
 

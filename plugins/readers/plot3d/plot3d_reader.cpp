@@ -215,6 +215,24 @@ std::uint64_t bytesOf(fs::path path)
     return size;
 }
 
+/// Whether what comes first is a record as Fortran writes them: its length, so many bytes, and its length again. Of a
+/// grid that is how many grids there are, or its three sizes.
+bool beginsWithARecord(std::span<const std::byte> firstBytes)
+{
+    constexpr std::size_t lengthBytes = 4, oneNumber = 4, threeNumbers = 12;
+    for (const std::size_t length : {oneNumber, threeNumbers}) {
+        if (firstBytes.size() < lengthBytes + length + lengthBytes)
+            continue;
+        const auto first = firstBytes.first(lengthBytes), again = firstBytes.subspan(lengthBytes + length, lengthBytes);
+        std::array<std::byte, lengthBytes> little{std::byte(length)}, big{};
+        big.back() = std::byte(length);
+        for (const auto& mark : {little, big})
+            if (std::ranges::equal(first, mark) && std::ranges::equal(again, mark))
+                return true;
+    }
+    return false;
+}
+
 } // namespace
 
 double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firstBytes) const
@@ -229,7 +247,8 @@ double Plot3dReader::score(const fs::path& path, std::span<const std::byte> firs
         return 0;
     if (looksLikePlot3dText(firstBytes))
         return text;
-    return ending == ".xyz" ? 0 : toSayWhatIsWrong; // .xyz has many meanings
+    const bool mayBeAnything = ending == ".xyz" && !beginsWithARecord(firstBytes);
+    return mayBeAnything ? 0 : toSayWhatIsWrong;
 }
 
 std::vector<Parameter> Plot3dReader::parameters() const

@@ -286,6 +286,12 @@ void ModelFileTest::whatCannotBeReadIsRefused_data()
     row(
         "origin", [](FileParts& f) { f.header().origin[1] = NAN; }, "the spacing or the origin");
     row(
+        "box of another origin", [](FileParts& f) { f.header().origin[0] -= 1; }, "its bounding box makes no sense");
+    row(
+        "box of another spacing", [](FileParts& f) { f.header().spacing[2] *= 2; }, "its bounding box makes no sense");
+    row(
+        "box of other points", [](FileParts& f) { f.header().boundingBox[4] += 1; }, "its bounding box makes no sense");
+    row(
         "range",
         [](FileParts& f) {
             f.header().valueRange = {2, 1};

@@ -371,7 +371,12 @@ void VerificationTest::findsWhatIsWrong_data()
     row(
         "flags", [](FileParts& f) { f.section(SectionId::Text).flags |= 2; }, "has reserved fields that are not zero");
     row(
-        "bounding box", [](FileParts& f) { f.header().boundingBox[0] += 1; }, "The bounding box");
+        "bounding box",
+        [](FileParts& f) {
+            for (double* place : {&f.header().origin[0], &f.header().boundingBox[0], &f.header().boundingBox[3]})
+                *place += 1;
+        },
+        "The bounding box");
     row(
         "range", [](FileParts& f) { f.header().valueRange[1] += 1; }, "The value range is ");
     row(
@@ -383,7 +388,13 @@ void VerificationTest::findsWhatIsWrong_data()
     row(
         "hash", [](FileParts& f) { f.header().sourceHash += 1; }, "was built from other samples");
     row(
-        "spacing", [](FileParts& f) { f.header().spacing[0] *= 2; }, "The spacing or the origin");
+        "spacing",
+        [](FileParts& f) {
+            format::Header& header = f.header();
+            header.spacing[0] *= 2;
+            header.boundingBox[3] += header.boundingBox[3] - header.boundingBox[0];
+        },
+        "The spacing or the origin");
 }
 
 void VerificationTest::findsWhatIsWrong()

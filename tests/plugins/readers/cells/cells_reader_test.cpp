@@ -205,6 +205,13 @@ private slots:
         QCOMPARE(range("heat", "magnitude").maximum, 6.0);
         QCOMPARE(range("c", "magnitude").maximum, 9.0);
         QCOMPARE(range("c", "magnitude").minimum, 7.0);
+        const auto name = [&](const std::string& array, const std::string& component) {
+            const auto dataset = reader_.read(path, {{"array", array}, {"component", component}}, {});
+            return dataset ? dataset->source.name : dataset.error().text();
+        };
+        QCOMPARE(name("heat", "magnitude"), std::string("arrays.vtu, heat"));
+        QCOMPARE(name("v", "magnitude"), std::string("arrays.vtu, v (magnitude)"));
+        QCOMPARE(name("1", "0"), std::string("arrays.vtu, v (component 0)"));
         const auto unknown = reader_.read(path, {{"array", std::string("x")}}, {});
         QCOMPARE(unknown.error().kind, ErrorKind::WrongUsage);
         QVERIFY(unknown.error().text().find("v, heat, c") != std::string::npos);

@@ -55,6 +55,9 @@ private slots:
     void aGridOfSeveralIsChosen();
     void probesWithoutTheData();
     void constantArraysAreNotTaken();
+    void arraysWithoutANumberAreToldAsThat();
+    void aCutGridIsToldAsThat_data();
+    void aCutGridIsToldAsThat();
     void zerosBehindTheDataAreBorne();
     void blankedPointsAreHoles();
     void mutationsAreReadOrRefused();
@@ -233,6 +236,52 @@ void Plot3dReaderTest::constantArraysAreNotTaken()
     QVERIFY(!density.ok());
     const QString text = QString::fromStdString(density.error().text());
     QVERIFY2(text.contains("one value everywhere") && text.contains("pressure, energy"), qPrintable(text));
+}
+
+/// Without energy the pressure is below 0, and there is no speed of sound.
+void Plot3dReaderTest::arraysWithoutANumberAreToldAsThat()
+{
+    Plot3dBytes solution({});
+    for (const std::int32_t number : testSize(0))
+        solution.integer(number);
+    for (int i = 0; i < 4; ++i)
+        solution.real(1);
+    for (int component = 0; component < 5; ++component)
+        for (int n = 0; n < 60; ++n)
+            solution.real(component == 4 ? 0 : testQuantity(component, n));
+    solution.endRecord();
+    write("g.q", solution.bytes());
+    const auto mach = read(write("g.xyz", testFile({}, false)), {{"array", std::string("mach")}});
+    QVERIFY(!mach.ok());
+    const QString text = QString::fromStdString(mach.error().text());
+    QVERIFY2(text.contains("'mach' has no number anywhere") && !text.contains("one value"), qPrintable(text));
+}
+
+void Plot3dReaderTest::aCutGridIsToldAsThat_data()
+{
+    QTest::addColumn<bool>("multiGrid");
+    QTest::addColumn<bool>("isBig");
+    for (const bool multiGrid : {false, true})
+        for (const bool isBig : {false, true})
+            QTest::addRow("%s%s", isBig ? "big" : "little", multiGrid ? ", multi" : "") << multiGrid << isBig;
+}
+
+/// Of one whose records have their lengths it is known what it is: not a file of an unknown format.
+void Plot3dReaderTest::aCutGridIsToldAsThat()
+{
+    QFETCH(bool, multiGrid);
+    QFETCH(bool, isBig);
+    const Plot3dStyle style{
+        .order = isBig ? std::endian::big : std::endian::little, .marks = true, .multiGrid = multiGrid};
+    QByteArray grid = testFile(style, false);
+    grid.chop(1);
+    write("g.q", testFile(style, true));
+    const auto path = write("g.xyz", grid);
+    const double score = scoreOf(path, grid);
+    QVERIFY2(score > 0 && score < 0.5, QByteArray::number(score));
+    const auto cut = read(path);
+    QVERIFY(!cut.ok());
+    QVERIFY2(cut.error().text().find("cut short") != std::string::npos, cut.error().text().c_str());
 }
 
 void Plot3dReaderTest::zerosBehindTheDataAreBorne()
