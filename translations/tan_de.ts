@@ -8780,6 +8780,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>the libcurl of this machine does not do what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
         <translation>die libcurl dieses Rechners kann nicht, was TAn braucht (%1). Prüfen Sie die Adresse und SSL_CERT_FILE, und installieren Sie eine libcurl mit HTTPS ab 7.85.</translation>
     </message>
+    <message>
+        <source>This TAn was built without the network (TAN_NETWORK), so it cannot open &apos;%1&apos;. Download the file and open the copy.</source>
+        <translation>Dieses TAn ist ohne Netzwerk gebaut (TAN_NETWORK) und kann „%1“ nicht öffnen. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -8780,6 +8780,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>the libcurl of this machine does not do what TAn needs (%1). Check the address and SSL_CERT_FILE, and install a libcurl with HTTPS, 7.85 or later.</source>
         <translation>la libcurl di questo computer non fa ciò che serve a TAn (%1). Controllare l&apos;indirizzo e SSL_CERT_FILE e installare una libcurl con HTTPS, 7.85 o successiva.</translation>
     </message>
+    <message>
+        <source>This TAn was built without the network (TAN_NETWORK), so it cannot open &apos;%1&apos;. Download the file and open the copy.</source>
+        <translation>Questo TAn è compilato senza rete (TAN_NETWORK) e non può aprire «%1». Scaricare il file e aprire la copia.</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>
