@@ -66,6 +66,7 @@ check tan sample c60 --size 16 -o c60.nrrd
 check tan build c60.nrrd -o c60.tan
 check tan verify c60.tan --against c60.nrrd
 check tan render c60.tan --isovalue 140 --size 64x48 -o c60.png
+says TAN_SERVER command_line/bin/tan serve .
 says TAN_GL command_line/bin/tan render c60.tan --isovalue 140 --size 64x48 --backend gl -o gl.png
 says TAN_NETWORK command_line/bin/tan info http://name:secret@127.0.0.1:1/c60.tan
 check test "$(grep -c secret said)" = 0
