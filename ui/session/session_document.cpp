@@ -4,19 +4,18 @@
 #include "ui/session/files.h"
 #include "ui/session/view_json.h"
 
-#include "core/base/mapped_file.h"
-
 #include <tan/open.h>
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QJsonDocument>
 
-#include <cerrno>
+#include <cstddef>
 #include <cstring>
+#include <span>
 
 namespace tetra {
 namespace {
@@ -204,12 +203,14 @@ std::map<QString, QString> pictureTexts(const SessionDocument& document, const Q
 
 Result<std::string> sessionInPicture(const std::filesystem::path& path)
 {
-    const auto file = RegularFile::open(path);
+    const auto file = MappedFile::open(path);
     if (!file)
         return file.error();
-    QFile device;
-    if (!device.open(file->descriptor(), QIODevice::ReadOnly))
-        return cannotReadFile(path, EIO);
+    const std::span<const std::byte> bytes = (*file)->bytes();
+    const QByteArray content =
+        QByteArray::fromRawData(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+    QBuffer device;
+    device.setData(content);
     QImageReader reader(&device, "png");
     return reader.text(sessionKey()).toStdString();
 }
