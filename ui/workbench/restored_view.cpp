@@ -71,8 +71,9 @@ bool overlap(const TransferFunction& transfer, const ValueRange& range)
 
 Message noneWithin(const ValueRange& range)
 {
-    return Message::say("None of the isovalues lies within the model's values, %1 to %2, so the default ones are shown.",
-                        formatNumber(range.minimum), formatNumber(range.maximum));
+    return Message::say(
+        "None of the isovalues lies within the model's values, %1 to %2, so the default ones are shown.",
+        formatNumber(range.minimum), formatNumber(range.maximum));
 }
 
 /// From another range.
