@@ -144,6 +144,42 @@ def hashes_of_model(path):
     return found
 
 
+def kept_form(legacy):
+    """A mesh in a legacy VTK file as the record has it: the facts of its title, then its vertices with their values, then its
+    tetrahedra with theirs, as a PLY file would hold them."""
+    title = legacy.split(b"\n", 2)[1].split(b"; ")
+    at = 0
+
+    def block(pattern, count, form):
+        nonlocal at
+        found = re.compile(pattern).search(legacy, at)
+        at = found.end()
+        size = struct.calcsize(form) * count(found)
+        numbers = struct.unpack_from(">%d%s" % (count(found), form), legacy, at)
+        at += size
+        return found, numbers
+
+    _, places = block(rb"\nPOINTS (\d+) float\n", lambda found: 3 * int(found[1]), "f")
+    _, corners = block(rb"\nCELLS (\d+) \d+\n", lambda found: 5 * int(found[1]), "I")
+    vertices, cells = len(places) // 3, len(corners) // 5
+    lives = []
+    if legacy.find(b"\nCELL_DATA ", at) > 0:
+        lives.append(block(rb"\nSCALARS (birth_error) float 1\nLOOKUP_TABLE default\n", lambda _: cells, "f"))
+        lives.append(block(rb"\n(death_error) 1 \d+ float\n", lambda _: cells, "f"))
+    _, values = block(rb"\nSCALARS value float 1\nLOOKUP_TABLE default\n", lambda _: vertices, "f")
+    head = [b"ply", b"format binary_little_endian 1.0", *(b"comment " + fact for fact in title), b"element vertex %d" % vertices,
+            *(b"property float " + axis for axis in (b"x", b"y", b"z", b"value")), b"element cell %d" % cells,
+            b"property list uchar int vertex_indices", *(b"property float " + found[1] for found, _ in lives), b"end_header", b""]
+    body = bytearray()
+    for vertex in range(vertices):
+        body += struct.pack("<4f", *places[3 * vertex:3 * vertex + 3], values[vertex])
+    for cell in range(cells):
+        body += struct.pack("<B4I", *corners[5 * cell:5 * cell + 5])
+        for _, numbers in lives:
+            body += struct.pack("<f", numbers[cell])
+    return b"\n".join(head) + bytes(body)
+
+
 def hash_of_picture(path):
     """Of the pixels, however they are packed."""
     data = path.read_bytes()
@@ -265,9 +301,10 @@ class Recorder:
         takes_insertion = is_lattice and not {"decimation", "--weight"} & set(model.options)
         found["meshes"] = {}
         for name, (command, *words) in queries(bounds, values, self.tetrahedra(built, 4), takes_insertion).items():
-            written = self.folder / "mesh.ply"
+            written = self.folder / ("mesh.ply" if command == "isosurface" else "mesh.vtk")
             self.run(command, built, *words, "-o", written)
-            found["meshes"][name] = short_hash(written.read_bytes())
+            content = written.read_bytes()
+            found["meshes"][name] = short_hash(content if command == "isosurface" else kept_form(content))
         if model.pictures:
             found["pictures"] = {}
             for name, words in pictures(bounds, values).items():
