@@ -402,7 +402,7 @@ private slots:
     /// With --json a failure is an object, too, beside the sentence for people.
     void errorsAreJson()
     {
-        const auto row = [](const QStringList& words, const char* kind, int code) {
+        const auto row = [this](const QStringList& words, const char* kind, int code) {
             const Run run = tan(words + QStringList{"--json"});
             QCOMPARE(run.exitCode, code);
             QCOMPARE(run.json()["kind"].toString(), QString(kind));
