@@ -426,13 +426,12 @@ private slots:
         struct stat before {};
         const QByteArray place = QFile::encodeName(folder_ + "/part.tan");
         QCOMPARE(::stat(place.constData(), &before), 0);
-        QTRY_VERIFY_WITH_TIMEOUT(
-            [&] {
-                const std::array times = {before.st_atim, before.st_mtim};
-                return ::utimensat(AT_FDCWD, place.constData(), times.data(), 0) == 0 &&
-                       ask(server.port, "/part.tan", {}, "HEAD").header("ETag") != tag;
-            }(),
-            10'000);
+        const auto isAnother = [&] {
+            const std::array times = {before.st_atim, before.st_mtim};
+            return ::utimensat(AT_FDCWD, place.constData(), times.data(), 0) == 0 &&
+                   ask(server.port, "/part.tan", {}, "HEAD").header("ETag") != tag;
+        };
+        QTRY_VERIFY(isAnother());
         const QByteArray touched = ask(server.port, "/part.tan", {}, "HEAD").header("ETag");
         QFile::remove(folder_ + "/part.tan");
         QVERIFY(writeFile(folder_ + "/part.tan", lattice_));
