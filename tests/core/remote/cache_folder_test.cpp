@@ -223,7 +223,7 @@ private slots:
         QVERIFY(CacheFolder::open(path).ok());
         // Whoever can write above it can put another one there, unless that is as /tmp is.
         QCOMPARE(::chmod(above.c_str(), 0777), 0);
-        QVERIFY(refused("everybody can write in"));
+        QVERIFY(refused("everybody can write to"));
         QCOMPARE(::chmod(above.c_str(), 01777), 0);
         QVERIFY(CacheFolder::open(path).ok());
         if (::geteuid() != 0)
