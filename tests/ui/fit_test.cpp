@@ -2,6 +2,7 @@
 #include "tests/ui/every_dialog.h"
 #include "tests/ui/languages.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/panels/build_panel.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -214,6 +215,7 @@ void FitTest::open()
     QTRY_VERIFY(window_->workbench.session().model() && window_->settled());
     window_->window.open(volume_);
     QTRY_VERIFY(window_->workbench.opening().dataset());
+    QTRY_VERIFY(!window_->find<BuildPanel>("build").looking()); // what a build takes is told by a worker
 }
 
 void FitTest::theWindowFits()

@@ -262,8 +262,11 @@ void PaletteTest::whatFitsLessIsNotDoneByEnter()
             some = some || !list().topLevelItem(row)->isDisabled();
         return list().topLevelItem(0)->isDisabled() && some && list().currentItem() == nullptr;
     };
-    const QStringList queries = {"picture", "save", "view", "mesh", "model", "session", "s", "m", "c"};
-    QVERIFY2(std::ranges::any_of(queries, isMixed), "a query whose best match cannot be done, and another can");
+    bool found = false;
+    for (char first = 'a'; first <= 'z' && !found; ++first)
+        for (char second = 'a'; second <= 'z' && !found; ++second)
+            found = isMixed(QString(QChar(first)) + QChar(second));
+    QVERIFY2(found, "a query whose best match cannot be done, and another can");
     QTest::keyClick(&search(), Qt::Key_Return);
     QVERIFY(search().isVisible());
 }

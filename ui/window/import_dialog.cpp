@@ -11,6 +11,7 @@
 #include "ui/workbench/import_texts.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -381,6 +382,15 @@ void ImportDialog::reject()
     }
     question_.unpacked.reset();
     QDialog::reject();
+}
+
+/// A text that has become longer, as that of an estimate that comes later, has room once all layouts know of it.
+bool ImportDialog::event(QEvent* event)
+{
+    const bool known = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest && layout() != nullptr)
+        resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+    return known;
 }
 
 } // namespace tetra

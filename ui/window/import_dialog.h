@@ -32,6 +32,9 @@ public:
     void ask(const ImportQuestion& question);
     void reject() override;
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     void fillFields();
     void fillLayoutHelp();
