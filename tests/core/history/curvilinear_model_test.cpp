@@ -251,7 +251,7 @@ private slots:
         row(
             "no warpings", [](FileParts& f) { hide(f, SectionId::OwnWarpings); }, "'own warpings' is missing");
         row(
-            "called regular", [](FileParts& f) { f.header().domainClass = 0; }, "warping weight");
+            "called regular", [](FileParts& f) { f.header().domainClass = 0; }, "bounding box");
         row(
             "irregular", [](FileParts& f) { f.header().domainClass = 2; }, "a lattice of 6 x 5 x 4 points");
         row(
