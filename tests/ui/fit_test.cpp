@@ -263,7 +263,9 @@ void FitTest::everyDialogFits()
         dialog.open(*window_);
         auto& widget = window_->find<QWidget>(dialog.name);
         QTRY_VERIFY2(widget.isVisible(), dialog.name);
-        QCoreApplication::processEvents();
+        // What a worker answers comes a moment later, and then the dialog makes room for it.
+        constexpr int aMoment = 2000; // milliseconds
+        (void)QTest::qWaitFor([&] { return cutOffIn(widget).isEmpty(); }, aMoment);
         found += cutOffIn(widget);
         if (widget.width() > smallScreen.width() || widget.height() > smallScreen.height())
             found.append(QString("%1 has %2 x %3").arg(dialog.name).arg(widget.width()).arg(widget.height()));
