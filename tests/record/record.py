@@ -147,7 +147,7 @@ def hashes_of_model(path):
 def kept_form(legacy):
     """A mesh in a legacy VTK file as the record has it: the facts of its title, then its vertices with their values, then its
     tetrahedra with theirs, as a PLY file would hold them."""
-    title = legacy.split(b"\n", 2)[1].split(b"; ")
+    title = re.split(rb"; (?=[a-z_]+: )", legacy.split(b"\n", 2)[1])
     at = 0
 
     def block(pattern, count, form):
@@ -202,7 +202,7 @@ def instruction_set():
             flags = set(line.split())
             break
     sets = ["x86-64"]
-    if {"avx2", "fma", "bmi2", "abm", "movbe", "f16c"} <= flags:
+    if {"avx2", "fma", "bmi2", "movbe", "f16c"} <= flags:  # and abm, which some virtual machines have and do not tell
         sets.append("x86-64-v3")
         if {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= flags:
             sets.append("x86-64-v4")
