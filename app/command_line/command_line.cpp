@@ -129,7 +129,7 @@ Result<Outcome> runGuarded(const Subcommand& subcommand, const Invocation& invoc
     }
 }
 
-/// For programs, which find on standard output what people read among the messages.
+/// The name that programs read, which stays.
 std::string_view kindName(ErrorKind kind)
 {
     switch (kind) {
@@ -149,7 +149,7 @@ int failFor(std::span<const std::string> words, const Streams& streams, const Er
     if (std::ranges::find(words, "--json") == words.end())
         return code;
     const QJsonObject told{{"error", QString::fromStdString(error.text())},
-                           {"kind", QString::fromUtf8(kindName(error.kind).data())},
+                           {"kind", QString::fromStdString(std::string(kindName(error.kind)))},
                            {"exit_code", code}};
     return print(streams, jsonText(told), code);
 }
@@ -217,7 +217,7 @@ int runCommandLine(std::span<const std::string> words, PluginHost& host, const S
         return print(streams, "tan " TAN_VERSION "\n", 0);
     const Subcommand* subcommand = findSubcommand(first);
     if (subcommand == nullptr)
-        return fail(streams, unknownSubcommand(first));
+        return failFor(words, streams, unknownSubcommand(first));
     host.whenFailing(
         [&streams](const Error& error) { streams.messages << "tan: " << visibleText(error.message) << std::endl; });
     const int code = runSubcommand(*subcommand, words.subspan(1), host, streams, stop);

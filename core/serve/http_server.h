@@ -60,7 +60,7 @@ struct HttpRecord {
     std::string peer;
     std::string request; ///< method and target, printable; empty for one that was refused unread
     int status = 0;
-    std::uint64_t bytes = 0; ///< of the answer's body that the system took, whether or not all of them came
+    std::uint64_t bytes = 0; ///< of the answer's body that the system took, whether or not all of them arrived
     std::chrono::duration<double> time{};
     std::string note;
 };

@@ -411,6 +411,7 @@ private slots:
             QVERIFY2(QString::fromUtf8(run.messages).contains(run.json()["error"].toString()), run.messages);
         };
         row({"info", "nothing.tan"}, "bad-input", 3);
+        row({"inof", "c60.tan"}, "wrong-usage", 2);
         row({"extract", "c60.tan", "--error", "x", "-o", "x.vtu"}, "wrong-usage", 2);
         row({"extract", "c60.tan", "--eror", "1", "-o", "x.vtu"}, "wrong-usage", 2);
         row({"extract", "c60.tan", "-o", "no-folder/x.vtu"}, "cannot-write", 4);

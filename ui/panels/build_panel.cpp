@@ -97,6 +97,19 @@ QString factsOf(const Dataset& dataset)
 
 } // namespace
 
+BuildOutlook outlookOf(const BuildQuestion& question)
+{
+    const unsigned threads = usableThreads();
+    const auto estimateOf = [&](const ParameterValues& values) {
+        return question.builder->estimate(question.size, values, threads);
+    };
+    BuildOutlook outlook{.estimate = estimateOf(question.values)};
+    for (const ParameterValues& values : question.others)
+        outlook.others.push_back(estimateOf(values));
+    outlook.resumes = question.builder->abilities(*question.dataset, question.values).resumes;
+    return outlook;
+}
+
 BuildPanel::BuildPanel(Workbench& workbench, TargetLook::Look look, Ask ask, QWidget* parent)
     : QWidget(parent), workbench_(workbench), look_(new TargetLook(std::move(look), this)), ask_(std::move(ask)),
       pages_(new QStackedWidget)
@@ -426,7 +439,7 @@ void BuildPanel::askBuilder(const Builder& builder, const std::shared_ptr<const 
     for (const double error : detailErrors)
         question.others.push_back(withValues(question.values, builder.detail(error, dataset->domain)));
     outlook_.ask(
-        *this, [ask = ask_, question = std::move(question)] { return ask(question); },
+        *this, [ask = ask_, question = std::move(question)](const std::stop_token&) { return ask(question); },
         [this](const BuildOutlook& outlook) {
             showOutlook(outlook);
             goOn();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plugins/api/builder.h"
 #include "plugins/host/interrupted_build.h"
 #include "ui/work/latest_answer.h"
-#include "ui/workbench/build_outlook.h"
 #include "ui/workbench/target_look.h"
 #include "ui/workbench/workbench.h"
 
@@ -11,6 +11,9 @@
 
 #include <array>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
 
 class QButtonGroup;
 class QCheckBox;
@@ -24,6 +27,25 @@ class QStackedWidget;
 namespace tetra {
 
 class ParameterForm;
+
+/// What is asked of a builder before it builds. It outlives the question.
+struct BuildQuestion {
+    const Builder* builder = nullptr;
+    std::shared_ptr<const Dataset> dataset;
+    BuildSize size{};
+    ParameterValues values{};
+    std::vector<ParameterValues> others{}; ///< each in place of those values
+};
+
+/// What it says to that.
+struct BuildOutlook {
+    std::optional<BuildEstimate> estimate{};
+    std::vector<std::optional<BuildEstimate>> others{}; ///< with the other values
+    bool resumes = false;
+};
+
+/// Asks in this thread; an outside plugin may take its time.
+BuildOutlook outlookOf(const BuildQuestion& question);
 
 /// Where a model is built of a dataset. What is there already where the model is to be, and what a builder says of the
 /// build, a worker finds out; until both are known nothing is built and nothing deleted.

@@ -142,8 +142,7 @@ void AddressDialog::askSoon()
 {
     const std::string place = address().toStdString();
     open_->setEnabled(isAddress(place));
-    ++question_;
-    asking_.cancel();
+    asking_.forget();
     if (serverIn(address()) != tokensServer_)
         showTokenField(false);
     say(mayBeAddress(address()) ? QString() : tr("An address begins with http:// or https://."));
@@ -182,18 +181,11 @@ void AddressDialog::ask()
 {
     say(tr("Asking the server…"));
     const QString given = token();
-    asking_.submit([this, address = address().toStdString(),
-                    token = (given.isEmpty() ? tokenOf_(address()) : given).toStdString(),
-                    number = ++question_](const std::stop_token& stop) {
-        const auto offer = askServer(address, token, Progress(stop, {}));
-        QMetaObject::invokeMethod(
-            this,
-            [this, offer, number] {
-                if (number == question_)
-                    showOffer(offer);
-            },
-            Qt::QueuedConnection);
-    });
+    asking_.ask(
+        *this,
+        [address = address().toStdString(), token = (given.isEmpty() ? tokenOf_(address()) : given).toStdString()](
+            const std::stop_token& stop) { return askServer(address, token, Progress(stop, {})); },
+        [this](const Result<ServerOffer>& offer) { showOffer(offer); });
 }
 
 void AddressDialog::showOffer(const Result<ServerOffer>& offer)

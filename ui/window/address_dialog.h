@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/opening/served_model.h"
-#include "ui/work/latest_job.h"
+#include "ui/work/latest_answer.h"
 
 #include <QDialog>
 #include <QTimer>
@@ -51,10 +51,9 @@ private:
     QLabel* offer_;
     QPushButton* open_ = nullptr;
     QTimer soon_;
-    QUrl tokensServer_;          ///< the one that the token is for
-    bool hasChosen_ = false;     ///< between the two
-    std::uint64_t question_ = 0; ///< the newest one's number: no other one is answered
-    LatestJob asking_;           ///< last: ends before what it uses
+    QUrl tokensServer_;                        ///< the one that the token is for
+    bool hasChosen_ = false;                   ///< between the two
+    LatestAnswer<Result<ServerOffer>> asking_; ///< last: ends before what it uses
 };
 
 /// Asks for the token of the server of `place`; `given` is called with it.

@@ -343,7 +343,10 @@ void ImportDialog::showPart()
                          .tetrahedra = std::max(contents_.cells, expected),
                          .type = contents_.type.value_or(SampleType::Float32)};
     needs_.ask(
-        *this, [&host = workbench_.host(), size] { return quickestEstimate(host, size, usableThreads()); },
+        *this,
+        [&host = workbench_.host(), size](const std::stop_token&) {
+            return quickestEstimate(host, size, usableThreads());
+        },
         [this, size](const std::optional<BuildEstimate>& estimate) {
             estimate_->setText(estimate ? estimateText(size, *estimate) : QString());
             estimate_->setVisible(estimate.has_value());

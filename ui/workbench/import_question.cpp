@@ -29,17 +29,12 @@ bool offersChoice(const FileContents& contents)
 
 void ImportProbe::request(const std::filesystem::path& path, const ImportOptions& options)
 {
-    const std::uint64_t number = ++newest_;
-    job_.submit([this, path, options, number](const std::stop_token& stop) {
-        const auto contents = probeDataset(host_, path, options, Progress(stop, {}));
-        QMetaObject::invokeMethod(
-            this,
-            [this, contents, number] {
-                if (number == newest_)
-                    emit probed(contents);
-            },
-            Qt::QueuedConnection);
-    });
+    answer_.ask(
+        *this,
+        [this, path, options](const std::stop_token& stop) {
+            return probeDataset(host_, path, options, Progress(stop, {}));
+        },
+        [this](const Result<FileContents>& contents) { emit probed(contents); });
 }
 
 void rememberImport(const std::filesystem::path& path, const ImportOptions& options)

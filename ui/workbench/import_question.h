@@ -4,7 +4,7 @@
 #include "plugins/host/import_options.h"
 #include "plugins/host/packed_file.h"
 #include "plugins/host/plugin_host.h"
-#include "ui/work/latest_job.h"
+#include "ui/work/latest_answer.h"
 
 #include <QObject>
 #include <QString>
@@ -43,8 +43,7 @@ signals:
 
 private:
     PluginHost& host_;
-    std::uint64_t newest_ = 0;
-    LatestJob job_; ///< last: ends before what it uses
+    LatestAnswer<Result<FileContents>> answer_; ///< last: ends before what it uses
 };
 
 /// How a file was opened last, kept in the user's settings for the fifty files that were opened so last.

@@ -23,7 +23,7 @@ void TargetLook::begin(const std::filesystem::path& target)
 {
     facts_.reset();
     answer_.ask(
-        *this, [look = look_, target] { return look(target); },
+        *this, [look = look_, target](const std::stop_token&) { return look(target); },
         [this](const TargetFacts& facts) {
             facts_ = facts;
             emit found();

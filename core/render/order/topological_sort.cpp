@@ -207,4 +207,15 @@ void TopologicalSort::restrictTo(std::span<const std::uint32_t> cells)
     free_ -= std::ranges::remove_if(waiting, [&](std::uint32_t cell) { return states_[cell] >= oneHolder; }).size();
 }
 
+std::vector<std::uint32_t> heldByCycles(std::size_t cells, TopologicalSort& front, TopologicalSort& back)
+{
+    const std::size_t before = back.taken().size();
+    std::vector<std::uint32_t> held = front.held();
+    back.restrictTo(held);
+    back.take(cells);
+    front.leave(back.taken().subspan(before));
+    std::erase_if(held, [&](std::uint32_t cell) { return !front.isHeld(cell); });
+    return held;
+}
+
 } // namespace tetra

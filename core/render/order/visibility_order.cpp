@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/order/visibility_order.h"
 
-#include "core/render/order/held_cells.h"
 #include "core/render/order/topological_sort.h"
 
 #include <tbb/parallel_invoke.h>
@@ -14,17 +13,6 @@
 #include <vector>
 
 namespace tetra {
-
-std::vector<std::uint32_t> heldByCycles(std::size_t cells, TopologicalSort& front, TopologicalSort& back)
-{
-    const std::size_t before = back.taken().size();
-    std::vector<std::uint32_t> held = front.held();
-    back.restrictTo(held);
-    back.take(cells);
-    front.leave(back.taken().subspan(before));
-    std::erase_if(held, [&](std::uint32_t cell) { return !front.isHeld(cell); });
-    return held;
-}
 
 namespace {
 

@@ -2,7 +2,7 @@
 // The order of the cells by adjacency (S14): every face right, gaps, cycles.
 #include "core/geometry/orientation.h"
 #include "core/mesh/topology.h"
-#include "core/render/order/held_cells.h"
+#include "core/render/order/topological_sort.h"
 #include "core/render/order/visibility_order.h"
 #include "core/render/volume/volume_mesh.h"
 #include "core/render/volume/volume_renderer.h"
