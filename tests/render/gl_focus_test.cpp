@@ -99,6 +99,23 @@ private:
 private slots:
     void initTestCase() { makeGl(); }
 
+    /// Without perspective, as from the front: all rays are parallel to faces of the box, and most pass beside it.
+    void alongTheAxes_data()
+    {
+        QTest::addColumn<int>("up");
+        for (const UpAxis up : {UpAxis::X, UpAxis::Y, UpAxis::Z})
+            QTest::addRow("axis %d up", int(up)) << int(up);
+    }
+    void alongTheAxes()
+    {
+        QFETCH(int, up);
+        const SceneParts scene = focusScene(Box{{0.3, 0.35, 0.3}, {0.6, 0.65, 0.55}}, 0.1, 0.5);
+        Camera camera{.azimuth = 0, .elevation = 0, .up = static_cast<UpAxis>(up), .perspective = false};
+        camera = fitted(camera, scene.bounds);
+        camera.target += Vector3d(0.003, 0.007, 0.011); // so that no ray lies in a face between cells
+        compare(scene, camera);
+    }
+
     void sameAsTheCpu_data()
     {
         QTest::addColumn<bool>("isBox");

@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <semaphore>
 
 using namespace tetra;
@@ -714,10 +715,25 @@ void WindowTest::theKeyboardMovesTheCamera()
     openSample();
     Viewport& viewport = window_->viewport();
     const Camera before = viewport.camera();
-    QTest::keyClick(&viewport, Qt::Key_Left);
-    QVERIFY(viewport.camera().azimuth != before.azimuth);
-    QTest::keyClick(&viewport, Qt::Key_Plus);
-    QVERIFY(viewport.camera().distance < before.distance);
+    const auto pressed = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(&viewport, key, modifiers);
+        return viewport.camera();
+    };
+    constexpr double step = 5, fine = 0.2 * step;
+    // The camera goes where the arrow points, and nothing else changes.
+    QCOMPARE(pressed(Qt::Key_Left), turned(before, -step, 0));
+    QCOMPARE(pressed(Qt::Key_Up), turned(before, -step, step));
+    QCOMPARE(pressed(Qt::Key_Right), turned(before, 0, step));
+    QCOMPARE(pressed(Qt::Key_Down), before);
+    QCOMPARE(pressed(Qt::Key_Right, Qt::ControlModifier), turned(before, fine, 0));
+    viewport.setCamera(before);
+    QCOMPARE(pressed(Qt::Key_Left, Qt::ShiftModifier), panned(before, -0.05, 0));
+    viewport.setCamera(before);
+    QCOMPARE(pressed(Qt::Key_Right, Qt::AltModifier), rolled(before, step));
+    viewport.setCamera(before);
+    QCOMPARE(pressed(Qt::Key_Plus), zoomed(before, std::pow(1.15, -1)));
+    viewport.setCamera(before);
+    QCOMPARE(pressed(Qt::Key_Minus), zoomed(before, 1.15));
 }
 
 void WindowTest::namedViewsAndFit()

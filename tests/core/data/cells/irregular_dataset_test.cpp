@@ -46,6 +46,32 @@ std::array<std::uint32_t, 4> positive(const CellComplex& complex, std::uint64_t 
     return corners;
 }
 
+/// Of a grid of 12^3 cells: seven of its corners, each of one cell, have no value, and three cells are blanked out.
+constexpr std::uint32_t side = 13, end = side - 1;
+Dataset gridWithHoles(const Eigen::Vector3d& lastPlace = {end, end, end})
+{
+    Dataset grid{.domain = DomainClass::Curvilinear, .lattice = {}, .values = {}, .source = {}};
+    grid.lattice.size = {side, side, side};
+    std::vector<Eigen::Vector3d> places;
+    std::vector<float> values;
+    for (std::uint32_t k = 0; k < side; ++k)
+        for (std::uint32_t j = 0; j < side; ++j)
+            for (std::uint32_t i = 0; i < side; ++i) {
+                places.emplace_back(i, j, k);
+                values.push_back(static_cast<float>(i + 2 * j + 3 * k));
+            }
+    for (std::uint32_t corner = 0; corner < 7; ++corner)
+        values[grid.lattice.index(corner % 2 * end, corner / 2 % 2 * end, corner / 4 * end)] = std::nanf("");
+    std::vector<GridCell> cells(end * end * end, GridCell::Kept);
+    for (const std::size_t blanked : {300, 301, 900})
+        cells[blanked] = GridCell::Blanked;
+    places.back() = lastPlace;
+    grid.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(places));
+    grid.values = ScalarField::of(std::move(values));
+    grid.cells = std::make_shared<const std::vector<GridCell>>(std::move(cells));
+    return grid;
+}
+
 /// By a slow way: each face in one or two tetrahedra.
 bool conforms(const Dataset& dataset)
 {
@@ -209,33 +235,22 @@ private slots:
     /// each as what it is.
     void holesOfGrids()
     {
-        constexpr std::uint32_t side = 13, end = side - 1;
-        Dataset grid{.domain = DomainClass::Curvilinear, .lattice = {}, .values = {}, .source = {}};
-        grid.lattice.size = {side, side, side};
-        std::vector<Eigen::Vector3d> places;
-        std::vector<float> values;
-        for (std::uint32_t k = 0; k < side; ++k)
-            for (std::uint32_t j = 0; j < side; ++j)
-                for (std::uint32_t i = 0; i < side; ++i) {
-                    places.emplace_back(i, j, k);
-                    values.push_back(static_cast<float>(i + 2 * j + 3 * k));
-                }
-        // Each corner of the grid is that of one cell.
-        for (std::uint32_t corner = 0; corner < 7; ++corner)
-            values[grid.lattice.index(corner % 2 * end, corner / 2 % 2 * end, corner / 4 * end)] = std::nanf("");
-        std::vector<GridCell> cells(end * end * end, GridCell::Kept);
-        for (const std::size_t blanked : {300, 301, 900})
-            cells[blanked] = GridCell::Blanked;
-        grid.positions = std::make_shared<const std::vector<Eigen::Vector3d>>(std::move(places));
-        grid.values = ScalarField::of(std::move(values));
-        grid.cells = std::make_shared<const std::vector<GridCell>>(std::move(cells));
-        const auto dataset = withHoles(grid);
+        const auto dataset = withHoles(gridWithHoles());
         QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
         QCOMPARE(totalVolume6(*dataset), 6.0 * (end * end * end - 3 - 7));
         const auto remarks = remarksOf(*dataset);
         QVERIFY(remarks.contains("3 cells are blanked out in the file: holes."));
         QVERIFY(remarks.contains("7 cells have a value that is not finite and became holes."));
         QVERIFY(remarks.contains("7 of its 2197 points"));
+    }
+
+    /// Its last corner lies far inside of the last cell's others, so that this cell alone is inside out.
+    void faultyCellsOfGridsHaveTheGridsNumbers()
+    {
+        const auto dataset = withHoles(gridWithHoles({end - 1.8, end - 1.8, end - 1.8}));
+        QVERIFY2(dataset.ok(), dataset ? "" : dataset.error().text().c_str());
+        QVERIFY(dataset->faultyCells && dataset->faultyCells->size() == 1);
+        QCOMPARE(dataset->faultyCells->front().cell, end * end * end - 1);
     }
 
     void cellValuesAreAveraged()
