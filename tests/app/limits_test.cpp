@@ -77,19 +77,23 @@ private:
     Outcome outcomeOf(const QStringList& words, const std::function<void()>& prepare, const QByteArrayList& reasons,
                       rlim_t limit, const Environment& environment = {});
 
-    /// What it takes to load the program, which differs from system to system.
+    /// What it takes to load the program, which differs from system to system. Libraries that begin before the program
+    /// does may crash with little more: glib, which cannot print that there is no memory, calls itself until the stack
+    /// is full.
     rlim_t leastMebibytes() const
     {
-        static const rlim_t least = [this] {
+        const auto leastFor = [this](const auto& suffices) {
             rlim_t tooLittle = 16, enough = 1024;
             while (enough - tooLittle > 1) {
                 const rlim_t tried = (tooLittle + enough) / 2;
                 const Run run = runTan({"--version"}, folder_.path(), {}, limited(RLIMIT_AS, tried << 20));
-                (run.exitCode == 127 ? tooLittle : enough) = tried;
+                (suffices(run.exitCode) ? enough : tooLittle) = tried;
             }
             return enough;
-        }();
-        return least;
+        };
+        static const rlim_t loaded = leastFor([](int exitCode) { return exitCode != 127; });
+        static const rlim_t begun = leastFor([](int exitCode) { return exitCode == 0 || exitCode == 4; });
+        return std::min(begun, loaded + 1); // what crashes with more is the program
     }
 
     QTemporaryDir folder_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace tetra {
 
@@ -27,10 +28,19 @@ Error notLoaded(const Model& model, MeshLoading loading)
 
 } // namespace
 
+Result<TetrahedralMesh> extractLevel(const Model& model, std::uint32_t sites, const Progress& progress,
+                                     TetrahedralMesh reuse)
+{
+    auto mesh = extractPrefix(model, sites, progress, std::move(reuse));
+    if (!mesh && mesh.error().kind == ErrorKind::WrongUsage)
+        return inconsistentModel(model, Message::say("a level of accuracy has no mesh of its own"));
+    return mesh;
+}
+
 Status loadCoarse(const Model& model, std::uint32_t sites, const Progress& progress, CoarseMesh& coarse,
                   LocalDelaunay& delaunay)
 {
-    Result<TetrahedralMesh> mesh = extractPrefix(model, sites, progress.part(0, extractionEnd), std::move(coarse.mesh));
+    Result<TetrahedralMesh> mesh = extractLevel(model, sites, progress.part(0, extractionEnd), std::move(coarse.mesh));
     if (!mesh)
         return mesh.error();
     coarse.mesh = *std::move(mesh);

@@ -24,6 +24,11 @@ struct CoarseMesh {
 Status loadCoarse(const Model& model, std::uint32_t sites, const Progress& progress, CoarseMesh& coarse,
                   LocalDelaunay& delaunay);
 
+/// extractPrefix() of as many sites as the model itself tells for an accuracy: where these have no mesh of their own,
+/// it is damaged.
+Result<TetrahedralMesh> extractLevel(const Model& model, std::uint32_t sites, const Progress& progress,
+                                     TetrahedralMesh reuse);
+
 /// Makes `out` the refined mesh, with room for the positions and values of what was added, which come behind those of
 /// the coarse mesh. `addedSites` are the sites of delaunay.added(), or ExtractedMesh::noSite.
 void writeRefined(const Model& model, const TetrahedralMesh& coarse, const LocalDelaunay& delaunay,

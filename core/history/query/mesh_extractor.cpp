@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/mesh_extractor.h"
+#include "core/history/query/coarse_mesh.h"
 
 #include "core/base/guarded.h"
 #include "core/history/pair_limits.h"
 #include "core/history/query/boundary_repair.h"
 #include "core/history/query/closed_set.h"
+#include "core/history/query/coarse_mesh.h"
 #include "core/history/query/curvilinear_focus.h"
 #include "core/history/query/history_part.h"
 #include "core/history/query/refinement_criterion.h"
@@ -307,7 +309,7 @@ Status MeshExtractor::Work::extractUniform(const MeshQuery& query, const Progres
     }
     if (isLent() || uniformSites_ != size.sites) {
         ExtractedMesh& out = startWhole();
-        auto extracted = extractPrefix(*model_, size.sites, progress, std::move(out.mesh));
+        auto extracted = extractLevel(*model_, size.sites, progress, std::move(out.mesh));
         if (!extracted)
             return extracted.error();
         out.mesh = *std::move(extracted);

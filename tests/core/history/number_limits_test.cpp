@@ -99,6 +99,30 @@ private slots:
         }
     }
 
+    /// Who asks for an accuracy has made no mistake.
+    void levelsWithoutMeshesOfTheirOwnAreDamage()
+    {
+        const std::filesystem::path path = folder_.filePath("levels.tan").toStdString();
+        writeModel(path, bentBumps(SampleType::Float32, {5, 6, 5}));
+        const std::uint32_t all = Model::open(path).value()->siteCount();
+        FileParts parts(readBytes(path));
+        for (std::uint32_t site = 8; site + 1 < all; site += 2)
+            parts.elements<std::uint8_t>(SectionId::SiteGroups)[site] = 1;
+        parts.repairChecksums();
+        writeBytes(path, parts.content);
+        const auto model = Model::open(path);
+        QVERIFY(model.ok());
+        int damaged = 0;
+        for (double error = 0; error < 30; error += 0.5) {
+            MeshQuery query;
+            query.error = error;
+            const auto mesh = MeshExtractor(*model).extract(query);
+            damaged += !mesh.ok() ? 1 : 0;
+            QVERIFY(mesh.ok() || mesh.error().kind == ErrorKind::BadInput);
+        }
+        QVERIFY(damaged > 0);
+    }
+
     /// Each coordinate by its own axis, wherever a part begins.
     void placesAreHeldAgainstTheirAxis()
     {
