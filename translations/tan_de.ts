@@ -8784,6 +8784,10 @@ Das Plugin %2 (%3) wird nicht benutzt. %4</translation>
         <source>This TAn was built without the network (TAN_NETWORK), so it cannot open &apos;%1&apos;. Download the file and open the copy.</source>
         <translation>Dieses TAn ist ohne Netzwerk gebaut (TAN_NETWORK) und kann „%1“ nicht öffnen. Laden Sie die Datei herunter und öffnen Sie die Kopie.</translation>
     </message>
+    <message>
+        <source>a level of accuracy has no mesh of its own</source>
+        <translation>eine Genauigkeitsstufe hat kein eigenes Netz</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

@@ -8784,6 +8784,10 @@ Il plugin %2 (%3) non è in uso. %4</translation>
         <source>This TAn was built without the network (TAN_NETWORK), so it cannot open &apos;%1&apos;. Download the file and open the copy.</source>
         <translation>Questo TAn è compilato senza rete (TAN_NETWORK) e non può aprire «%1». Scaricare il file e aprire la copia.</translation>
     </message>
+    <message>
+        <source>a level of accuracy has no mesh of its own</source>
+        <translation>un livello di accuratezza non ha una mesh propria</translation>
+    </message>
 </context>
 <context>
     <name>tetra::MessageBar</name>

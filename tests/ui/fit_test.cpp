@@ -145,6 +145,14 @@ QStringList cutOffIn(const QWidget& root)
     return found;
 }
 
+/// Once it is at rest: what a worker found changes a form, whose layouts follow one after the other.
+QStringList cutOffAtRest(const QWidget& root)
+{
+    constexpr int aMoment = 2000; // milliseconds
+    (void)QTest::qWaitFor([&] { return cutOffIn(root).isEmpty(); }, aMoment);
+    return cutOffIn(root);
+}
+
 /// Of the window, and what its parts need at least.
 QString sizesOf(const QMainWindow& window)
 {
@@ -221,18 +229,18 @@ void FitTest::open()
 void FitTest::theWindowFits()
 {
     QCoreApplication::processEvents();
-    QStringList found = cutOffIn(window_->find<QWidget>("empty"));
+    QStringList found = cutOffAtRest(window_->find<QWidget>("empty"));
     auto& messages = window_->find<MessageBar>("messages");
     messages.add("A message that is so long that it has to go on in a second line: it names a file, says what is wrong "
                  "with it and what can be done about that.");
     messages.ask(
         "A question", "An answer", [] {}, [] {});
     QCoreApplication::processEvents();
-    found += cutOffIn(messages);
+    found += cutOffAtRest(messages);
     messages.clear();
     open();
     QCoreApplication::processEvents();
-    found += cutOffIn(window_->window);
+    found += cutOffAtRest(window_->window);
     QVERIFY2(window_->window.width() <= smallScreen.width() && window_->window.height() <= smallScreen.height(),
              qPrintable("the window grew to " + sizesOf(window_->window)));
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
@@ -248,7 +256,7 @@ void FitTest::everyDockFits()
         dock->raise();
         QCoreApplication::processEvents();
         QTRY_VERIFY2(dock->widget()->isVisible(), qPrintable(dock->objectName()));
-        found += cutOffIn(*dock);
+        found += cutOffAtRest(*dock);
         ++docks;
     }
     QVERIFY(docks >= 9);
@@ -263,10 +271,7 @@ void FitTest::everyDialogFits()
         dialog.open(*window_);
         auto& widget = window_->find<QWidget>(dialog.name);
         QTRY_VERIFY2(widget.isVisible(), dialog.name);
-        // What a worker answers comes a moment later, and then the dialog makes room for it.
-        constexpr int aMoment = 2000; // milliseconds
-        (void)QTest::qWaitFor([&] { return cutOffIn(widget).isEmpty(); }, aMoment);
-        found += cutOffIn(widget);
+        found += cutOffAtRest(widget);
         if (widget.width() > smallScreen.width() || widget.height() > smallScreen.height())
             found.append(QString("%1 has %2 x %3").arg(dialog.name).arg(widget.width()).arg(widget.height()));
         widget.close();
