@@ -3,7 +3,6 @@
 
 #include "core/base/file_writer.h"
 #include "plugins/widgets/icons.h"
-#include "ui/session/files.h"
 #include "ui/session/language.h"
 #include "ui/widgets/legible_style.h"
 #include "ui/widgets/plain_texts.h"
@@ -18,11 +17,9 @@
 #include <QCommandLineParser>
 #include <QLibraryInfo>
 #include <QProcess>
-#include <QSettings>
 #include <QTranslator>
 
 #include <algorithm>
-#include <chrono>
 #include <clocale>
 #include <map>
 #include <optional>
@@ -93,7 +90,6 @@ int runDesktop(int argc, char** argv)
     QCoreApplication::setOrganizationName("TAn");
     QCoreApplication::setApplicationName("TAn");
     QCoreApplication::setApplicationVersion(TAN_VERSION);
-    removeUnfinishedSettings(QSettings().fileName(), std::chrono::hours(1));
     QGuiApplication::setDesktopFileName("org.tan.tan"); // how Wayland finds the icon
     QApplication::setWindowIcon(programIcon());
     useLegibleStyle();

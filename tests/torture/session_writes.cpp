@@ -54,7 +54,6 @@ QString whatIsWrong(const QString& folder)
             if (settings.value(QString("entry%1").arg(entry)) != round)
                 return "Settings of two rounds in one file.";
     }
-    removeUnfinishedSettings(folder + "/tan.conf", std::chrono::seconds(0));
     if (const Status again = writeOnce(folder, 0); !again)
         return QString::fromStdString(again.error().text());
     const QStringList left = QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);

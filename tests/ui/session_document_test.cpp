@@ -115,7 +115,6 @@ private slots:
     void whatAProgramLeftIsLost();
     void twoProgramsKeepTheViewOfOneModel();
     void oldViewsGo();
-    void unfinishedSettingsGo();
     void whatCannotBeKeptIsToldOnce();
 };
 
@@ -400,26 +399,4 @@ void SessionDocumentTest::whatCannotBeKeptIsToldOnce()
 }
 
 QTEST_GUILESS_MAIN(SessionDocumentTest)
-/// Those of QSettings alone, and none that may be being written.
-void SessionDocumentTest::unfinishedSettingsGo()
-{
-    const QTemporaryDir folder;
-    const auto make = [&](const QString& name) {
-        QFile file(folder.filePath(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("[settings]");
-    };
-    const QStringList kept = {"TAn.conf", "TAn.conf.lock", "TAn.conf.backup1", "other.conf.AbCdEf"};
-    for (const QString& name : kept + QStringList{"TAn.conf.AbCdEf", "TAn.conf.x1y2z3"})
-        make(name);
-    removeUnfinishedSettings(folder.filePath("TAn.conf"), std::chrono::hours(1));
-    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 6);
-    removeUnfinishedSettings(folder.filePath("TAn.conf"), std::chrono::seconds(0));
-    QStringList left = QDir(folder.path()).entryList(QDir::Files);
-    left.sort();
-    QStringList expected = kept;
-    expected.sort();
-    QCOMPARE(left, expected);
-}
-
 #include "session_document_test.moc"

@@ -9,7 +9,6 @@
 #include <tan/open.h>
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -83,16 +82,6 @@ Result<std::string> readTextFile(const std::filesystem::path& path)
                      Message::say("The file '%1' is larger than 64 MiB. Choose a session, camera or transfer function.",
                                   path.string())};
     return wholeText(path, largestFile);
-}
-
-void removeUnfinishedSettings(const QString& settingsFile, std::chrono::seconds age)
-{
-    const QFileInfo settings(settingsFile);
-    const QDateTime latest = QDateTime::currentDateTime().addSecs(-age.count());
-    for (const QFileInfo& copy :
-         QDir(settings.absolutePath()).entryInfoList({settings.fileName() + ".??????"}, QDir::Files))
-        if (copy.lastModified() <= latest)
-            QFile::remove(copy.absoluteFilePath());
 }
 
 Status writeTextFile(const std::filesystem::path& path, std::string_view text)

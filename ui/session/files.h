@@ -5,7 +5,6 @@
 
 #include <QString>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -33,10 +32,6 @@ QString sizeText(std::uint64_t bytes);
 
 /// The content of a small file: a transfer function, a camera. Errors: it cannot be read, or has more than 64 MiB.
 Result<std::string> readTextFile(const std::filesystem::path& path);
-
-/// Removes what a program that was killed while it wrote the settings left beside them: QSettings' unfinished copies,
-/// which are called like the file and six characters more, if they are older than `age`: others may be being written.
-void removeUnfinishedSettings(const QString& settingsFile, std::chrono::seconds age);
 
 /// Whole or not at all.
 Status writeTextFile(const std::filesystem::path& path, std::string_view text);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/history/query/mesh_extractor.h"
-#include "core/history/query/coarse_mesh.h"
 
 #include "core/base/guarded.h"
 #include "core/history/pair_limits.h"
