@@ -29,7 +29,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_tri
 Mesh meshOf(const TriangleMesh& surface)
 {
     std::vector<Kernel::Point_3> points;
-    for (const Eigen::Vector3f& position : surface.positions)
+    for (const Eigen::Vector3d& position : surface.positions)
         points.emplace_back(position.x(), position.y(), position.z());
     std::vector<std::vector<std::size_t>> triangles;
     for (const auto& triangle : surface.triangles)
@@ -67,8 +67,8 @@ SurfaceQuality qualityOf(const Mesh& surface, const Mesh& other, const TriangleM
     Eigen::AlignedBox3d box;
     double squares = 0;
     double largest = 0;
-    for (const Eigen::Vector3f& position : finest.positions) {
-        box.extend(position.cast<double>());
+    for (const Eigen::Vector3d& position : finest.positions) {
+        box.extend(position);
         const double square = tree.squared_distance(Kernel::Point_3(position.x(), position.y(), position.z()));
         squares += square;
         largest = std::max(largest, square);

@@ -193,10 +193,11 @@ using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 
 std::vector<std::uint32_t> alongCurve(std::span<const Eigen::Vector3d> positions)
 {
-    std::vector<Eigen::Vector3f> places;
+    // Rounded, as the order of models of before is that of floats.
+    std::vector<Eigen::Vector3d> places;
     places.reserve(positions.size());
     for (const Eigen::Vector3d& position : positions)
-        places.push_back(position.cast<float>());
+        places.emplace_back(position.cast<float>().cast<double>());
     Buffer<KeyedIndex> keys = spatialKeys(places);
     radixSort(keys, spatialKeyBits);
     std::vector<std::uint32_t> order;

@@ -18,17 +18,17 @@ constexpr std::size_t pointsKeyedAtOnce = std::size_t(1) << 14;
 constexpr int axisBits = spatialKeyBits / 3;
 constexpr float cubes = 1 << axisBits;
 
-Eigen::AlignedBox3f boundsOf(std::span<const Eigen::Vector3f> points)
+Eigen::AlignedBox3d boundsOf(std::span<const Eigen::Vector3d> points)
 {
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, points.size(), pointsKeyedAtOnce), Eigen::AlignedBox3f(),
-        [&](const auto& range, Eigen::AlignedBox3f box) {
+        tbb::blocked_range<std::size_t>(0, points.size(), pointsKeyedAtOnce), Eigen::AlignedBox3d(),
+        [&](const auto& range, Eigen::AlignedBox3d box) {
             for (std::size_t i = range.begin(); i != range.end(); ++i)
                 if (points[i].allFinite())
                     box.extend(points[i]);
             return box;
         },
-        [](const Eigen::AlignedBox3f& one, const Eigen::AlignedBox3f& other) { return one.merged(other); });
+        [](const Eigen::AlignedBox3d& one, const Eigen::AlignedBox3d& other) { return one.merged(other); });
 }
 
 /// Puts two zeros after each of the lowest ten bits.
@@ -65,17 +65,17 @@ TETRA_SIMD_INLINE std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y, std
 }
 
 /// Which cube along an axis; the last for what is no number.
-TETRA_SIMD_INLINE std::uint32_t cubeOf(float offset, float scale)
+TETRA_SIMD_INLINE std::uint32_t cubeOf(double offset, float scale)
 {
-    const float place = offset * scale;
+    const float place = static_cast<float>(offset) * scale;
     const float bounded = place < cubes - 1 ? place : cubes - 1;
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(bounded > 0 ? bounded : 0));
 }
 
-TETRA_SIMD_INLINE void hilbertKeys(const float* coordinates, std::size_t first, std::size_t last, const float* origin,
+TETRA_SIMD_INLINE void hilbertKeys(const double* coordinates, std::size_t first, std::size_t last, const double* origin,
                                    float scale, KeyedIndex* keys)
 {
-    const float x = origin[0], y = origin[1], z = origin[2];
+    const double x = origin[0], y = origin[1], z = origin[2];
     for (std::size_t i = first; i < last; ++i)
         keys[i] = {hilbertKey(cubeOf(coordinates[3 * i] - x, scale), cubeOf(coordinates[3 * i + 1] - y, scale),
                               cubeOf(coordinates[3 * i + 2] - z, scale)),
@@ -84,11 +84,11 @@ TETRA_SIMD_INLINE void hilbertKeys(const float* coordinates, std::size_t first, 
 
 } // namespace
 
-Buffer<KeyedIndex> spatialKeys(std::span<const Eigen::Vector3f> points)
+Buffer<KeyedIndex> spatialKeys(std::span<const Eigen::Vector3d> points)
 {
-    const Eigen::AlignedBox3f box = boundsOf(points);
-    const Eigen::Vector3f origin = box.isEmpty() ? Eigen::Vector3f(0, 0, 0) : box.min();
-    const float side = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+    const Eigen::AlignedBox3d box = boundsOf(points);
+    const Eigen::Vector3d origin = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : box.min();
+    const auto side = static_cast<float>(box.isEmpty() ? 0 : box.sizes().maxCoeff());
     const float scale = side > 0 ? cubes / side : 0;
     Buffer<KeyedIndex> keys(points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), pointsKeyedAtOnce), [&](const auto& range) {

@@ -8,7 +8,7 @@ namespace tetra {
 
 namespace {
 
-Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
+Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3d>& positions)
 {
     if (!model.check(model.points().first(sites)))
         return model.checkIntact();
@@ -16,7 +16,7 @@ Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::
     const LatticePoints lookUp(lattice);
     const std::uint32_t* const points = model.points().data();
     const std::uint64_t pointCount = lattice.pointCount();
-    Eigen::Vector3f* const out = positions.data();
+    Eigen::Vector3d* const out = positions.data();
     bool outside = false;
     for (std::size_t site = 0; site < sites; ++site) {
         const std::uint32_t point = points[site];
@@ -28,19 +28,19 @@ Status placeLatticeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::
     return {};
 }
 
-/// The first elements of the array that is there, rounded to floats.
-template <class T> bool copyFirst(const Model& model, std::span<const T> from, std::span<Eigen::Vector3f> to)
+/// The first elements of the array that is there.
+template <class T> bool copyFirst(const Model& model, std::span<const T> from, std::span<Eigen::Vector3d> to)
 {
     if (from.empty())
         return true;
     for (std::size_t site = 0; site < to.size(); ++site)
-        to[site] = from[site].template cast<float>();
+        to[site] = from[site].template cast<double>();
     return model.check(from.first(to.size()));
 }
 
 } // namespace
 
-Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions)
+Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3d>& positions)
 {
     positions.resize(sites);
     if (model.description().domain == DomainClass::RegularLattice)

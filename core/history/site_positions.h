@@ -24,17 +24,15 @@ public:
     {
     }
 
-    /// Where Lattice::position() puts the point, rounded to float. Any index is harmless; one outside has no meaning.
-    Eigen::Vector3f position(std::uint32_t index) const
+    /// Where Lattice::position() puts the point. Any index is harmless; one outside has no meaning.
+    Eigen::Vector3d position(std::uint32_t index) const
     {
         const double number = index;
         const double slice = quotient(number, perSlice_);
         const double inSlice = number - slice * sizeXy_;
         const double row = quotient(inSlice, perRow_);
         const double inRow = inSlice - row * sizeX_;
-        return {static_cast<float>(origin_[0] + spacing_[0] * inRow),
-                static_cast<float>(origin_[1] + spacing_[1] * row),
-                static_cast<float>(origin_[2] + spacing_[2] * slice)};
+        return {origin_[0] + spacing_[0] * inRow, origin_[1] + spacing_[1] * row, origin_[2] + spacing_[2] * slice};
     }
 
 private:
@@ -59,8 +57,8 @@ private:
 /// Results take the place of what was in the buffers. They do not ask whether the file changed meanwhile
 /// (Model::checkIntact()): whoever puts a mesh together does that at its end.
 
-/// Where sites lie in physical space, rounded to floats. Errors: a damaged file.
-Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3f>& positions);
+/// Where sites lie in physical space. Errors: a damaged file.
+Status placeSites(const Model& model, std::uint32_t sites, Buffer<Eigen::Vector3d>& positions);
 
 /// The values of sites, rounded to floats. Errors: a damaged file.
 Status copyValues(const Model& model, std::uint32_t sites, Buffer<float>& values);

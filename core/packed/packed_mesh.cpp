@@ -26,6 +26,7 @@ struct PackedMeshHeader {
     static constexpr std::array<std::uint8_t, 8> marked = {0x89, 'T', 'A', 'N', 'M', 0x0d, 0x0a, 0x1a};
     static constexpr std::uint32_t current = 1;
     static constexpr std::uint32_t withLives = 1; ///< a flag: errors of birth and death follow
+    static constexpr std::uint32_t withScale = 2; ///< a flag: positions are doubles, told by a PlaceScale
 
     std::array<std::uint8_t, 8> magic = marked;
     std::uint32_t version = current;
@@ -42,8 +43,8 @@ static_assert(sizeof(PackedMeshHeader) == 48 && std::endian::native == std::endi
 constexpr std::uint64_t mostTetrahedraInByte = std::uint64_t(8) << 10;
 constexpr std::uint32_t mostFactBytes = 1 << 20;
 /// What a mesh takes while it is unpacked, with the copies that are handed out: 16 and perhaps 8 bytes a tetrahedron,
-/// 28 a vertex, each twice.
-constexpr std::uint64_t bytesOfTetrahedron = 48, bytesOfVertex = 56;
+/// 76 a vertex, each twice.
+constexpr std::uint64_t bytesOfTetrahedron = 48, bytesOfVertex = 152;
 
 float floatOfOrder(std::uint32_t order) noexcept
 {
@@ -301,14 +302,18 @@ template <class Coder> class MeshWalk {
         encodes ? Message::marked("Packing the mesh") : Message::marked("Unpacking the mesh");
 
 public:
-    MeshWalk(Coder& coder, std::uint64_t vertices, std::uint64_t tetrahedra, bool lives, SentMesh* sent)
-        : coder_(coder), vertexCount_(vertices), tetrahedronCount_(tetrahedra), lives_(lives), sent_(sent)
+    /// Without a scale, all coordinates are floats.
+    MeshWalk(Coder& coder, std::uint64_t vertices, std::uint64_t tetrahedra, bool lives,
+             const std::optional<PlaceScale>& scale, SentMesh* sent)
+        : coder_(coder), vertexCount_(vertices), tetrahedronCount_(tetrahedra), lives_(lives), scale_(scale),
+          sent_(sent)
     {
     }
 
     std::array<CodedFloats, 4>& ofVertices() noexcept { return ofVertices_; } ///< coordinates and value
     std::array<CodedFloats, 2>& ofTetrahedra() noexcept { return ofTetrahedra_; }
     const Buffer<Tetrahedron>& tetrahedra() const noexcept { return tetrahedra_; }
+    const Buffer<Eigen::Vector3d>& places() const noexcept { return places_; }
 
     /// Cancelled, or BadInput if what is decoded is no mesh.
     Status run(const Progress& progress)
@@ -390,10 +395,36 @@ private:
             sent_->vertices.push_back(sentVertex);
         }
         const std::size_t vertex = positions_.size();
-        positions_.emplace_back(ofVertices_[0][vertex], ofVertices_[1][vertex], ofVertices_[2][vertex]);
+        const Eigen::Vector3d rough(ofVertices_[0][vertex], ofVertices_[1][vertex], ofVertices_[2][vertex]);
+        positions_.push_back(scale_ ? scale_->unit.cwiseProduct(rough).eval() : rough);
+        if constexpr (encodes)
+            codePlace(sent_->mesh.positions[sentVertex]);
+        else
+            codePlace(rough);
         atBorder_.push_back(false);
         open_.addVertex();
         return true;
+    }
+
+    /// Where the last vertex lies: what its rough position is short of.
+    void codePlace(const Eigen::Vector3d& truth)
+    {
+        if (!scale_) {
+            places_.push_back(positions_.back());
+            return;
+        }
+        const Eigen::Vector3d expected = scale_->origin + positions_.back();
+        Eigen::Vector3d& place = places_.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::uint64_t from = orderOf(expected[axis]);
+            const std::uint64_t difference = orderOf(truth[axis]) - from;
+            const std::uint64_t folded =
+                difference << 1 ^ (0 - (difference >> 63)); // small for small ones of either sign
+            NumberModel* const models = placeModels_[static_cast<std::size_t>(axis)].data();
+            const std::uint64_t high = models[0].code(coder_, folded >> 32);
+            const std::uint64_t told = high << 32 | (models[1].code(coder_, folded & 0xffffffff) & 0xffffffff);
+            place[axis] = numberOfOrder<double>(from + (told >> 1 ^ (0 - (told & 1))));
+        }
     }
 
     /// A vertex that is known, by its number; noVertex if there is none.
@@ -577,7 +608,7 @@ private:
     using Vector = std::array<double, 3>;
     Vector at(std::uint32_t vertex) const
     {
-        const Eigen::Vector3f& position = positions_[vertex];
+        const Eigen::Vector3d& position = positions_[vertex];
         return {position[0], position[1], position[2]};
     }
     static Vector minus(const Vector& one, const Vector& other)
@@ -624,9 +655,11 @@ private:
     Coder& coder_;
     std::uint64_t vertexCount_, tetrahedronCount_;
     bool lives_;
+    std::optional<PlaceScale> scale_;
     SentMesh* sent_;
 
-    std::vector<Eigen::Vector3f> positions_;
+    std::vector<Eigen::Vector3d> positions_; ///< rough, from the scale's origin: what decides what comes next
+    Buffer<Eigen::Vector3d> places_;         ///< exact
     std::vector<std::uint8_t> atBorder_;
     Buffer<Tetrahedron> tetrahedra_;
     OpenFaces open_;
@@ -636,6 +669,7 @@ private:
     std::array<CodedFloats, 2> ofTetrahedra_;
     BitModel seedIsNew_;
     NumberModel known_;
+    std::array<std::array<NumberModel, 2>, 3> placeModels_; ///< of each axis: upper and lower half
     std::array<std::array<BitModel, heights + 1>, 4>
         isBorder_; ///< by corners known to lie at it, and the first near one
     std::array<std::array<BitModel, heights + 1>, 4> isNew_;
@@ -667,9 +701,16 @@ template <class Value> void appendBytes(std::vector<std::byte>& bytes, const Val
     bytes.insert(bytes.end(), begin, begin + sizeof value);
 }
 
+bool isFloat(const Eigen::Vector3d& place)
+{
+    return std::ranges::all_of(place, [](double coordinate) {
+        return orderOf(static_cast<double>(static_cast<float>(coordinate))) == orderOf(coordinate);
+    });
+}
+
 Result<std::vector<std::byte>> packedMesh(const TetrahedralMesh& mesh, std::span<const float> births,
                                           std::span<const float> deaths, std::string_view facts,
-                                          const Progress& progress)
+                                          const PlaceScale& given, const Progress& progress)
 {
     if (const Status fit = checkArrays(mesh, births, deaths, facts); !fit)
         return fit.error();
@@ -679,10 +720,14 @@ Result<std::vector<std::byte>> packedMesh(const TetrahedralMesh& mesh, std::span
     sent.vertices.reserve(mesh.positions.size());
     sent.known.resize(mesh.tetrahedra.size());
     RangeEncoder coder;
-    MeshWalk<RangeEncoder> walk(coder, mesh.positions.size(), mesh.tetrahedra.size(), !births.empty(), &sent);
+    const std::optional<PlaceScale> scale =
+        std::ranges::all_of(mesh.positions, isFloat) ? std::nullopt : std::optional(given);
+    MeshWalk<RangeEncoder> walk(coder, mesh.positions.size(), mesh.tetrahedra.size(), !births.empty(), scale, &sent);
+    const PlaceScale asGiven = scale.value_or(PlaceScale());
     for (int axis = 0; axis < 3; ++axis)
-        walk.ofVertices()[static_cast<std::size_t>(axis)].take(
-            mesh.positions.size(), [&](std::size_t vertex) { return mesh.positions[vertex][axis]; });
+        walk.ofVertices()[static_cast<std::size_t>(axis)].take(mesh.positions.size(), [&](std::size_t vertex) {
+            return static_cast<float>((mesh.positions[vertex][axis] - asGiven.origin[axis]) / asGiven.unit[axis]);
+        });
     walk.ofVertices()[3].take(mesh.values.size(), [&](std::size_t vertex) { return mesh.values[vertex]; });
     walk.ofTetrahedra()[0].take(births.size(), [&](std::size_t cell) { return births[cell]; });
     walk.ofTetrahedra()[1].take(deaths.size(), [&](std::size_t cell) { return deaths[cell]; });
@@ -691,7 +736,7 @@ Result<std::vector<std::byte>> packedMesh(const TetrahedralMesh& mesh, std::span
     const std::vector<std::byte> coded = coder.finish();
 
     PackedMeshHeader header;
-    header.flags = births.empty() ? 0 : PackedMeshHeader::withLives;
+    header.flags = (births.empty() ? 0 : PackedMeshHeader::withLives) | (scale ? PackedMeshHeader::withScale : 0);
     header.vertices = mesh.positions.size();
     header.tetrahedra = mesh.tetrahedra.size();
     header.factBytes = static_cast<std::uint32_t>(facts.size());
@@ -701,6 +746,8 @@ Result<std::vector<std::byte>> packedMesh(const TetrahedralMesh& mesh, std::span
     appendBytes(bytes, header);
     bytes.insert(bytes.end(), reinterpret_cast<const std::byte*>(facts.data()),
                  reinterpret_cast<const std::byte*>(facts.data()) + facts.size());
+    if (scale)
+        appendBytes(bytes, *scale);
     bytes.insert(bytes.end(), coded.begin(), coded.end());
     appendBytes(bytes, checksum(bytes));
     return bytes;
@@ -709,6 +756,12 @@ Result<std::vector<std::byte>> packedMesh(const TetrahedralMesh& mesh, std::span
 Error noPackedMesh()
 {
     return {ErrorKind::BadInput, Message::say("What was received is no packed mesh of this version, or is damaged.")};
+}
+
+std::size_t scaleBytes(const PackedMeshHeader& header)
+{
+    static_assert(sizeof(PlaceScale) == 6 * sizeof(double));
+    return (header.flags & PackedMeshHeader::withScale) != 0 ? sizeof(PlaceScale) : 0;
 }
 
 Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_t mostTetrahedra,
@@ -722,13 +775,14 @@ Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_
     const auto body = bytes.first(bytes.size() - sizeof sum);
     std::memcpy(&sum, body.data() + body.size(), sizeof sum);
     const bool sound = header.magic == PackedMeshHeader::marked && header.version == PackedMeshHeader::current &&
-                       header.flags <= PackedMeshHeader::withLives && header.factBytes <= mostFactBytes &&
-                       header.codedBytes == body.size() - sizeof header - header.factBytes && sum == checksum(body) &&
-                       header.vertices < noVertex &&
+                       header.flags <= (PackedMeshHeader::withLives | PackedMeshHeader::withScale) &&
+                       header.factBytes <= mostFactBytes &&
+                       header.codedBytes == body.size() - sizeof header - header.factBytes - scaleBytes(header) &&
+                       sum == checksum(body) && header.vertices < noVertex &&
                        header.tetrahedra <= std::min<std::uint64_t>(largestAdjacentCellCount,
                                                                     (header.codedBytes + 8) * mostTetrahedraInByte) &&
                        header.vertices <= (header.codedBytes + 8) * mostTetrahedraInByte;
-    if (!sound || body.size() < sizeof header + header.factBytes)
+    if (!sound || body.size() < sizeof header + header.factBytes + scaleBytes(header))
         return noPackedMesh();
     const std::uint64_t usable = usableBytes();
     if (usable != 0 && header.tetrahedra * bytesOfTetrahedron + header.vertices * bytesOfVertex > usable / 2)
@@ -740,20 +794,20 @@ Result<UnpackedMesh> unpackedMesh(std::span<const std::byte> bytes, std::uint64_
         return Error{ErrorKind::OutOfResource, Message::say("The mesh has %1 tetrahedra, and at most %2 are taken.",
                                                             header.tetrahedra, mostTetrahedra)};
     const auto facts = body.subspan(sizeof header, header.factBytes);
-    RangeDecoder coder(body.subspan(sizeof header + header.factBytes));
+    std::optional<PlaceScale> scale;
+    if (const std::size_t size = scaleBytes(header); size > 0)
+        std::memcpy(static_cast<void*>(&scale.emplace()), body.data() + sizeof header + header.factBytes, size);
+    RangeDecoder coder(body.subspan(sizeof header + header.factBytes + scaleBytes(header)));
     const bool lives = (header.flags & PackedMeshHeader::withLives) != 0;
-    MeshWalk<RangeDecoder> walk(coder, header.vertices, header.tetrahedra, lives, nullptr);
+    MeshWalk<RangeDecoder> walk(coder, header.vertices, header.tetrahedra, lives, scale, nullptr);
     if (const Status done = walk.run(progress); !done)
         return done.error();
 
     UnpackedMesh result;
-    result.mesh.positions.resize(header.vertices);
+    result.mesh.positions = walk.places();
     result.mesh.values.resize(header.vertices);
-    const auto& [x, y, z, value] = walk.ofVertices();
-    for (std::size_t vertex = 0; vertex < header.vertices; ++vertex) {
-        result.mesh.positions[vertex] = {x[vertex], y[vertex], z[vertex]};
-        result.mesh.values[vertex] = value[vertex];
-    }
+    for (std::size_t vertex = 0; vertex < header.vertices; ++vertex)
+        result.mesh.values[vertex] = walk.ofVertices()[3][vertex];
     result.mesh.tetrahedra = walk.tetrahedra();
     if (lives) {
         result.birthErrors.resize(header.tetrahedra);
@@ -774,9 +828,9 @@ constexpr MarkedText noMemoryForMesh =
 
 Result<std::vector<std::byte>> packMesh(const TetrahedralMesh& mesh, std::span<const float> birthErrors,
                                         std::span<const float> deathErrors, std::string_view facts,
-                                        const Progress& progress)
+                                        const PlaceScale& scale, const Progress& progress)
 {
-    return guarded(noMemoryForMesh, [&] { return packedMesh(mesh, birthErrors, deathErrors, facts, progress); });
+    return guarded(noMemoryForMesh, [&] { return packedMesh(mesh, birthErrors, deathErrors, facts, scale, progress); });
 }
 
 Result<UnpackedMesh> unpackMesh(std::span<const std::byte> bytes, std::uint64_t mostTetrahedra,

@@ -4,6 +4,8 @@
 #include <tan/base.h>
 #include <tan/mesh.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,6 +26,13 @@ struct UnpackedMesh {
     std::string facts; ///< what its sender tells of it
 };
 
+/// Near which places coordinates lie: at origin + unit * n with small integers n, if they are those of a lattice. Each
+/// unit is finite and positive. It decides how few bytes a mesh takes, and nothing else.
+struct PlaceScale {
+    Eigen::Vector3d origin{0, 0, 0};
+    Eigen::Vector3d unit{1, 1, 1};
+};
+
 /// The mesh in few bytes, for the way over a network (PACKED_MESH.md): as a rule one to two bytes a tetrahedron in
 /// place of twenty. Every coordinate, value and error keeps its bits; what changes is the order of vertices and
 /// tetrahedra, and which corner of a tetrahedron is named first (its sign stays). Any mesh whose corners exist goes,
@@ -32,7 +41,7 @@ struct UnpackedMesh {
 /// not belong together; out of memory; cancelled.
 TAN_INTERNAL Result<std::vector<std::byte>> packMesh(const TetrahedralMesh& mesh, std::span<const float> birthErrors,
                                                      std::span<const float> deathErrors, std::string_view facts,
-                                                     const Progress& progress = {});
+                                                     const PlaceScale& scale = {}, const Progress& progress = {});
 
 /// The inverse. The bytes may come from anywhere: all sizes and indices are checked, and memory is taken for what is
 /// there, not for what is announced. Errors: BadInput for bytes that are no packed mesh or damaged, OutOfResource for a

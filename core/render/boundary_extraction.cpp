@@ -124,7 +124,7 @@ TriangleMesh surfaceOf(const Boundary& boundary, DisjointSets& joined, const aut
         if (root == corner) {
             numbers[corner] = static_cast<std::uint32_t>(normals.size());
             normals.emplace_back(0, 0, 0);
-            surface.positions.push_back(boundary.corners[corner].cast<float>());
+            surface.positions.push_back(boundary.corners[corner]);
             surface.values.push_back(valueOf(boundary.vertexOf(corner)));
         }
         const std::uint32_t vertex = numbers[root];
@@ -147,7 +147,7 @@ Result<TriangleMesh> boundaryOfMesh(const TetrahedralMesh& mesh, double featureA
         return cancelledError(findingBoundary);
     progress.report(0.5, findingBoundary);
     const Boundary boundary = boundaryOf(faces.triangles, [&](std::uint32_t vertex) -> Eigen::Vector3d {
-        return mesh.positions[faces.vertices[vertex]].cast<double>();
+        return mesh.positions[faces.vertices[vertex]];
     });
     DisjointSets joined = smoothCorners(boundary, featureAngle);
     if (progress.cancelled())
@@ -277,7 +277,7 @@ public:
 private:
     ColouredCorner cornerOf(std::uint32_t vertex) const
     {
-        return {surface_.positions[vertex].cast<double>(), surface_.normals[vertex], surface_.values[vertex], vertex};
+        return {surface_.positions[vertex], surface_.normals[vertex], surface_.values[vertex], vertex};
     }
     std::uint32_t numberOf(const ColouredCorner& corner, const ColourSpan& span);
     void addPiece(const std::vector<ColouredCorner>& polygon, const ColourSpan& span);
@@ -295,7 +295,7 @@ std::uint32_t Colouring::numberOf(const ColouredCorner& corner, const ColourSpan
     if (corner.vertex != isNewVertex && coloured_.colours[corner.vertex] == colour)
         return corner.vertex;
     const auto number = static_cast<std::uint32_t>(coloured_.positions.size());
-    coloured_.positions.push_back(corner.position.cast<float>());
+    coloured_.positions.push_back(corner.position);
     coloured_.normals.push_back(corner.normal.normalized());
     coloured_.values.push_back(static_cast<float>(corner.value));
     coloured_.colours.push_back(colour);

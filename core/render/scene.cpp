@@ -50,7 +50,7 @@ LineSet boxOutline(const Eigen::AlignedBox3d& box, const Colour& colour, float w
     if (box.isEmpty())
         return lines;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        lines.points.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).cast<float>());
+        lines.points.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
         for (std::uint32_t axis = 1; axis < 8; axis *= 2)
             if ((corner & axis) == 0)
                 lines.segments.push_back({corner, corner | axis});

@@ -91,9 +91,7 @@ struct GradedCell {
 
 GradedCell gradedCell(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& corners)
 {
-    const auto place = [&](std::size_t corner) {
-        return Eigen::Vector3d(mesh.positions[corners[corner]].cast<double>());
-    };
+    const auto place = [&](std::size_t corner) { return mesh.positions[corners[corner]]; };
     const auto value = [&](std::size_t corner) { return static_cast<double>(mesh.values[corners[corner]]); };
     Eigen::Matrix3d edges;
     Eigen::Vector3d rises;
@@ -214,10 +212,8 @@ namespace {
 
 double cellVolume(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& cell)
 {
-    const Eigen::Vector3f& origin = mesh.positions[cell[0]];
-    const auto edge = [&](std::size_t corner) {
-        return Eigen::Vector3d((mesh.positions[cell[corner]] - origin).cast<double>());
-    };
+    const Eigen::Vector3d& origin = mesh.positions[cell[0]];
+    const auto edge = [&](std::size_t corner) { return Eigen::Vector3d(mesh.positions[cell[corner]] - origin); };
     return std::abs(edge(1).dot(edge(2).cross(edge(3))));
 }
 

@@ -91,7 +91,7 @@ LineQuad quadAround(const Eigen::Vector4d& a, const Eigen::Vector4d& b, const Vi
 std::vector<LineQuad> thickLines(const LineSet& lines, const ViewTransform& transform, double width)
 {
     const auto project = [&](std::uint32_t point) -> Eigen::Vector4d {
-        return transform.clipFromWorld * lines.points[point].cast<double>().homogeneous();
+        return transform.clipFromWorld * lines.points[point].homogeneous();
     };
     std::vector<LineQuad> quads;
     quads.reserve(lines.segments.size());

@@ -191,6 +191,14 @@ ServedAnswer tooLarge(std::uint64_t most)
 
 /// What the receiver is told besides the mesh: the figures of `tan extract`, the facts that it writes into files, and
 /// what ExtractedMesh says.
+PlaceScale scaleOf(const Model& model)
+{
+    const ModelDescription& description = model.description();
+    if (description.domain == DomainClass::RegularLattice)
+        return {description.lattice.origin, description.lattice.spacing};
+    return {description.bounds.min(), {1, 1, 1}};
+}
+
 std::string factsText(const ServedFile& file, const Model& model, const MeshQuery& query, const ExtractedMesh& mesh)
 {
     JsonArrayText facts;
@@ -566,7 +574,7 @@ ServedAnswer ModelServer::meshAnswer(const ServedRequest& request, const ServedF
         if (const Status some = checkNotEmpty(*asked, **model, (*mesh)->mesh); !some && words->value("empty") != "yes")
             return some.error();
         auto packed = packMesh((*mesh)->mesh, (*mesh)->birthErrors, (*mesh)->deathErrors,
-                               factsText(file, **model, *asked, **mesh), progress);
+                               factsText(file, **model, *asked, **mesh), scaleOf(**model), progress);
         if (!packed)
             return packed.error();
         answer.note = std::to_string((*mesh)->mesh.tetrahedra.size()) + " tetrahedra";

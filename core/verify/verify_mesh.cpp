@@ -71,8 +71,8 @@ std::vector<LatticePoint> placesOf(const Dataset& original, const std::vector<st
 }
 
 /// The dataset's point that each vertex of an extracted mesh is: the point of its site, or the one that the mesh names.
-/// Position and value must be the dataset's, rounded to float, and no two vertices the same point; what is not so is a
-/// failure. Empty if a vertex is no point.
+/// Position and value must be the dataset's, the value rounded to float, and no two vertices the same point; what is
+/// not so is a failure. Empty if a vertex is no point.
 std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& original, const ExtractedMesh& mesh,
                                             std::vector<std::string>& failures)
 {
@@ -81,15 +81,13 @@ std::vector<std::uint32_t> pointsOfVertices(const Model& model, const Dataset& o
     std::vector<bool> taken(original.pointCount());
     for (std::uint32_t vertex = 0; vertex < mesh.sites.size(); ++vertex) {
         const std::uint32_t site = mesh.sites[vertex];
-        const Eigen::Vector3f& place = mesh.mesh.positions[vertex];
-        const auto name = [&] {
-            return "Vertex " + std::to_string(vertex) + " at " + textOf(Eigen::Vector3d(place.cast<double>()));
-        };
+        const Eigen::Vector3d& place = mesh.mesh.positions[vertex];
+        const auto name = [&] { return "Vertex " + std::to_string(vertex) + " at " + textOf(place); };
         const bool isNamed = site == ExtractedMesh::noSite && vertex < mesh.points.size();
         const std::uint64_t point = site < model.siteCount() ? model.points()[site]
                                     : isNamed                ? mesh.points[vertex]
                                                              : original.pointCount();
-        if (point >= original.pointCount() || original.position(point).cast<float>() != place) {
+        if (point >= original.pointCount() || original.position(point) != place) {
             noPoint.add(vertex, [&] {
                 return name() + (site == ExtractedMesh::noSite
                                      ? " is no point of the dataset."

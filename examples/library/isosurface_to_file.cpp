@@ -17,7 +17,7 @@ int failed(const tetra::Error& error)
 
 void writeObj(const tetra::TriangleMesh& surface, std::ostream& file)
 {
-    for (const Eigen::Vector3f& place : surface.positions)
+    for (const Eigen::Vector3d& place : surface.positions)
         file << "v " << place.x() << ' ' << place.y() << ' ' << place.z() << '\n';
     for (const Eigen::Vector3f& normal : surface.normals)
         file << "vn " << normal.x() << ' ' << normal.y() << ' ' << normal.z() << '\n';

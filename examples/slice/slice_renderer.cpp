@@ -7,7 +7,7 @@ namespace {
 using namespace tetra;
 
 struct Arrow {
-    Eigen::Vector3f place, gradient;
+    Eigen::Vector3d place, gradient;
 };
 
 /// At each vertex of the cut.
@@ -16,29 +16,29 @@ std::vector<Arrow> arrowsOf(const MeshCut& cut, std::span<const Eigen::Vector3f>
     std::vector<Arrow> arrows;
     for (std::size_t vertex = 0; vertex < cut.points.size(); ++vertex) {
         const auto& [from, to, share] = cut.points[vertex];
-        arrows.push_back(
-            {cut.surface.positions[vertex], gradients[from] + float(share) * (gradients[to] - gradients[from])});
+        arrows.push_back({cut.surface.positions[vertex],
+                          (gradients[from] + float(share) * (gradients[to] - gradients[from])).cast<double>()});
     }
     return arrows;
 }
 
 /// About so many of the arrows, as lines whose heads lie flat before the eye.
-std::vector<Drawable> drawnArrows(const std::vector<Arrow>& arrows, float length, const Camera& camera)
+std::vector<Drawable> drawnArrows(const std::vector<Arrow>& arrows, double length, const Camera& camera)
 {
     constexpr std::size_t mostArrows = 300;
     const std::size_t step = std::max<std::size_t>(1, arrows.size() / mostArrows);
-    float steepest = 0;
+    double steepest = 0;
     for (const Arrow& arrow : arrows)
         steepest = std::max(steepest, arrow.gradient.norm());
     LineSet lines{{}, {}, {0.1f, 0.1f, 0.1f}, 1.5f};
-    const Eigen::Vector3f eye = eyePosition(camera).cast<float>();
+    const Eigen::Vector3d eye = eyePosition(camera);
     for (std::size_t i = 0; i < arrows.size() && steepest > 0; i += step) {
-        const Eigen::Vector3f along = arrows[i].gradient * (length / steepest);
-        const Eigen::Vector3f tip = arrows[i].place + along;
-        const Eigen::Vector3f aside = along.cross(eye - tip).normalized() * along.norm() * 0.2f;
+        const Eigen::Vector3d along = arrows[i].gradient * (length / steepest);
+        const Eigen::Vector3d tip = arrows[i].place + along;
+        const Eigen::Vector3d aside = along.cross(eye - tip).normalized() * along.norm() * 0.2;
         const auto first = std::uint32_t(lines.points.size());
         lines.points.insert(lines.points.end(),
-                            {arrows[i].place, tip, tip - 0.35f * along + aside, tip - 0.35f * along - aside});
+                            {arrows[i].place, tip, tip - 0.35 * along + aside, tip - 0.35 * along - aside});
         for (const std::uint32_t end : {0u, 2u, 3u})
             lines.segments.push_back({first + 1, first + end});
     }
@@ -62,7 +62,7 @@ public:
         const TriangleMesh coloured = colouredByValue(cut->surface, view.value<TransferFunction>(transferId));
         Surface surface{.mesh = std::make_shared<const TriangleMesh>(coloured), .colour = {}, .lit = false};
         scene->drawables.push_back({.id = "slice", .label = "Slice", .shape = std::move(surface), .saved = true});
-        const auto length = float(meshes_.bounds.diagonal().norm() / 15);
+        const double length = meshes_.bounds.diagonal().norm() / 15;
         const auto arrows = [places = arrowsOf(*cut, gradients_), length](const Camera& camera, int, int) {
             return drawnArrows(places, length, camera);
         };

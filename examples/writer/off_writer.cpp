@@ -21,10 +21,10 @@ public:
     {
         QByteArray text;
         QTextStream lines(&text); // writes numbers alike in every language
-        lines.setRealNumberPrecision(9);
+        lines.setRealNumberPrecision(17);
         lines << "OFF\n" << surface.vertexCount() << " " << surface.triangleCount() << " 0\n";
         for (const tetra::SurfacePart& part : surface.parts)
-            for (const Eigen::Vector3f& position : part.positions)
+            for (const Eigen::Vector3d& position : part.positions)
                 lines << position.x() << " " << position.y() << " " << position.z() << "\n";
         std::size_t first = 0; // the file counts through the vertices of all parts
         for (const tetra::SurfacePart& part : surface.parts) {

@@ -33,6 +33,13 @@ inline std::string factText(const MeshFacts::value_type::second_type& fact)
     return {text.data(), end};
 }
 
+/// Whether floats hold all coordinates exactly. If not, formats that have doubles are written with them.
+inline bool fitFloats(std::span<const Eigen::Vector3d> positions)
+{
+    return std::ranges::all_of(
+        positions, [](const Eigen::Vector3d& position) { return position.cast<float>().cast<double>() == position; });
+}
+
 /// A number for each vertex, or for each tetrahedron, with a name.
 struct NamedArray {
     using Values = std::variant<std::span<const float>, std::span<const double>, std::span<const std::uint8_t>,
@@ -52,7 +59,7 @@ struct NamedArray {
 
 /// A mesh of tetrahedra to be written. Points into arrays that outlive the writing.
 struct MeshContent {
-    std::span<const Eigen::Vector3f> positions;
+    std::span<const Eigen::Vector3d> positions;
     std::span<const std::array<std::uint32_t, 4>> tetrahedra; ///< numbers of positions
     std::vector<NamedArray> pointArrays;                      ///< as many values as there are positions ...
     std::vector<NamedArray> cellArrays;                       ///< ... or tetrahedra
@@ -62,7 +69,7 @@ struct MeshContent {
 /// One surface of several: an isosurface, or the boundary of a mesh. Points into arrays that outlive the writing.
 struct SurfacePart {
     std::string name; ///< of the group or object, in the formats that have such
-    std::span<const Eigen::Vector3f> positions;
+    std::span<const Eigen::Vector3d> positions;
     std::span<const Eigen::Vector3f> normals; ///< of length 1, one for each position; of all parts or of none
     std::span<const std::array<std::uint32_t, 3>> triangles; ///< numbers of the part's positions; counterclockwise
     /// One for each position, or one for all.
@@ -101,6 +108,11 @@ struct SurfaceContent {
     MeshFacts facts;
     /// As many values as all parts have triangles, part after part; for the formats that have such arrays.
     std::vector<NamedArray> cellArrays{};
+
+    bool positionsFitFloats() const
+    {
+        return std::ranges::all_of(parts, [](const SurfacePart& part) { return fitFloats(part.positions); });
+    }
 
     /// Of all parts together.
     std::uint64_t vertexCount() const

@@ -171,7 +171,7 @@ Status saveBoundary(PluginHost& host, const MeshContent& mesh, const std::filesy
     const BoundaryFaces boundary = boundaryFaces(mesh.positions.size(), mesh.tetrahedra);
     if (progress.cancelled())
         return cancelledError(writingMesh);
-    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3d> positions;
     std::vector<float> vertexValues;
     const NamedArray* const array = valuesOf(mesh);
     for (const std::uint32_t vertex : boundary.vertices) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where vertices are in the picture (VolumeView).
 uniform bool perspective;
-uniform vec3 originHigh;      // the eye, or what an orthographic camera looks at, in two floats a coordinate
+uniform vec3 originHigh;      // the eye, or what an orthographic camera looks at, from the mesh's origin, in two floats
 uniform vec3 originLow;
 uniform mat3 imageFromWorld;  // VolumeView, without the shift
 uniform vec3 imageOfOrigin;

@@ -85,7 +85,7 @@ void addCircle(LineSet& lines, const Sphere& sphere, const Eigen::Vector3d& one,
     for (std::uint32_t i = 0; i < circleSegments; ++i) {
         const double angle = 2 * std::numbers::pi * i / circleSegments;
         const Eigen::Vector3d point = sphere.centre + sphere.radius * (std::cos(angle) * one + std::sin(angle) * other);
-        lines.points.push_back(point.cast<float>());
+        lines.points.push_back(point);
         lines.segments.push_back({first + i, first + (i + 1) % circleSegments});
     }
 }

@@ -141,8 +141,8 @@ SceneLevel Viewport::withOutlines(const SceneLevel& level) const
         return level;
     auto scene = std::make_shared<Scene>(*level.scene);
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
-        for (const Eigen::Vector3f& point : outlines_[i].points)
-            scene->bounds.extend(point.cast<double>());
+        for (const Eigen::Vector3d& point : outlines_[i].points)
+            scene->bounds.extend(point);
         scene->drawables.push_back({.id = "tool-outline-" + std::to_string(i + 1), .shape = outlines_[i]});
     }
     scaleLines(*scene, pixelsPerUnit);

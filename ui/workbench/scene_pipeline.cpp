@@ -28,7 +28,7 @@ void addOutlines(Scene& scene, const std::vector<FaultyCell>& cells)
             const auto first = static_cast<std::uint32_t>(core.points.size());
             core.segments.push_back({first, first + 1});
             for (const Eigen::Vector3d& end : edge) {
-                core.points.emplace_back(end.cast<float>());
+                core.points.push_back(end);
                 scene.bounds.extend(end); // one may lie outside of the mesh that is left
             }
         }
@@ -140,7 +140,7 @@ Status ScenePipeline::extract(const SceneRequest& request, const NeededMeshes& n
     meshBounds_.setEmpty();
     if (needed.query.window || !needed.query.values.empty())
         for (const auto& position : mesh_->mesh.positions)
-            meshBounds_.extend(position.template cast<double>());
+            meshBounds_.extend(position);
     logarithmic_.reset();
     if (range.minimum > 0)
         logarithmic_ = std::make_shared<const ValueHistogram>(

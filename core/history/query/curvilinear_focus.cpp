@@ -266,7 +266,7 @@ void CurvilinearFocus::Work::write(ExtractedMesh& mesh) const
     const std::span<const PackedPoint> added = mesh_.added();
     for (std::size_t i = 0; i < added.size(); ++i) {
         const std::uint32_t index = grid_.lattice().index(added[i]);
-        mesh.mesh.positions[coarseSites_ + i] = positions_[index].cast<float>();
+        mesh.mesh.positions[coarseSites_ + i] = positions_[index];
         mesh.mesh.values[coarseSites_ + i] = static_cast<float>(grid_[index].components[3]);
     }
 }

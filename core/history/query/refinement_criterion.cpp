@@ -66,7 +66,7 @@ RefinementCriterion::RefinementCriterion(const Model& model, const MeshQuery& qu
     largestWarping_ = warping.maximum;
     const Eigen::AlignedBox3d& bounds = model.description().bounds;
     rounding_ = std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff()) *
-                static_cast<double>(std::numeric_limits<float>::epsilon());
+                std::numeric_limits<double>::epsilon();
     allowedAnywhere_ = halfWithin(leastError_);
     finer_ = finerBox(query.error);
     if (warps_ && finer_) {
@@ -86,16 +86,16 @@ void RefinementCriterion::lookAtSites(std::uint32_t checkedSites)
     slope_ = (ramp->outer - ramp->inner) / ramp->falloff;
     atSites_.resize(places_.positions.size());
     std::ranges::transform(places_.positions, atSites_.begin(),
-                           [this](const Eigen::Vector3f& place) { return query_.error.at(place.cast<double>(), 0); });
+                           [this](const Eigen::Vector3d& place) { return query_.error.at(place, 0); });
 }
 
 /// The corners of the box around a tetrahedron.
-std::pair<Eigen::Array3f, Eigen::Array3f> RefinementCriterion::boxOf(const std::array<std::uint32_t, 4>& sites) const
+std::pair<Eigen::Array3d, Eigen::Array3d> RefinementCriterion::boxOf(const std::array<std::uint32_t, 4>& sites) const
 {
-    Eigen::Array3f least = places_.positions[sites[0]];
-    Eigen::Array3f largest = least;
+    Eigen::Array3d least = places_.positions[sites[0]];
+    Eigen::Array3d largest = least;
     for (const std::uint32_t site : std::span(sites).subspan<1>()) {
-        const Eigen::Array3f place = places_.positions[site];
+        const Eigen::Array3d place = places_.positions[site];
         least = least.min(place);
         largest = largest.max(place);
     }
@@ -112,8 +112,8 @@ RefinementCriterion::Quick RefinementCriterion::bySites(const std::array<std::ui
     if (error > least)
         return Quick::TooCoarse;
     const auto [from, to] = boxOf(sites);
-    constexpr double roundedUp = 1 + 1e-6;
-    const double size = static_cast<double>((to - from).matrix().norm()) * roundedUp + 4 * rounding_;
+    constexpr double roundedUp = 1 + 1e-12;
+    const double size = (to - from).matrix().norm() * roundedUp + 4 * rounding_;
     return error <= least - slope_ * size - 1e-12 * least ? Quick::Allowed : Quick::Unknown;
 }
 
@@ -140,8 +140,7 @@ bool RefinementCriterion::isOutside(const std::array<std::uint32_t, 4>& sites, d
     if (!finer_)
         return false;
     const auto [least, largest] = boxOf(sites);
-    return (least.cast<double>() - margin > finer_->max().array()).any() ||
-           (largest.cast<double>() + margin < finer_->min().array()).any();
+    return (least - margin > finer_->max().array()).any() || (largest + margin < finer_->min().array()).any();
 }
 
 /// Bounded, whatever the file says.
@@ -159,8 +158,7 @@ RefinementCriterion::Asked RefinementCriterion::askedOf(std::uint64_t tetrahedro
     if (isOutside(sites, margin))
         return {largestError_, largestWarping_};
     std::array<Eigen::Vector3d, 4> corners;
-    std::ranges::transform(sites, corners.begin(),
-                           [this](std::uint32_t site) { return places_.positions[site].cast<double>().eval(); });
+    std::ranges::transform(sites, corners.begin(), [this](std::uint32_t site) { return places_.positions[site]; });
     ValueRange values = model_.description().range;
     if (byValue_ && valuesBounded_) {
         const double doubt = own.error / 100 * values.extent();

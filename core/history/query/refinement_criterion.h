@@ -16,7 +16,7 @@ namespace tetra {
 
 /// Where the first sites of a model lie and what values they have, as a mesh holds them.
 struct SitePlaces {
-    Buffer<Eigen::Vector3f> positions;
+    Buffer<Eigen::Vector3d> positions;
     Buffer<float> values;
 };
 
@@ -65,7 +65,7 @@ private:
     Asked askedOf(std::uint64_t tetrahedron, std::uint32_t creator, const Own& own) const;
     enum class Quick { TooCoarse, Allowed, Unknown };
     Quick bySites(const std::array<std::uint32_t, 4>& sites, double error) const;
-    std::pair<Eigen::Array3f, Eigen::Array3f> boxOf(const std::array<std::uint32_t, 4>& sites) const;
+    std::pair<Eigen::Array3d, Eigen::Array3d> boxOf(const std::array<std::uint32_t, 4>& sites) const;
     bool isOutside(const std::array<std::uint32_t, 4>& sites, double margin) const;
     bool isAllowedOutside(std::uint64_t tetrahedron, std::uint32_t creator) const;
 

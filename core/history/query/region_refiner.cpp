@@ -682,7 +682,7 @@ void RegionRefiner::Work::write(ExtractedMesh& mesh) const
             const auto place = lattice.position(static_cast<std::uint32_t>(lattice_.x(point)),
                                                 static_cast<std::uint32_t>(lattice_.y(point)),
                                                 static_cast<std::uint32_t>(lattice_.z(point)));
-            mesh.mesh.positions[coarseSites_ + i] = place.cast<float>();
+            mesh.mesh.positions[coarseSites_ + i] = place;
             mesh.mesh.values[coarseSites_ + i] = static_cast<float>(samples[lattice_.index(point)]);
         }
     });

@@ -26,7 +26,7 @@ bool canContain(const std::array<float, 4>& values, std::span<const ValueRange> 
     return ranges.empty() || std::ranges::any_of(ranges, overlaps);
 }
 
-BoxSides::BoxSides(const Box& box, std::span<const Eigen::Vector3f> positions)
+BoxSides::BoxSides(const Box& box, std::span<const Eigen::Vector3d> positions)
     : box_(box), positions_(positions), sides_(positions.size())
 {
     const bool isEmpty = (box.least.array() > box.largest.array()).any();
@@ -49,7 +49,7 @@ bool BoxSides::meets(const std::array<std::uint32_t, 4>& tetrahedron) const
     for (int corner = 0; corner < 4; ++corner) {
         if (sides_[tetrahedron[corner]] == 0)
             return true;
-        corners[corner] = positions_[tetrahedron[corner]].cast<double>();
+        corners[corner] = positions_[tetrahedron[corner]];
     }
     return tetrahedronMeetsBox(corners, box_, 0);
 }
@@ -133,20 +133,11 @@ constexpr MarkedText cuttingAtWindow = Message::marked("Cutting at the window");
 constexpr std::size_t cutAtOnce = 1 << 16;
 constexpr std::size_t mostVertices = 0xfffffffe;
 
-Box roundedToFloats(const Box& box)
-{
-    const auto rounded = [](const Eigen::Vector3d& corner) -> Eigen::Vector3d {
-        constexpr double most = std::numeric_limits<float>::max();
-        return corner.cwiseMax(-most).cwiseMin(most).cast<float>().cast<double>();
-    };
-    return {rounded(box.least), rounded(box.largest)};
-}
-
 /// A plane across an axis; what is kept is where direction * coordinate is not less than in it.
 struct Plane {
     int axis;
     int direction;
-    float coordinate;
+    double coordinate;
 };
 
 /// Cuts tetrahedra at one plane, with new vertices behind those of the mesh.
@@ -177,7 +168,7 @@ public:
 private:
     int sideOf(std::uint32_t vertex) const
     {
-        const float coordinate = mesh_.positions[vertex][plane_.axis];
+        const double coordinate = mesh_.positions[vertex][plane_.axis];
         return plane_.direction * (int(coordinate > plane_.coordinate) - int(coordinate < plane_.coordinate));
     }
 
@@ -210,19 +201,17 @@ private:
     void addVertex(EdgeKey edge)
     {
         const auto [from, to] = endsOf(edge);
-        const Eigen::Vector3f a = mesh_.positions[from];
-        const Eigen::Vector3f b = mesh_.positions[to];
+        const Eigen::Vector3d a = mesh_.positions[from];
+        const Eigen::Vector3d b = mesh_.positions[to];
         const double start = a[plane_.axis];
         const double part = (plane_.coordinate - start) / (b[plane_.axis] - start);
-        const auto between = [part](float first, float second) {
-            const double found = first + (double(second) - first) * part;
+        const auto between = [part](double first, double second) {
             // Never beyond the ends, so never beyond a plane that was cut at before.
-            return static_cast<float>(
-                std::clamp(found, double(std::min(first, second)), double(std::max(first, second))));
+            return std::clamp(first + (second - first) * part, std::min(first, second), std::max(first, second));
         };
-        Eigen::Vector3f position(between(a[0], b[0]), between(a[1], b[1]), between(a[2], b[2]));
+        Eigen::Vector3d position(between(a[0], b[0]), between(a[1], b[1]), between(a[2], b[2]));
         position[plane_.axis] = plane_.coordinate;
-        const float value = between(mesh_.values[from], mesh_.values[to]);
+        const auto value = static_cast<float>(between(mesh_.values[from], mesh_.values[to]));
         mesh_.positions.push_back(position);
         mesh_.values.push_back(value);
     }
@@ -305,13 +294,12 @@ void putInOrder(Pieces& pieces)
         std::tie(pieces.tetrahedra[i], pieces.origins[i]) = ordered[i];
 }
 
-/// Cuts a mesh off at a box, whose faces are rounded to floats as vertices are: so the new vertices lie in them
-/// exactly. One plane after the other; what is cut are the edges from one side of a plane to the other. Tetrahedra that
-/// lie in the box stay first and in order; those that are cut follow. Gives how many of the mesh's tetrahedra there is
-/// something left of. Errors: cancelled, out of resource. May throw std::bad_alloc.
-Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const Progress& progress)
+/// Cuts a mesh off at a box, in whose faces the new vertices lie exactly. One plane after the other; what is cut are
+/// the edges from one side of a plane to the other. Tetrahedra that lie in the box stay first and in order; those that
+/// are cut follow. Gives how many of the mesh's tetrahedra there is something left of. Errors: cancelled, out of
+/// resource. May throw std::bad_alloc.
+Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& window, const Progress& progress)
 {
-    const Box window = roundedToFloats(box);
     Pieces across;
     if (const Status taken = takeOutThoseAcross(mesh, BoxSides(window, mesh.positions), across, progress); !taken)
         return taken.error();
@@ -319,7 +307,7 @@ Result<std::uint64_t> cutAtWindow(TetrahedralMesh& mesh, const Box& box, const P
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2;
         const bool isLower = face % 2 == 0;
-        const auto coordinate = static_cast<float>(isLower ? window.least[axis] : window.largest[axis]);
+        const double coordinate = isLower ? window.least[axis] : window.largest[axis];
         const Status cut =
             cutAt({axis, isLower ? 1 : -1, coordinate}, mesh, across, progress.part(face / 6.0, (face + 1) / 6.0));
         if (!cut)

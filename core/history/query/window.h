@@ -25,7 +25,7 @@ class BoxSides {
 public:
     BoxSides() = default;
     /// `positions` live as long as this. All lie outside of a box whose least corner is not the least.
-    BoxSides(const Box& box, std::span<const Eigen::Vector3f> positions);
+    BoxSides(const Box& box, std::span<const Eigen::Vector3d> positions);
 
     enum class Place { Inside, Outside, Across }; ///< wholly within; wholly beyond a face of the box; anything else
     Place placeOf(const std::array<std::uint32_t, 4>& tetrahedron) const
@@ -40,7 +40,7 @@ public:
 
 private:
     Box box_;
-    std::span<const Eigen::Vector3f> positions_;
+    std::span<const Eigen::Vector3d> positions_;
     std::vector<std::uint8_t> sides_; ///< a bit for each face of the box that the place lies beyond
 };
 
@@ -51,9 +51,9 @@ Status keepValues(TetrahedralMesh& mesh, std::span<const ValueRange> ranges, con
 /// Keeps what the window asks for. Cutting is exact in its combinatorics: a vertex on the border is within, equal edges
 /// are cut at the same place, and the quadrilaterals of neighbours get the same diagonal, so the result conforms. It
 /// adds vertices behind the others, with values interpolated along their edges, and never makes a tetrahedron without
-/// volume from one with volume, but for rounding: a window that cuts is rounded to floats. A window whose least corner
-/// is not the least is empty. Gives how many of the mesh's tetrahedra are kept, whole or in part. Errors: cancelled,
-/// out of memory; what is left of the mesh is then good for nothing.
+/// volume from one with volume, but for rounding. A window whose least corner is not the least is empty. Gives how many
+/// of the mesh's tetrahedra are kept, whole or in part. Errors: cancelled, out of memory; what is left of the mesh is
+/// then good for nothing.
 Result<std::uint64_t> keepWindow(TetrahedralMesh& mesh, const Window& window, const Progress& progress = {});
 
 /// Removes vertices that no tetrahedron uses, keeping the order of the others, and renumbers. Vertices behind the last

@@ -12,9 +12,8 @@
 /// {
 ///     double volume = 0;
 ///     for (const auto& [a, b, c, d] : mesh.tetrahedra) {
-///         const Eigen::Vector3d corner = mesh.positions[a].cast<double>();
 ///         const auto edge = [&](std::uint32_t to) -> Eigen::Vector3d {
-///             return mesh.positions[to].cast<double>() - corner;
+///             return mesh.positions[to] - mesh.positions[a];
 ///         };
 ///         volume += edge(b).dot(edge(c).cross(edge(d))) / 6;
 ///     }
@@ -37,8 +36,8 @@ namespace tetra {
 /// A conforming tetrahedral mesh with a value at each vertex (2.2), as plain arrays. What extraction gives and what
 /// graphics draws. Tetrahedra (a, b, c, d) are positive: (b-a) . ((c-a) x (d-a)) > 0.
 struct TetrahedralMesh {
-    Buffer<Eigen::Vector3f> positions;               ///< rounded to floats, whatever the dataset has
-    Buffer<float> values;                            ///< as many as positions; likewise rounded
+    Buffer<Eigen::Vector3d> positions;               ///< those of the dataset, to the last bit
+    Buffer<float> values;                            ///< as many as positions; rounded to floats
     Buffer<std::array<std::uint32_t, 4>> tetrahedra; ///< numbers of positions
 };
 
@@ -76,7 +75,7 @@ struct Colour {
 
 /// Triangles with shared vertices and a unit normal at each; colours and values are linear between vertices.
 struct TriangleMesh {
-    Buffer<Eigen::Vector3f> positions;
+    Buffer<Eigen::Vector3d> positions;
     Buffer<Eigen::Vector3f> normals;
     Buffer<std::array<std::uint32_t, 3>> triangles;
     Buffer<float> values{};   ///< of the field at each vertex; empty if unknown

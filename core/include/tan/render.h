@@ -19,8 +19,8 @@
 ///     tetra::Scene scene;
 ///     scene.drawables.push_back({.id = "surface", .shape = surfaces->front(), .value = isovalue});
 ///     scene.drawables.push_back({.id = "volume", .shape = *volume});
-///     for (const Eigen::Vector3f& position : mesh->positions)
-///         scene.bounds.extend(position.cast<double>());
+///     for (const Eigen::Vector3d& position : mesh->positions)
+///         scene.bounds.extend(position);
 ///     const tetra::Camera camera = tetra::fitted({.azimuth = 60, .elevation = 25}, scene.bounds);
 ///     return tetra::makeCpuBackend()->render(scene, camera, {.width = 320, .height = 320});
 /// }
@@ -176,7 +176,7 @@ struct Surface {
 
 /// Straight lines of one colour, hidden by what is before them. On a surface, draw them a pixel nearer to the eye.
 struct LineSet {
-    std::vector<Eigen::Vector3f> points;
+    std::vector<Eigen::Vector3d> points;
     std::vector<std::array<std::uint32_t, 2>> segments;
     Colour colour;
     float width = 1; ///< in pixels of the picture
@@ -370,11 +370,11 @@ struct MeshCut {
 
 /// Cuts a mesh by the plane that ends a half-space: marching tetrahedra over the distances from it, as
 /// extractIsosurface() does, so vertices are shared and no crack opens. Each vertex lies in the plane but for the
-/// rounding of positions to floats. Triangles wind, and normals look, out of the half-space. Where the plane lies in
-/// faces of the mesh, these are in the cut if there is a tetrahedron outside of the half-space behind them. Besides
-/// the result 16 bytes a vertex while it runs. O(vertices + tetrahedra), on all threads, the same result with any
-/// number of them. Errors: cancelled, not enough memory, a normal that is zero or a number that is not finite, arrays
-/// that do not belong together.
+/// rounding of its depth to a float, a part of its distance. Triangles wind, and normals look, out of the half-space.
+/// Where the plane lies in faces of the mesh, these are in the cut if there is a tetrahedron outside of the half-space
+/// behind them. Besides the result 16 bytes a vertex while it runs. O(vertices + tetrahedra), on all threads, the same
+/// result with any number of them. Errors: cancelled, not enough memory, a normal that is zero or a number that is not
+/// finite, arrays that do not belong together.
 TAN_API Result<MeshCut> cutByPlane(const TetrahedralMesh& mesh, const HalfSpace& plane, const Progress& progress = {});
 
 /// The isosurfaces of one mesh for a list of isovalues that changes. Keeps the gradients of its mesh, and the surface

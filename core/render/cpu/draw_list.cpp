@@ -130,9 +130,9 @@ public:
     {
     }
 
-    Eigen::Vector4d toClip(const Eigen::Vector3f& position) const
+    Eigen::Vector4d toClip(const Eigen::Vector3d& position) const
     {
-        return transform_.clipFromWorld * position.cast<double>().homogeneous();
+        return transform_.clipFromWorld * position.homogeneous();
     }
 
     ScreenVertex toScreen(const ClipVertex& vertex) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/render/gl/gl_buffers.h"
 
+#include "core/render/mesh_origin.h"
 #include "core/render/scene_checks.h"
 
 #include <tan/render.h>
@@ -63,12 +64,6 @@ Buffer<std::uint32_t> drawableCorners(const TriangleMesh& mesh)
     return corners;
 }
 
-Eigen::Vector3d originOf(const TriangleMesh& mesh)
-{
-    const auto finite = std::ranges::find_if(mesh.positions, [](const auto& position) { return position.allFinite(); });
-    return finite == mesh.positions.end() ? Eigen::Vector3d(0, 0, 0) : finite->template cast<double>().eval();
-}
-
 } // namespace
 
 Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
@@ -81,10 +76,10 @@ Result<MeshBuffers> MeshBufferCache::upload(const TriangleMesh& mesh) const
                      Message::say("A surface has too many triangles for OpenGL. Use the CPU back end.")};
     MeshBuffers buffers;
     buffers.indexCount = static_cast<int>(corners.size());
-    buffers.origin = originOf(mesh);
+    buffers.origin = meshOrigin(mesh.positions);
     Buffer<Eigen::Vector3f> relative(mesh.positions.size());
-    std::ranges::transform(mesh.positions, relative.begin(), [&](const Eigen::Vector3f& position) {
-        return Eigen::Vector3f((position.cast<double>() - buffers.origin).cast<float>());
+    std::ranges::transform(mesh.positions, relative.begin(), [&](const Eigen::Vector3d& position) {
+        return Eigen::Vector3f((position - buffers.origin).cast<float>());
     });
 
     buffers.vertexArray = {gl_.genVertexArrays, gl_.deleteVertexArrays};
@@ -178,8 +173,9 @@ Status fillVertices(const GlFunctions& gl, const TetrahedralMesh& mesh, VolumeBu
                                                             "Lower the accuracy of the mesh, or use the CPU back end.",
                                                             limit)};
     Buffer<std::array<float, 4>> vertices(mesh.positions.size());
+    buffers.origin = meshOrigin(mesh.positions);
     tbb::parallel_for(std::size_t(0), vertices.size(), [&](std::size_t i) {
-        const Eigen::Vector3f& place = mesh.positions[i];
+        const Eigen::Vector3f place = (mesh.positions[i] - buffers.origin).cast<float>();
         vertices[i] = {place.x(), place.y(), place.z(), mesh.values[i]};
     });
     fillTextureBuffer(gl, buffers.vertices, gl::rgba32f, byteCount(vertices));

@@ -98,8 +98,9 @@ struct CellChunk {
 
 /// A volume in the memory of the graphics card: 16 bytes a vertex, 20 a visible cell.
 struct VolumeBuffers {
-    TextureBuffer vertices;      ///< places and values, as they are
-    std::size_t vertexCount = 0; ///< more than the mesh has where cells were cut
+    TextureBuffer vertices;          ///< places relative to `origin`, and values
+    Eigen::Vector3d origin{0, 0, 0}; ///< of the mesh
+    std::size_t vertexCount = 0;     ///< more than the mesh has where cells were cut
     std::vector<CellChunk> chunks;
     std::size_t cells = 0;     ///< in all chunks
     std::size_t sentBytes = 0; ///< for them

@@ -229,8 +229,6 @@ void VolumePainter::setUniforms(const GlProgram& program) const
 {
     const Eigen::Vector3d imageOfOrigin = view_.imageFromWorld * origin_.homogeneous();
     program.set("perspective", view_.perspective ? 1 : 0);
-    program.set("originHigh", Eigen::Vector3f(origin_.cast<float>()));
-    program.set("originLow", lowPart(origin_));
     program.set("imageFromWorld", Eigen::Matrix3f(view_.imageFromWorld.leftCols<3>().cast<float>()));
     program.set("imageOfOrigin",
                 view_.perspective ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(imageOfOrigin.cast<float>()));
@@ -255,6 +253,9 @@ void VolumePainter::setUniforms(const GlProgram& program) const
 
 void VolumePainter::setVolume(const GlProgram& program, const DrawnVolume& volume) const
 {
+    const Eigen::Vector3d origin = origin_ - volume.buffers->origin;
+    program.set("originHigh", Eigen::Vector3f(origin.cast<float>()));
+    program.set("originLow", lowPart(origin));
     const ScaledSegments& segments = volume.segments;
     const auto smallest = static_cast<float>(segments.smallest);
     program.set("smallestValue", Eigen::Vector2f(smallest, static_cast<float>(segments.smallest - double(smallest))));

@@ -203,9 +203,9 @@ void fillNormalsFromTriangles(TriangleMesh& surface)
             wanting.numberOf(static_cast<std::uint32_t>(v));
     std::vector<Eigen::Vector3d> sums(wanting.size(), Eigen::Vector3d::Zero());
     for (const auto& triangle : surface.triangles) {
-        const Eigen::Vector3d corner = surface.positions[triangle[0]].cast<double>();
-        const Eigen::Vector3d normal = (surface.positions[triangle[1]].cast<double>() - corner)
-                                           .cross(surface.positions[triangle[2]].cast<double>() - corner);
+        const Eigen::Vector3d& corner = surface.positions[triangle[0]];
+        const Eigen::Vector3d normal =
+            (surface.positions[triangle[1]] - corner).cross(surface.positions[triangle[2]] - corner);
         for (const std::uint32_t vertex : triangle)
             if (const std::uint32_t number = wanting.find(vertex); number != FlatIndex<std::uint32_t>::none)
                 sums[number] += normal;
@@ -233,8 +233,8 @@ struct GradientSum {
 /// Position and value of a vertex, side by side: in a mesh in order of construction each corner is a cache miss, and
 /// so it is one instead of two.
 struct Corner {
-    Eigen::Vector3f position;
-    float value;
+    Eigen::Vector3d position;
+    double value;
 };
 
 using Tetrahedra = std::span<const std::array<std::uint32_t, 4>>;
@@ -244,17 +244,17 @@ Buffer<Corner> makeCorners(const TetrahedralMesh& mesh)
     Buffer<Corner> corners(mesh.positions.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners.size(), 1 << 15), [&](const auto& range) {
         for (std::size_t v = range.begin(); v != range.end(); ++v)
-            corners[v] = {mesh.positions[v], mesh.values[v]};
+            corners[v] = {mesh.positions[v], static_cast<double>(mesh.values[v])};
     });
     return corners;
 }
 
 GradientSum termOf(const Corner& first, const Corner& second, const Corner& third, const Corner& fourth)
 {
-    const Eigen::Vector3d origin = first.position.cast<double>();
-    const Eigen::Vector3d b = second.position.cast<double>() - origin;
-    const Eigen::Vector3d c = third.position.cast<double>() - origin;
-    const Eigen::Vector3d d = fourth.position.cast<double>() - origin;
+    const Eigen::Vector3d& origin = first.position;
+    const Eigen::Vector3d b = second.position - origin;
+    const Eigen::Vector3d c = third.position - origin;
+    const Eigen::Vector3d d = fourth.position - origin;
     const double value = first.value;
     const Eigen::Vector3d normal = c.cross(d);
     const Eigen::Vector3d gradient =

@@ -22,7 +22,7 @@ Buffer<float> depthsIn(const HalfSpace& unit, const TetrahedralMesh& mesh)
     Buffer<float> depths(mesh.positions.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, depths.size(), 1 << 15), [&](const auto& range) {
         for (std::size_t v = range.begin(); v != range.end(); ++v)
-            depths[v] = static_cast<float>(unit.offset - unit.normal.dot(mesh.positions[v].cast<double>()));
+            depths[v] = static_cast<float>(unit.offset - unit.normal.dot(mesh.positions[v]));
     });
     return depths;
 }

@@ -284,17 +284,17 @@ namespace {
 constexpr std::size_t edgesFetchedAhead = 24;
 constexpr std::size_t blockSize = 64;
 
-using Components = std::array<std::array<float, blockSize>, 3>;
+template <class Number> using Components = std::array<std::array<Number, blockSize>, 3>;
 
 /// The edges of some vertices, and what becomes of them, component by component. Edges are walked inwards: whatever the
 /// numbers of their ends are, the vertex is at the same place to the last bit.
 struct VertexBlock {
     std::array<std::array<std::uint32_t, 2>, blockSize> ends; ///< the one outside first
     std::array<std::array<float, blockSize>, 2> values;
-    std::array<Components, 2> positions;
-    std::array<Components, 2> gradients;
-    Components placed;
-    Components normals;
+    std::array<Components<double>, 2> positions;
+    std::array<Components<float>, 2> gradients;
+    Components<double> placed;
+    Components<float> normals;
     std::array<std::uint8_t, blockSize> findings; ///< bit 0, 1: it lies in the first, second end; bit 2: no normal
 };
 
@@ -336,8 +336,8 @@ TETRA_SIMD_INLINE void computeVertices(VertexBlock& block, double isovalue)
         double square = 0;
         double directions[3];
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float from = block.positions[0][axis][i], to = block.positions[1][axis][i];
-            const auto place = static_cast<float>(double(from) + fraction * (double(to) - double(from)));
+            const double from = block.positions[0][axis][i], to = block.positions[1][axis][i];
+            const double place = from + fraction * (to - from);
             block.placed[axis][i] = place;
             notFirst |= place != from ? 1u : 0u;
             notSecond |= place != to ? 1u : 0u;

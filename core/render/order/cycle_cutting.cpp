@@ -194,7 +194,7 @@ public:
         for (const std::uint32_t cell : cells)
             for (const std::uint32_t vertex : mesh.tetrahedra[cell])
                 if (mesh.positions[vertex].allFinite())
-                    bounds.extend(mesh.positions[vertex].cast<double>());
+                    bounds.extend(mesh.positions[vertex]);
         flat_ = bounds.isEmpty() ? 0 : flatness * (bounds.diagonal().norm() + bounds.center().norm());
     }
 
@@ -231,7 +231,7 @@ private:
 
     Vector3d placeOf(std::uint32_t vertex) const
     {
-        return vertex < mesh_.positions.size() ? mesh_.positions[vertex].cast<double>().eval()
+        return vertex < mesh_.positions.size() ? mesh_.positions[vertex]
                                                : points_[vertex - mesh_.positions.size()].place;
     }
     double valueOf(std::uint32_t vertex) const
@@ -491,7 +491,7 @@ private:
     {
         CellPieces& pieces = order_.pieces;
         for (const CutPoint& point : points_) {
-            pieces.positions.emplace_back(point.place.cast<float>());
+            pieces.positions.push_back(point.place);
             pieces.values.push_back(static_cast<float>(point.value));
         }
         std::vector<std::uint32_t> cut = pieces.cells;

@@ -19,7 +19,7 @@ namespace tetra {
 
 /// Pieces of cells that have no order as a whole: tetrahedra with the field of the cells that they are cut from.
 struct CellPieces {
-    std::vector<Eigen::Vector3f> positions;               ///< numbered after the vertices of the mesh
+    std::vector<Eigen::Vector3d> positions;               ///< numbered after the vertices of the mesh
     std::vector<float> values;                            ///< there
     std::vector<std::array<std::uint32_t, 4>> tetrahedra; ///< numbered after the tetrahedra of the mesh
     std::vector<std::uint32_t> cells;                     ///< that each is a piece of

@@ -4,6 +4,7 @@
 #include "core/geometry/orientation.h"
 #include "core/mesh/face_adjacency.h"
 #include "core/mesh/topology.h"
+#include "core/render/mesh_origin.h"
 #include "core/render/order/cell_geometry.h"
 
 #include <tbb/blocked_range.h>
@@ -20,9 +21,19 @@ namespace {
 constexpr std::size_t cellsFacedAtOnce = 1 << 12;
 constexpr std::size_t classificationLanes = 8;
 
-/// A position that loads at once.
+/// A position, from the origin of its RoughPositions, that loads at once.
 struct alignas(16) PaddedPosition {
     float x, y, z, unused;
+};
+
+/// The positions of a mesh, as they are and rounded to floats; those are told from the eye or, where that is infinitely
+/// far, from a vertex, so that what rounding does is small beside the distance.
+struct RoughPositions {
+    const Eigen::Vector3d* exact;
+    const PaddedPosition* rough;
+    double eye[3];      ///< in the coordinates of `exact`
+    double roughEye[3]; ///< in those of `rough`
+    double reach;       ///< no rough coordinate is larger, where the eye is infinitely far
 };
 
 /// Eight vectors, in single or double precision.
@@ -40,16 +51,15 @@ TETRA_SIMD_INLINE void loadCorner(const PaddedPosition* positions, const std::ar
     transpose(rows, vectors.x, vectors.y, vectors.z, unused);
 }
 
-TETRA_SIMD_INLINE void convert(const Vectors<Float8>& from, Vectors<Float8>& to)
+TETRA_SIMD_INLINE void loadCorner(const Eigen::Vector3d* positions, const std::array<std::uint32_t, 4>* cells,
+                                  std::size_t corner, Vectors<Double8>& vectors)
 {
-    to = from;
-}
-
-TETRA_SIMD_INLINE void convert(const Vectors<Float8>& from, Vectors<Double8>& to)
-{
-    to.x = __builtin_convertvector(from.x, Double8);
-    to.y = __builtin_convertvector(from.y, Double8);
-    to.z = __builtin_convertvector(from.z, Double8);
+    for (std::size_t lane = 0; lane < classificationLanes; ++lane) {
+        const double* const place = positions[cells[lane][corner]].data();
+        vectors.x[lane] = place[0];
+        vectors.y[lane] = place[1];
+        vectors.z[lane] = place[2];
+    }
 }
 
 template <class Lanes>
@@ -109,17 +119,18 @@ template <class Lanes> TETRA_SIMD_INLINE void addMagnitudes(const Vectors<Lanes>
 /// Below it single precision loses digits to underflow.
 constexpr float smallestHeight = 1e-36f;
 
-/// What is known of eight cells: `Bits` gets the facing of each, `rounding` many times what one operation errs.
-template <class Lanes, class Bits, class Scalar> TETRA_SIMD_INLINE void
-faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspective, Scalar rounding, Bits& bits)
+/// What is known of eight cells: `Bits` gets the facing of each, `rounding` is many times what one operation errs, and
+/// `reach` tells how far corners may lie from the origin, beside the eye's distance: they are rounded by such a part
+/// of it, or not at all if it is negative.
+template <class Lanes, class Bits, class Scalar>
+TETRA_SIMD_INLINE void faceEight(const Vectors<Lanes> (&corners)[4], const double* eye, double perspective,
+                                 Scalar rounding, Scalar reach, Bits& bits)
 {
-    Vectors<Lanes> origin, edges[3], toEye, normals[3];
-    convert(corners[0], origin);
+    const Vectors<Lanes>& origin = corners[0];
+    Vectors<Lanes> edges[3], toEye, normals[3];
     Lanes lengths = {}, distance = {};
     for (std::size_t i = 0; i < 3; ++i) {
-        Vectors<Lanes> corner;
-        convert(corners[i + 1], corner);
-        subtract(corner, origin, edges[i]);
+        subtract(corners[i + 1], origin, edges[i]);
         addMagnitudes(edges[i], lengths);
     }
     const auto scale = static_cast<Scalar>(perspective);
@@ -138,7 +149,10 @@ faceEight(const Vectors<Float8> (&corners)[4], const double* eye, double perspec
         dot(normals[i], toEye, heights[i + 1]);
     dot(normals[0], edges[0], minusVolume);
     heights[0] = scale * minusVolume - (heights[1] + heights[2] + heights[3]);
-    const Lanes tolerance = lengths * lengths * distance * rounding + smallestHeight;
+    Lanes doubted = lengths;
+    if (reach >= 0)
+        doubted += 2 * (distance + reach);
+    const Lanes tolerance = lengths * doubted * distance * rounding + smallestHeight;
     bits = Bits{};
     for (int face = 0; face < 4; ++face) {
         Bits outside, inside;
@@ -158,7 +172,7 @@ bool allKnown(std::uint64_t facing)
 }
 
 /// The facing of a cell, some faces of which are not known yet.
-std::uint8_t exactClass(const std::array<std::uint32_t, 4>& cell, const PaddedPosition* positions,
+std::uint8_t exactClass(const std::array<std::uint32_t, 4>& cell, const Eigen::Vector3d* positions,
                         const std::array<double, 3>& from, double perspective, unsigned known)
 {
     using Point = std::array<double, 3>;
@@ -167,8 +181,8 @@ std::uint8_t exactClass(const std::array<std::uint32_t, 4>& cell, const PaddedPo
             continue;
         std::array<Point, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
-            const PaddedPosition& position = positions[cell[cornersOfFace[face][i]]];
-            corners[i] = {position.x, position.y, position.z};
+            const Eigen::Vector3d& position = positions[cell[cornersOfFace[face][i]]];
+            corners[i] = {position.x(), position.y(), position.z()};
         }
         const auto& [a, b, c] = corners;
         const int side = perspective != 0 ? orientationSign(a, b, c, from) : directionSign(a, b, c, from);
@@ -178,58 +192,82 @@ std::uint8_t exactClass(const std::array<std::uint32_t, 4>& cell, const PaddedPo
 }
 
 /// In single precision; where that cannot tell, in double, and then exactly.
-TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, const PaddedPosition* positions,
-                                 const double* eye, double perspective, std::uint8_t* facing)
+TETRA_SIMD_INLINE void faceEight(const std::array<std::uint32_t, 4>* cells, const RoughPositions& positions,
+                                 double perspective, std::uint8_t* facing)
 {
-    Vectors<Float8> corners[4];
+    Vectors<Float8> rough[4];
     for (std::size_t i = 0; i < 4; ++i)
-        loadCorner(positions, cells, i, corners[i]);
+        loadCorner(positions.rough, cells, i, rough[i]);
     Int8 quick;
-    faceEight<Float8>(corners, eye, perspective, 1e-6f, quick);
+    faceEight(rough, positions.roughEye, perspective, 1e-6f, static_cast<float>(positions.reach), quick);
     Byte8 bytes = __builtin_convertvector(quick, Byte8);
     std::uint64_t known = 0;
     std::memcpy(&known, &bytes, classificationLanes);
     std::memcpy(facing, &known, classificationLanes);
     if (allKnown(known))
         return;
+    Vectors<Double8> corners[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        loadCorner(positions.exact, cells, i, corners[i]);
     Long8 sure;
-    faceEight<Double8>(corners, eye, perspective, 1e-14, sure);
+    faceEight(corners, positions.eye, perspective, 1e-14, -1.0, sure);
     bytes = __builtin_convertvector(sure, Byte8);
     std::memcpy(&known, &bytes, classificationLanes);
     std::memcpy(facing, &known, classificationLanes);
     if (!allKnown(known))
         for (std::size_t lane = 0; lane < classificationLanes; ++lane)
-            facing[lane] = exactClass(cells[lane], positions, {eye[0], eye[1], eye[2]}, perspective, facing[lane]);
+            facing[lane] =
+                exactClass(cells[lane], positions.exact, {positions.eye[0], positions.eye[1], positions.eye[2]},
+                           perspective, facing[lane]);
 }
 
 /// `count` at least 8 cells.
 TETRA_SIMD_INLINE void faceCells(const std::array<std::uint32_t, 4>* cells, std::size_t count,
-                                 const PaddedPosition* positions, const double* eye, double perspective,
-                                 std::uint8_t* facing)
+                                 const RoughPositions& positions, double perspective, std::uint8_t* facing)
 {
-    const double from[3] = {eye[0], eye[1], eye[2]}; // no byte of it can be one of `facing`
+    const RoughPositions own = positions; // no byte of it can be one of `facing`
     for (std::size_t first = 0; first < count; first += classificationLanes) {
         const std::size_t start =
             std::min(first, count - classificationLanes); // the last eight may overlap those before
-        faceEight(cells + start, positions, from, perspective, facing + start);
+        faceEight(cells + start, own, perspective, facing + start);
     }
 }
 
-Buffer<PaddedPosition> paddedPositions(const TetrahedralMesh& mesh)
+Buffer<PaddedPosition> paddedPositions(const TetrahedralMesh& mesh, const Eigen::Vector3d& origin)
 {
     Buffer<PaddedPosition> padded(mesh.positions.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded.size(), cellsFacedAtOnce), [&](const auto& range) {
-        for (std::size_t v = range.begin(); v != range.end(); ++v)
-            padded[v] = {mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z(), 0};
+        for (std::size_t v = range.begin(); v != range.end(); ++v) {
+            const Eigen::Vector3f place = (mesh.positions[v] - origin).cast<float>();
+            padded[v] = {place.x(), place.y(), place.z(), 0};
+        }
     });
     return padded;
+}
+
+double largestCoordinate(const Buffer<PaddedPosition>& positions)
+{
+    float largest = 0;
+    for (const PaddedPosition& place : positions)
+        for (const float coordinate : {place.x, place.y, place.z})
+            if (std::isfinite(coordinate))
+                largest = std::max(largest, std::abs(coordinate));
+    return largest;
 }
 
 } // namespace
 
 Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& eye)
 {
-    const Buffer<PaddedPosition> positions = paddedPositions(mesh);
+    const Eigen::Vector3d zero(0, 0, 0);
+    const Eigen::Vector3d origin = eye.perspective ? eye.place : meshOrigin(mesh.positions);
+    const Buffer<PaddedPosition> rough = paddedPositions(mesh, origin);
+    const Eigen::Vector3d roughEye = eye.perspective ? zero : eye.place;
+    const RoughPositions positions{mesh.positions.data(),
+                                   rough.data(),
+                                   {eye.place.x(), eye.place.y(), eye.place.z()},
+                                   {roughEye.x(), roughEye.y(), roughEye.z()},
+                                   eye.perspective ? 0 : 4 * largestCoordinate(rough)};
     const auto& cells = mesh.tetrahedra;
     const double perspective = eye.perspective ? 1 : 0;
     Buffer<std::uint8_t> facing(cells.size());
@@ -238,8 +276,7 @@ Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& 
         std::array<std::uint8_t, classificationLanes> bits{};
         std::ranges::copy(cells, padded.begin());
         if (!cells.empty())
-            dispatch<faceCells>(padded.data(), classificationLanes, positions.data(), eye.place.data(), perspective,
-                                bits.data());
+            dispatch<faceCells>(padded.data(), classificationLanes, positions, perspective, bits.data());
         std::copy_n(bits.begin(), facing.size(), facing.begin());
         return facing;
     }
@@ -247,8 +284,7 @@ Buffer<std::uint8_t> classifyFaces(const TetrahedralMesh& mesh, const EyePoint& 
     tbb::parallel_for(std::size_t(0), parts, [&](std::size_t part) {
         const std::size_t begin = part * cellsFacedAtOnce;
         const std::size_t end = part + 1 == parts ? cells.size() : begin + cellsFacedAtOnce;
-        dispatch<faceCells>(&cells[begin], end - begin, positions.data(), eye.place.data(), perspective,
-                            &facing[begin]);
+        dispatch<faceCells>(&cells[begin], end - begin, positions, perspective, &facing[begin]);
     });
     return facing;
 }

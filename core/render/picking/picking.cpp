@@ -139,9 +139,7 @@ std::vector<SurfaceCrossing> surfaceCrossings(const Scene& scene, const PickingR
             continue;
         const TriangleMesh& mesh = *surface->mesh;
         for (const auto& triangle : mesh.triangles) {
-            const auto corner = [&](std::size_t i) -> Eigen::Vector3d {
-                return mesh.positions[triangle[i]].cast<double>();
-            };
+            const auto corner = [&](std::size_t i) -> Eigen::Vector3d { return mesh.positions[triangle[i]]; };
             const auto met = crossing(line, {corner(0), corner(1), corner(2)});
             if (met && part.contains(met->at) && !(met->front && surface->backFacesOnly))
                 crossings.push_back({met->at, &drawable, valueAtCrossing(drawable, mesh, triangle, *met)});
@@ -252,15 +250,15 @@ std::vector<RayInterval> intervalsAlong(const TetrahedralMesh& mesh, const Picki
         const auto& corners = mesh.tetrahedra[cell];
         Four right{}, up{}, along{}, values{};
         for (std::size_t i = 0; i < 4; ++i)
-            right[i] = frame.right(mesh.positions[corners[i]].cast<double>());
+            right[i] = frame.right(mesh.positions[corners[i]]);
         if (allOnOneSide(right))
             continue;
         for (std::size_t i = 0; i < 4; ++i)
-            up[i] = frame.up(mesh.positions[corners[i]].cast<double>());
+            up[i] = frame.up(mesh.positions[corners[i]]);
         if (allOnOneSide(up))
             continue;
         for (std::size_t i = 0; i < 4; ++i) {
-            along[i] = frame.along(mesh.positions[corners[i]].cast<double>());
+            along[i] = frame.along(mesh.positions[corners[i]]);
             values[i] = mesh.values[corners[i]];
         }
         if (const auto whole = intervalOf(right, up, along, values))
@@ -343,7 +341,7 @@ double gradientOf(const TetrahedralMesh& mesh, std::size_t cell)
     Eigen::Vector3d rises;
     for (int i = 0; i < 3; ++i) {
         const std::uint32_t corner = corners[static_cast<std::size_t>(i) + 1];
-        edges.row(i) = (mesh.positions[corner] - mesh.positions[corners[0]]).cast<double>().transpose();
+        edges.row(i) = (mesh.positions[corner] - mesh.positions[corners[0]]).transpose();
         rises[i] = double(mesh.values[corner]) - mesh.values[corners[0]];
     }
     const double volume = edges.determinant();

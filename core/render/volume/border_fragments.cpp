@@ -160,11 +160,11 @@ std::vector<FocusWeights> FocusRays::weightsFrom(int column, int row) const
     return weights;
 }
 
-bool FocusRays::holds(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3f> positions) const
+bool FocusRays::holds(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3d> positions) const
 {
     return std::ranges::any_of(regions_, [&](const PlacedRegion& region) {
         return std::ranges::all_of(cell, [&](std::uint32_t vertex) {
-            const Vector3d fromCentre = positions[vertex].cast<double>() - region.centre;
+            const Vector3d fromCentre = positions[vertex] - region.centre;
             return region.isBall ? fromCentre.norm() <= region.radius
                                  : distanceFromBox(fromCentre, region.halfSize) == 0;
         });

@@ -47,7 +47,7 @@ public:
     /// Of the fine volume, by each region. Columns and rows count from the given ones.
     std::vector<FocusWeights> weightsFrom(int column, int row) const;
     /// All of a cell has the weight 1, as it lies in one region.
-    bool holds(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3f> positions) const;
+    bool holds(const std::array<std::uint32_t, 4>& cell, std::span<const Eigen::Vector3d> positions) const;
 
 private:
     struct Ray {

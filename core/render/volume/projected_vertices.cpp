@@ -80,7 +80,7 @@ ProjectedVertices projectVertices(const TetrahedralMesh& mesh, const VolumeView&
     result.samples.resize(mesh.positions.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.positions.size(), 1 << 12), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            const Eigen::Vector3d image = view.imageFromWorld * mesh.positions[i].cast<double>().homogeneous();
+            const Eigen::Vector3d image = view.imageFromWorld * mesh.positions[i].homogeneous();
             const double value = std::clamp((mesh.values[i] - segments.smallest) * segments.perValue, -1e25, 1e25);
             result.vertices[i] = {static_cast<float>(image.x()), static_cast<float>(image.y()),
                                   static_cast<float>(image.z()), static_cast<float>(value)};

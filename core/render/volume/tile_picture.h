@@ -27,7 +27,7 @@ struct FocusTile {
     const SetupSource* source = nullptr; ///< with the other volume's segments
     std::span<const BinnedCell> cells;   ///< front to back
     /// Where the vertices of both volumes are, to tell the cells that lie in the region as a whole.
-    std::span<const Eigen::Vector3f> positions, finePositions;
+    std::span<const Eigen::Vector3d> positions, finePositions;
 };
 
 /// What is drawn in a tile along with cells. The bounds and the surfaces are of the same view.

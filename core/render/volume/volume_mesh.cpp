@@ -111,7 +111,7 @@ std::vector<BoundaryEdge> boundaryEdges(const TetrahedralMesh& mesh, const FaceA
 /// How far the third corner of the one face lies before the plane of the other; not a number if that has no plane.
 double heightOver(const TetrahedralMesh& mesh, const BoundaryEdge& one, const BoundaryEdge& other)
 {
-    const auto at = [&](std::uint32_t vertex) -> Eigen::Vector3d { return mesh.positions[vertex].cast<double>(); };
+    const auto at = [&](std::uint32_t vertex) -> const Eigen::Vector3d& { return mesh.positions[vertex]; };
     const Eigen::Vector3d start = at(other.low);
     const Eigen::Vector3d normal = (at(other.high) - start).cross(at(other.third) - start).normalized();
     return (other.forwards ? 1 : -1) * normal.dot(at(one.third) - start);
@@ -124,7 +124,7 @@ bool hasConvexBoundary(const TetrahedralMesh& mesh, const FaceAdjacency& adjacen
     const std::vector<BoundaryEdge> edges = boundaryEdges(mesh, adjacency);
     if (edges.empty() || edges.size() % 2 != 0)
         return false;
-    Eigen::AlignedBox3f bounds;
+    Eigen::AlignedBox3d bounds;
     for (const BoundaryEdge& edge : edges)
         bounds.extend(mesh.positions[edge.third]);
     const double dent = deepestDent * bounds.diagonal().norm();
@@ -165,11 +165,11 @@ Status checkCells(const TetrahedralMesh& mesh)
 
 Eigen::AlignedBox3d boundsOf(const TetrahedralMesh& mesh)
 {
-    Eigen::AlignedBox3f bounds;
-    for (const Eigen::Vector3f& position : mesh.positions)
+    Eigen::AlignedBox3d bounds;
+    for (const Eigen::Vector3d& position : mesh.positions)
         if (position.allFinite())
             bounds.extend(position);
-    return bounds.isEmpty() ? Eigen::AlignedBox3d() : bounds.cast<double>();
+    return bounds;
 }
 
 } // namespace

@@ -100,15 +100,16 @@ private:
 
     void add(const SurfacePart& part, const std::string& valueName)
     {
-        Eigen::Vector3f least = part.positions[0];
-        Eigen::Vector3f most = least;
-        for (const Eigen::Vector3f& position : part.positions) {
+        Eigen::Vector3d least = part.positions[0];
+        Eigen::Vector3d most = least;
+        for (const Eigen::Vector3d& position : part.positions) {
             least = least.cwiseMin(position);
             most = most.cwiseMax(position);
         }
         const std::uint64_t count = part.positions.size();
         const auto vectors = [&](const std::string& more) { return accessor(count, 3, floatType, vertexTarget, more); };
-        std::string attributes = R"("POSITION":)" + vectors(R"(,"min":)" + triple(least) + R"(,"max":)" + triple(most));
+        std::string attributes = R"("POSITION":)" + vectors(R"(,"min":)" + triple(least.cast<float>()) + R"(,"max":)" +
+                                                            triple(most.cast<float>()));
         if (!part.normals.empty())
             attributes += R"(,"NORMAL":)" + vectors("");
         if (!part.colours.empty())
@@ -162,7 +163,11 @@ Status writeNumbers(OutputFile& file, std::initializer_list<std::uint32_t> numbe
 
 Status writeArrays(OutputFile& file, const SurfacePart& part)
 {
-    if (const Status written = file.bytes(std::as_bytes(part.positions)); !written)
+    const auto position = [&part](std::uint64_t index, std::byte* where) {
+        for (const double coordinate : part.positions[index])
+            putNumber(where, static_cast<float>(coordinate));
+    };
+    if (const Status written = file.records(part.positions.size(), 3 * sizeof(float), position); !written)
         return written;
     if (const Status written = file.bytes(std::as_bytes(part.normals)); !written)
         return written;

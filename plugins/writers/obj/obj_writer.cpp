@@ -33,10 +33,10 @@ void addComments(std::string& text, const SurfaceContent& content)
         text += "# " + lineOf(name + ": " + factText(fact)) + "\n";
 }
 
-void addVector(std::string& text, std::string_view keyword, const Eigen::Vector3f& vector)
+template <class Vector> void addVector(std::string& text, std::string_view keyword, const Vector& vector)
 {
     text += keyword;
-    for (const float coordinate : vector)
+    for (const auto coordinate : vector)
         (text += ' ') += formatNumber(coordinate);
     text += '\n';
 }
@@ -49,7 +49,7 @@ void addPosition(std::string& text, const SurfacePart& part, std::uint64_t index
         return;
     text.pop_back();
     const Colour& colour = part.colours[index];
-    addVector(text, "", {colour.red, colour.green, colour.blue});
+    addVector(text, "", std::array{colour.red, colour.green, colour.blue});
 }
 
 void addFace(std::string& text, const std::array<std::uint32_t, 3>& triangle, std::uint64_t first, bool normals)

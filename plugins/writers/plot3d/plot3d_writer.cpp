@@ -11,12 +11,6 @@ namespace {
 /// Of a state and of the other four quantities of a solution.
 constexpr std::uint64_t numbersOfAState = 4, otherQuantities = 4;
 
-bool fitFloats(const std::vector<Eigen::Vector3d>& positions)
-{
-    return std::ranges::all_of(
-        positions, [](const Eigen::Vector3d& position) { return position.cast<float>().cast<double>() == position; });
-}
-
 bool fitsSingle(const Dataset& dataset)
 {
     const SampleType type = dataset.values.type();

@@ -107,7 +107,7 @@ std::string headOf(const SurfaceContent& content)
     PlyHead head;
     head.comment(content.title + " by TAn").facts(content.facts).element("vertex", content.vertexCount());
     for (const std::string_view axis : {"x", "y", "z"})
-        head.property("float", axis);
+        head.property(content.positionsFitFloats() ? "float" : "double", axis);
     if (content.hasNormals())
         for (const std::string_view axis : {"nx", "ny", "nz"})
             head.property("float", axis);
@@ -145,14 +145,19 @@ public:
                                       file.target().string())};
         const bool normals = content.hasNormals();
         const bool colours = content.hasColours();
-        const std::size_t vertexBytes = (normals ? 7 : 4) * sizeof(float) + (colours ? 3 : 0);
+        const bool floats = content.positionsFitFloats();
+        const std::size_t vertexBytes =
+            3 * (floats ? sizeof(float) : sizeof(double)) + (normals ? 4 : 1) * sizeof(float) + (colours ? 3 : 0);
         const std::size_t faceBytes = 1 + 3 * sizeof(std::int32_t) + bytesOfValues(content.cellArrays);
         file.expect(content.vertexCount() * vertexBytes + content.triangleCount() * faceBytes);
         if (const Status written = file.text(headOf(content)); !written)
             return written;
-        const auto vertex = [normals, colours](const SurfacePart& part, std::uint64_t index, std::byte* where) {
-            for (const float coordinate : part.positions[index])
-                putNumber(where, coordinate);
+        const auto vertex = [normals, colours, floats](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+            for (const double coordinate : part.positions[index])
+                if (floats)
+                    putNumber(where, static_cast<float>(coordinate));
+                else
+                    putNumber(where, coordinate);
             if (normals)
                 for (const float coordinate : part.normals[index])
                     putNumber(where, coordinate);

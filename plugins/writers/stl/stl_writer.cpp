@@ -22,11 +22,9 @@ std::string stlHead(const SurfaceContent& content)
 }
 
 /// Of length 1, or zero of a triangle without area. In double precision: the sides' squares leave that of floats.
-Eigen::Vector3f normalOf(const std::array<Eigen::Vector3f, 3>& corners)
+Eigen::Vector3f normalOf(const std::array<Eigen::Vector3d, 3>& corners)
 {
-    const Eigen::Vector3d origin = corners[0].cast<double>();
-    const Eigen::Vector3d normal =
-        (corners[1].cast<double>() - origin).cross(corners[2].cast<double>() - origin).stableNormalized();
+    const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
     return normal.allFinite() ? normal.cast<float>() : Eigen::Vector3f(0, 0, 0);
 }
 
@@ -37,9 +35,9 @@ Status writeTriangles(const SurfacePart& part, OutputFile& file)
         const std::array corners = {part.positions[a], part.positions[b], part.positions[c]};
         for (const float coordinate : normalOf(corners))
             putNumber(where, coordinate);
-        for (const Eigen::Vector3f& corner : corners)
-            for (const float coordinate : corner)
-                putNumber(where, coordinate);
+        for (const Eigen::Vector3d& corner : corners)
+            for (const double coordinate : corner)
+                putNumber(where, static_cast<float>(coordinate));
         putNumber(where, std::uint16_t(0));
     };
     return file.records(part.triangles.size(), triangleBytes, triangle);

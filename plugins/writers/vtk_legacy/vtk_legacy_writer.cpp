@@ -70,16 +70,36 @@ template <class T> constexpr std::string_view legacyTypeName()
         return "unsigned_int";
 }
 
+/// The line before the places of so many vertices.
+std::string pointsLine(std::uint64_t count, bool floats)
+{
+    return "POINTS " + std::to_string(count) + (floats ? " float\n" : " double\n");
+}
+
+constexpr std::size_t placeBytes(bool floats)
+{
+    return 3 * (floats ? sizeof(float) : sizeof(double));
+}
+
+/// In doubles unless floats hold it.
+void putPlace(std::byte*& where, const Eigen::Vector3d& place, bool floats)
+{
+    for (const double coordinate : place)
+        if (floats)
+            putTurned(where, static_cast<float>(coordinate));
+        else
+            putTurned(where, coordinate);
+}
+
 Status writeGeometry(OutputFile& file, const MeshContent& content)
 {
     const std::uint64_t cells = content.tetrahedra.size();
-    if (const Status written = file.text("POINTS " + std::to_string(content.positions.size()) + " float\n"); !written)
+    const bool floats = fitFloats(content.positions);
+    if (const Status written = file.text(pointsLine(content.positions.size(), floats)); !written)
         return written;
-    if (const Status written = file.records(content.positions.size(), 12,
-                                            [&](std::uint64_t index, std::byte* where) {
-                                                for (const float coordinate : content.positions[index])
-                                                    putTurned(where, coordinate);
-                                            });
+    if (const Status written = file.records(
+            content.positions.size(), placeBytes(floats),
+            [&](std::uint64_t index, std::byte* where) { putPlace(where, content.positions[index], floats); });
         !written)
         return written;
     if (const Status written = file.text("\nCELLS " + std::to_string(cells) + " " + std::to_string(5 * cells) + "\n");
@@ -134,17 +154,23 @@ Status writeArrays(OutputFile& file, std::string_view keyword, std::uint64_t cou
     return {};
 }
 
-constexpr std::size_t vectorBytes = 3 * sizeof(float);
 constexpr std::size_t legacyTriangleBytes = 4 * sizeof(std::int32_t);
 
-Status writeVectors(OutputFile& file, const SurfaceContent& content,
-                    std::span<const Eigen::Vector3f> SurfacePart::*which)
+Status writePlaces(OutputFile& file, const SurfaceContent& content, bool floats)
 {
-    const auto vector = [which](const SurfacePart& part, std::uint64_t index, std::byte* where) {
-        for (const float coordinate : (part.*which)[index])
+    const auto place = [floats](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+        putPlace(where, part.positions[index], floats);
+    };
+    return file.vertexRecords(content, placeBytes(floats), place);
+}
+
+Status writeNormals(OutputFile& file, const SurfaceContent& content)
+{
+    const auto normal = [](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+        for (const float coordinate : part.normals[index])
             putTurned(where, coordinate);
     };
-    return file.vertexRecords(content, vectorBytes, vector);
+    return file.vertexRecords(content, 3 * sizeof(float), normal);
 }
 
 Status writeTriangles(OutputFile& file, const SurfaceContent& content)
@@ -181,12 +207,13 @@ Status writeColours(OutputFile& file, const SurfaceContent& content)
 Status writeAll(OutputFile& file, const SurfaceContent& content)
 {
     const std::string vertices = std::to_string(content.vertexCount());
+    const bool floats = content.positionsFitFloats();
     const std::uint64_t triangles = content.triangleCount();
     if (const Status written = file.text(vtkLegacyHead(content.title + " by TAn", "POLYDATA", content.facts) +
-                                         "POINTS " + vertices + " float\n");
+                                         pointsLine(content.vertexCount(), floats));
         !written)
         return written;
-    if (const Status written = writeVectors(file, content, &SurfacePart::positions); !written)
+    if (const Status written = writePlaces(file, content, floats); !written)
         return written;
     if (const Status written =
             file.text("\nPOLYGONS " + std::to_string(triangles) + " " + std::to_string(4 * triangles) + "\n");
@@ -209,7 +236,7 @@ Status writeAll(OutputFile& file, const SurfaceContent& content)
     if (content.hasNormals()) {
         if (const Status written = file.text("\nNORMALS Normals float\n"); !written)
             return written;
-        if (const Status written = writeVectors(file, content, &SurfacePart::normals); !written)
+        if (const Status written = writeNormals(file, content); !written)
             return written;
     }
     return content.hasColours() ? writeColours(file, content) : Status();
@@ -246,7 +273,8 @@ public:
             return Error{ErrorKind::OutOfResource,
                          Message::say("'%1' would hold more than a legacy VTK file can number. Write a .vtu file.",
                                       file.target().string())};
-        file.expect(12 * points + 24 * cells + bytesOf(content.pointArrays) + bytesOf(content.cellArrays));
+        file.expect(placeBytes(fitFloats(content.positions)) * points + 24 * cells + bytesOf(content.pointArrays) +
+                    bytesOf(content.cellArrays));
         if (const Status written =
                 file.text(vtkLegacyHead("tetrahedral mesh by TAn", "UNSTRUCTURED_GRID", content.facts));
             !written)

@@ -165,18 +165,37 @@ template <class Value, class Make> XmlArray madeXmlArray(std::string name, std::
 
 constexpr std::uint8_t vtkTriangle = 5;
 
-/// An array of vectors that lie in memory as in the file, part by part.
-XmlArray vectors(std::string name, const SurfaceContent& content, std::span<const Eigen::Vector3f> SurfacePart::*which)
+/// An array of vectors, part by part, in numbers of one type.
+template <class Value, class Vector>
+XmlArray vectors(std::string name, const SurfaceContent& content, std::span<const Vector> SurfacePart::*which)
 {
-    std::uint64_t bytes = 0;
+    std::uint64_t count = 0;
     for (const SurfacePart& part : content.parts)
-        bytes += (part.*which).size_bytes();
-    return {std::move(name), vtkXmlType<float>(), bytes, 3, [&content, which](OutputFile& out) -> Status {
-                for (const SurfacePart& part : content.parts)
-                    if (const Status written = out.bytes(std::as_bytes(part.*which)); !written)
-                        return written;
-                return {};
+        count += (part.*which).size();
+    constexpr std::size_t bytes = 3 * sizeof(Value);
+    return {std::move(name), vtkXmlType<Value>(), count * bytes, 3, [&content, which](OutputFile& out) {
+                const auto vector = [which](const SurfacePart& part, std::uint64_t index, std::byte* where) {
+                    for (const auto coordinate : (part.*which)[index])
+                        putNumber(where, static_cast<Value>(coordinate));
+                };
+                return out.vertexRecords(content, bytes, vector);
             }};
+}
+
+/// The places of vertices, in doubles unless floats hold them.
+XmlArray places(std::span<const Eigen::Vector3d> positions)
+{
+    const auto coordinate = [positions](std::uint64_t i) { return positions[i / 3][static_cast<int>(i % 3)]; };
+    XmlArray array = fitFloats(positions) ? madeXmlArray<float>("Points", 3 * positions.size(), coordinate)
+                                          : madeXmlArray<double>("Points", 3 * positions.size(), coordinate);
+    array.components = 3;
+    return array;
+}
+
+XmlArray places(const SurfaceContent& content)
+{
+    return content.positionsFitFloats() ? vectors<float>("Points", content, &SurfacePart::positions)
+                                        : vectors<double>("Points", content, &SurfacePart::positions);
 }
 
 XmlArray values(const SurfaceContent& content, std::uint64_t count)
@@ -232,7 +251,7 @@ XmlGrid gridOf(const SurfaceContent& content, bool polydata)
         "PointData", " Scalars=\"" + xmlAttribute(content.valueName) + "\"", {values(content, vertexCount)}};
     if (content.hasNormals()) {
         pointData.attributes += " Normals=\"Normals\"";
-        pointData.arrays.push_back(vectors("Normals", content, &SurfacePart::normals));
+        pointData.arrays.push_back(vectors<float>("Normals", content, &SurfacePart::normals));
     }
     if (content.hasColours())
         pointData.arrays.push_back(colours(content, vertexCount));
@@ -251,7 +270,7 @@ XmlGrid gridOf(const SurfaceContent& content, bool polydata)
             content.facts,
             {std::move(pointData),
              elementOf("CellData", content.cellArrays),
-             {"Points", {}, {vectors("Points", content, &SurfacePart::positions)}},
+             {"Points", {}, {places(content)}},
              std::move(cells)}};
 }
 
@@ -263,8 +282,6 @@ constexpr std::uint8_t vtkTetra = 10;
 template <class Index> XmlGrid gridWith(const MeshContent& content)
 {
     const std::span tetrahedra = content.tetrahedra;
-    XmlArray points{"Points", vtkXmlType<float>(), content.positions.size_bytes(), 3,
-                    [&content](OutputFile& out) { return out.bytes(std::as_bytes(content.positions)); }};
     XmlElement cells{"Cells", {}, {}};
     cells.arrays.push_back(
         madeXmlArray<Index>("connectivity", 4 * tetrahedra.size(),
@@ -279,7 +296,7 @@ template <class Index> XmlGrid gridWith(const MeshContent& content)
             content.facts,
             {elementOf("PointData", content.pointArrays),
              elementOf("CellData", content.cellArrays),
-             {"Points", {}, {std::move(points)}},
+             {"Points", {}, {places(content.positions)}},
              std::move(cells)}};
 }
 
@@ -300,12 +317,6 @@ std::string_view vtkTypeName(SampleType type)
     return names[static_cast<std::size_t>(type)];
 }
 
-bool fitFloats(const std::vector<Eigen::Vector3d>& positions)
-{
-    return std::ranges::all_of(
-        positions, [](const Eigen::Vector3d& position) { return position.cast<float>().cast<double>() == position; });
-}
-
 /// Points into the dataset.
 XmlGrid gridOf(const Dataset& dataset)
 {
@@ -315,16 +326,12 @@ XmlGrid gridOf(const Dataset& dataset)
     const std::span<const std::byte> samples = dataset.values.bytes();
     XmlArray values{"value", vtkTypeName(dataset.values.type()), samples.size(), 1,
                     [samples](OutputFile& out) { return out.bytes(samples); }};
-    const auto coordinate = [&positions](std::uint64_t i) { return positions[i / 3][static_cast<int>(i % 3)]; };
-    XmlArray places = fitFloats(positions) ? madeXmlArray<float>("Points", 3 * points, coordinate)
-                                           : madeXmlArray<double>("Points", 3 * points, coordinate);
-    places.components = 3;
     const auto corner = [&tetrahedra](std::uint64_t i) { return tetrahedra[i / 4][i % 4]; };
     return {"UnstructuredGrid",
             " NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\"",
             {},
             {{"PointData", " Scalars=\"value\"", {std::move(values)}},
-             {"Points", {}, {std::move(places)}},
+             {"Points", {}, {places(positions)}},
              {"Cells",
               {},
               {madeXmlArray<std::int64_t>("connectivity", 4 * cells, corner),
