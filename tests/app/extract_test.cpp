@@ -87,7 +87,7 @@ private slots:
         if (reader.isMissing())
             QSKIP_WITHOUT("python3-vtk9");
         QVERIFY2(reader.ok(), reader.messages());
-        const std::vector<float> points = reader.array<float>("points");
+        const std::vector<double> points = reader.places();
         const std::vector<std::uint32_t> corners = reader.array<std::uint32_t>("cells");
         QVERIFY(corners.size() >= 3 * 12 && corners.size() % 3 == 0);
         double volume = 0;

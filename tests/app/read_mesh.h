@@ -12,14 +12,14 @@ namespace tetra {
 /// A mesh as VTK reads it.
 struct ReadMesh {
     explicit ReadMesh(const VtkReader& reader)
-        : points(reader.array<float>("points")), values(reader.array<float>("point.value")),
+        : points(reader.places()), values(reader.array<float>("point.value")),
           cells(reader.array<std::uint32_t>("cells"))
     {
     }
     std::size_t cellCount() const { return cells.size() / 4; }
     double coordinate(std::size_t cell, std::size_t corner, std::size_t axis) const
     {
-        return static_cast<double>(points[3 * cells[4 * cell + corner] + axis]);
+        return points[3 * cells[4 * cell + corner] + axis];
     }
     double value(std::size_t cell, std::size_t corner) const
     {
@@ -43,7 +43,7 @@ struct ReadMesh {
         return sum;
     }
 
-    std::vector<float> points;
+    std::vector<double> points;
     std::vector<float> values;
     std::vector<std::uint32_t> cells;
 };

@@ -144,7 +144,7 @@ private slots:
     {
         const auto sphere = [](int rings, float radius) {
             TriangleMesh mesh;
-            std::vector<Eigen::Vector3f> positions{{0, 0, radius}, {0, 0, -radius}};
+            std::vector<Eigen::Vector3d> positions{{0, 0, radius}, {0, 0, -radius}};
             std::vector<std::array<std::uint32_t, 3>> triangles;
             const auto at = [&](int ring, int place) {
                 return static_cast<std::uint32_t>(2 + (ring - 1) * 2 * rings + place % (2 * rings));

@@ -18,7 +18,7 @@ constexpr double stepShare = 0.02;
 /// Whether the bounding box of a tetrahedron meets a box.
 bool meets(const TetrahedralMesh& mesh, const std::array<std::uint32_t, 4>& tetrahedron, const Box& box)
 {
-    Eigen::AlignedBox3f bounds;
+    Eigen::AlignedBox3d bounds;
     for (const std::uint32_t vertex : tetrahedron)
         bounds.extend(mesh.positions[vertex]);
     return Eigen::AlignedBox3d(box.least, box.largest).intersects(bounds.cast<double>());
@@ -29,7 +29,7 @@ Eigen::Vector3d densestPlace(const TetrahedralMesh& mesh, const Eigen::AlignedBo
 {
     constexpr int parts = 16;
     std::vector<int> counts(parts * parts * parts);
-    for (const Eigen::Vector3f& position : mesh.positions) {
+    for (const Eigen::Vector3d& position : mesh.positions) {
         const Eigen::Array3d share = (position.cast<double>() - bounds.min()).array() / bounds.sizes().array();
         const Eigen::Array3i part = (share * parts).cast<int>().min(parts - 1);
         ++counts[static_cast<std::size_t>((part[2] * parts + part[1]) * parts + part[0])];

@@ -16,7 +16,7 @@ TetrahedralMesh cutInFive(const std::array<std::uint32_t, 3>& size, std::vector<
 {
     TetrahedralMesh mesh;
     for (const Eigen::Vector3d& position : positions)
-        mesh.positions.push_back(position.cast<float>());
+        mesh.positions.push_back(position);
     mesh.values.assign(values.begin(), values.end());
     const auto add = [&](std::array<std::uint32_t, 4> cell) {
         const auto edge = [&](std::size_t corner) -> Eigen::Vector3d {
@@ -70,7 +70,7 @@ TransferFunction colourful(float smallest, float largest, double unitDistance)
 /// Our cameras have z up, VTK's y: turned like this, both show the same by default.
 void turnUp(TetrahedralMesh& mesh)
 {
-    for (Eigen::Vector3f& position : mesh.positions)
+    for (Eigen::Vector3d& position : mesh.positions)
         position = {position.x(), -position.z(), position.y()};
 }
 
@@ -78,7 +78,7 @@ RenderingScene sceneOf(const QString& name, TetrahedralMesh mesh, int frames)
 {
     turnUp(mesh);
     Eigen::AlignedBox3d bounds;
-    for (const Eigen::Vector3f& position : mesh.positions)
+    for (const Eigen::Vector3d& position : mesh.positions)
         bounds.extend(Eigen::Vector3d(position.cast<double>()));
     const auto [smallest, largest] = std::ranges::minmax(mesh.values);
     RenderingScene scene;

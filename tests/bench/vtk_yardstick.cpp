@@ -45,7 +45,7 @@ QJsonObject jsonOf(const RenderingScene& scene, int size)
 
 void writeMesh(const QTemporaryDir& folder, const TetrahedralMesh& mesh)
 {
-    write<Eigen::Vector3f>(folder.filePath("positions"), mesh.positions);
+    write<Eigen::Vector3d>(folder.filePath("positions"), mesh.positions);
     write<float>(folder.filePath("values"), mesh.values);
     write<std::array<std::uint32_t, 4>>(folder.filePath("tetrahedra"), mesh.tetrahedra);
 }

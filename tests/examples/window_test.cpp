@@ -28,7 +28,7 @@ namespace {
 
 /// What an OFF file holds.
 struct OffFile {
-    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3d> positions;
     std::size_t triangles = 0;
 };
 
@@ -41,7 +41,7 @@ OffFile readOff(const std::string& path)
         qFatal("%s is no OFF file", path.c_str());
     OffFile content;
     content.positions.resize(vertices);
-    for (Eigen::Vector3f& position : content.positions)
+    for (Eigen::Vector3d& position : content.positions)
         file >> position.x() >> position.y() >> position.z();
     std::size_t corners = 0, a = 0, b = 0, c = 0;
     while (file >> corners >> a >> b >> c && corners == 3 && std::max({a, b, c}) < vertices)
@@ -268,7 +268,7 @@ void ExampleWindowTest::theSliceIsSeenPickedAndSaved()
     QCOMPARE(file.triangles, meshOf("slice").triangles.size());
     QVERIFY(file.triangles > 100);
     const double height = bounds.min().z() + heightOfAll * 0.4;
-    QVERIFY(std::ranges::all_of(file.positions, [&](const Eigen::Vector3f& position) {
+    QVERIFY(std::ranges::all_of(file.positions, [&](const Eigen::Vector3d& position) {
         return std::abs(static_cast<double>(position.z()) - height) < 1e-4 * heightOfAll;
     }));
 }

@@ -11,6 +11,7 @@ Where ../shared/data is not there, what is made of its datasets is skipped, and 
 Pictures are kept by instruction set, because each rounds sums of floats in its own way; a machine whose set is not in the record is told
 so."""
 import argparse
+import array
 import hashlib
 import json
 import os
@@ -154,12 +155,14 @@ def kept_form(legacy):
         nonlocal at
         found = re.compile(pattern).search(legacy, at)
         at = found.end()
+        form = form[found[2]] if isinstance(form, dict) else form
         size = struct.calcsize(form) * count(found)
         numbers = struct.unpack_from(">%d%s" % (count(found), form), legacy, at)
         at += size
         return found, numbers
 
-    _, places = block(rb"\nPOINTS (\d+) float\n", lambda found: 3 * int(found[1]), "f")
+    found, places = block(rb"\nPOINTS (\d+) (float|double)\n", lambda found: 3 * int(found[1]), {b"float": "f", b"double": "d"})
+    places = array.array("f", places)  # as meshes were when they were recorded first
     _, corners = block(rb"\nCELLS (\d+) \d+\n", lambda found: 5 * int(found[1]), "I")
     vertices, cells = len(places) // 3, len(corners) // 5
     lives = []

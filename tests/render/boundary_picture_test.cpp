@@ -24,8 +24,8 @@ MeshPointer colouredFloor()
 {
     auto mesh = std::make_shared<TriangleMesh>(*quad({-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0}));
     mesh->normals.assign(4, Eigen::Vector3f::Zero());
-    for (const Eigen::Vector3f& place : mesh->positions)
-        mesh->colours.push_back({(place.x() / half + 1) / 2, (place.y() / half + 1) / 2, 0.25f});
+    for (const Eigen::Vector3d& place : mesh->positions)
+        mesh->colours.push_back({float(place.x() / half + 1) / 2, float(place.y() / half + 1) / 2, 0.25f});
     return mesh;
 }
 

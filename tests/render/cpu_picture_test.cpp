@@ -353,7 +353,7 @@ private slots:
         mesh->triangles.pop_back();
         mesh->normals.pop_back();
         QVERIFY(errorOf({{{mesh, {}, 1}}, {}, cube(1)}, {}).find("normal") != std::string::npos);
-        LineSet line{{Vector3f(0, 0, 0)}, {{0, 1}}, {}, 1};
+        LineSet line{{Vector3d(0, 0, 0)}, {{0, 1}}, {}, 1};
         QVERIFY(errorOf({{}, {line}, cube(1)}, {}).find("line") != std::string::npos);
     }
 

@@ -22,7 +22,7 @@ Drawable squareTowards(const Camera& camera, double size, double distance, const
     const Eigen::Vector3d middle = Eigen::Vector3d(2, 2, 2) + distance * axes.col(2);
     TriangleMesh square;
     for (const auto& [right, up] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
-        square.positions.emplace_back((middle + size * (right * axes.col(0) + up * axes.col(1))).cast<float>());
+        square.positions.emplace_back(middle + size * (right * axes.col(0) + up * axes.col(1)));
     square.normals.assign(4, axes.col(2).cast<float>());
     square.triangles = {{0, 1, 2}, {0, 2, 3}};
     return {.id = "square",

@@ -32,7 +32,7 @@ TetrahedralMesh shiftedLattice(int cells, Split split, const Vector3d& shift)
 {
     TetrahedralMesh mesh = latticeMesh(cells, 1, split, waves);
     for (auto& position : mesh.positions)
-        position += shift.cast<float>();
+        position += shift;
     return mesh;
 }
 

@@ -56,7 +56,7 @@ SceneParts movedBy(const SceneParts& scene, const Eigen::Vector3d& offset)
     for (const Surface& surface : scene.surfaces) {
         auto mesh = std::make_shared<TriangleMesh>(*surface.mesh);
         for (auto& position : mesh->positions)
-            position += offset.cast<float>();
+            position += offset;
         result.surfaces.push_back({mesh, surface.colour, surface.opacity});
     }
     return result;
@@ -157,7 +157,7 @@ private slots:
         auto mesh = std::make_shared<TriangleMesh>(*quad({0, 0, 0}, {1, 0, 0}, {0, 0, 1}));
         mesh->triangles.push_back({0, 1, 4});
         QCOMPARE(gl_->render(SceneParts{{{mesh, {}, 1}}, {}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
-        const LineSet line{{Eigen::Vector3f(0, 0, 0)}, {{0, 1}}, {}, 1};
+        const LineSet line{{Eigen::Vector3d(0, 0, 0)}, {{0, 1}}, {}, 1};
         QCOMPARE(gl_->render(SceneParts{{}, {line}, cube(1)}, {}, {}).error().kind, ErrorKind::WrongUsage);
         QCOMPARE(gl_->render({}, {}, {.width = 0}).error().kind, ErrorKind::WrongUsage);
         QCOMPARE(gl_->render({}, {}, {.width = largestPictureSide + 1}).error().kind, ErrorKind::WrongUsage);

@@ -66,8 +66,8 @@ inline Camera cameraFor(const SceneParts& scene, bool perspective)
 /// Surfaces in and around the volume.
 inline void addSurfaces(SceneParts& scene, const QString& which)
 {
-    const Eigen::Vector3f centre = scene.bounds.center().cast<float>();
-    const Eigen::Vector3f size = scene.bounds.sizes().cast<float>();
+    const Eigen::Vector3d centre = scene.bounds.center();
+    const Eigen::Vector3d size = scene.bounds.sizes();
     const float radius = size.minCoeff() / 3;
     if (which == "opaque")
         scene.surfaces.push_back({sphere(centre, radius, 60), {0.9f, 0.6f, 0.1f}, 1});
@@ -77,7 +77,7 @@ inline void addSurfaces(SceneParts& scene, const QString& which)
         scene.surfaces.push_back({sphere(centre - 0.3f * size, radius / 2, 40), {0.1f, 0.9f, 0.2f}, 1});
     }
     if (which == "crossing") {
-        const auto sheet = [&](const Eigen::Vector3f& along, const Eigen::Vector3f& across, const Colour& colour) {
+        const auto sheet = [&](const Eigen::Vector3d& along, const Eigen::Vector3d& across, const Colour& colour) {
             scene.surfaces.push_back({quad(centre - (along + across) / 2, along, across), colour, 0.5f});
         };
         sheet({2 * size.x(), 0, 0}, {0, size.y(), size.z()}, {1, 0, 0});

@@ -163,7 +163,7 @@ private slots:
         QFETCH(bool, perspective);
         TetrahedralMesh mesh = randomLattice(3);
         for (auto& position : mesh.positions)
-            position += Eigen::Vector3f(300, -200, 100);
+            position += Eigen::Vector3d(300, -200, 100);
         for (float& value : mesh.values)
             value += 500;
         SceneParts scene;

@@ -17,17 +17,17 @@ namespace tetra::testing {
 using MeshPointer = std::shared_ptr<const TriangleMesh>;
 
 /// A parallelogram with one normal.
-inline MeshPointer quad(const Eigen::Vector3f& corner, const Eigen::Vector3f& along, const Eigen::Vector3f& across)
+inline MeshPointer quad(const Eigen::Vector3d& corner, const Eigen::Vector3d& along, const Eigen::Vector3d& across)
 {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->positions = {corner, corner + along, corner + along + across, corner + across};
-    mesh->normals.assign(4, along.cross(across).normalized());
+    mesh->normals.assign(4, along.cross(across).normalized().cast<float>());
     mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
     return mesh;
 }
 
 /// A sphere with exact normals, so fine that its triangles are nearly pixels.
-inline MeshPointer sphere(const Eigen::Vector3f& centre, float radius, std::uint32_t rings = 256)
+inline MeshPointer sphere(const Eigen::Vector3d& centre, double radius, std::uint32_t rings = 256)
 {
     auto mesh = std::make_shared<TriangleMesh>();
     const std::uint32_t sectors = 2 * rings;
@@ -35,11 +35,10 @@ inline MeshPointer sphere(const Eigen::Vector3f& centre, float radius, std::uint
         for (std::uint32_t sector = 0; sector < sectors; ++sector) {
             const double polar = std::numbers::pi * ring / rings;
             const double around = 2 * std::numbers::pi * sector / sectors;
-            const Eigen::Vector3f normal =
-                Eigen::Vector3d(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar))
-                    .cast<float>();
+            const Eigen::Vector3d normal(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
+                                         std::cos(polar));
             mesh->positions.push_back(centre + radius * normal);
-            mesh->normals.push_back(normal);
+            mesh->normals.push_back(normal.cast<float>());
         }
     for (std::uint32_t ring = 0; ring < rings; ++ring)
         for (std::uint32_t sector = 0; sector < sectors; ++sector) {

@@ -55,7 +55,7 @@ inline IsoLayer addLayer(SceneParts& scene, double isovalue, const Colour& colou
 inline NamedFunction functionFor(const TetrahedralMesh& mesh, const std::string& name)
 {
     const auto [low, high] = std::ranges::minmax(mesh.values);
-    Eigen::AlignedBox3f bounds;
+    Eigen::AlignedBox3d bounds;
     for (const auto& position : mesh.positions)
         bounds.extend(position);
     const auto functions = volumeFunctions(low, high, bounds.diagonal().norm() / 10);

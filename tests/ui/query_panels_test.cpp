@@ -175,7 +175,7 @@ void QueryPanelsTest::aWindowCutsTheMesh()
     window_->find<QDoubleSpinBox>("region.to.x").setValue(11.25);
     QTRY_VERIFY(upToDate());
     const auto extent = [this] {
-        Eigen::AlignedBox3f box;
+        Eigen::AlignedBox3d box;
         for (const auto& tetrahedron : mesh()->mesh.tetrahedra)
             for (const std::uint32_t vertex : tetrahedron)
                 box.extend(mesh()->mesh.positions[vertex]);

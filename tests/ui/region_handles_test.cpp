@@ -243,7 +243,7 @@ void RegionHandlesTest::outlinesLieOnTheRegion()
     const Sphere sphere{{1, 2, 3}, 4};
     const LineSet circles = outlineOf(sphere, {}, 1);
     QVERIFY(circles.points.size() >= 3 * 32);
-    for (const Eigen::Vector3f& point : circles.points)
+    for (const Eigen::Vector3d& point : circles.points)
         QVERIFY(std::abs((point.cast<double>() - sphere.centre).norm() - sphere.radius) < 1e-5);
     QCOMPARE(outlineOf(Box{{0, 0, 0}, {1, 2, 3}}, {}, 1).segments.size(), std::size_t{12});
 }

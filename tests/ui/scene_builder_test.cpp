@@ -162,7 +162,7 @@ public:
         class Session : public RendererSession {
             Result<std::shared_ptr<const Scene>> prepare(const RendererView& view, const Progress&) override
             {
-                const Eigen::Vector3f eye = eyePosition(view.camera).cast<float>();
+                const Eigen::Vector3d eye = eyePosition(view.camera);
                 const LineSet line{{{0, 0, 0}, eye}, {{0, 1}}, {}, float(view.width)};
                 return std::make_shared<const Scene>(Scene{.drawables = {{.id = "line", .shape = line}}});
             }
@@ -186,7 +186,7 @@ void SceneBuilderTest::onlyScenesThatDependOnTheViewAreMadeAnewForIt()
         const auto lineOf = [&] { return *shapesOf<LineSet>(*maker.make(request, {})->scene).front(); };
         const auto first = maker.make(request, {})->scene;
         QCOMPARE(lineOf().width, 300.0f);
-        QCOMPARE(lineOf().points.back(), Eigen::Vector3f(eyePosition(request.camera).cast<float>()));
+        QCOMPARE(lineOf().points.back(), eyePosition(request.camera));
         QCOMPARE(maker.make(request, {})->scene, first); // nothing has changed
         request.camera.azimuth = 50;
         QCOMPARE(maker.make(request, {})->scene != first, asks);

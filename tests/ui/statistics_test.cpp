@@ -256,14 +256,14 @@ std::shared_ptr<const Scene> cyclicScene()
         const auto first = static_cast<std::uint32_t>(mesh->positions.size());
         for (const Eigen::Vector3d& place : {Eigen::Vector3d(back - across), Eigen::Vector3d(back + across),
                                              Eigen::Vector3d(front - deep), Eigen::Vector3d(front + deep)})
-            mesh->positions.push_back(place.cast<float>());
+            mesh->positions.push_back(place);
         const Eigen::Vector3d edge = 2 * across;
         const bool isPositive = edge.dot((front - deep - back + across).cross(front + deep - back + across)) > 0;
         mesh->tetrahedra.push_back({first, first + 1, first + (isPositive ? 2 : 3), first + (isPositive ? 3 : 2)});
     }
     mesh->values.assign(mesh->positions.size(), 0.5F);
     auto scene = std::make_shared<Scene>();
-    for (const Eigen::Vector3f& place : mesh->positions)
+    for (const Eigen::Vector3d& place : mesh->positions)
         scene->bounds.extend(place.cast<double>());
     scene->drawables.push_back(
         {.id = "volume", .shape = *VolumeCache(mesh).update(sequentialTransferFunction(0, 1, 1), false)});

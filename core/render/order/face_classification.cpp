@@ -54,12 +54,16 @@ TETRA_SIMD_INLINE void loadCorner(const PaddedPosition* positions, const std::ar
 TETRA_SIMD_INLINE void loadCorner(const Eigen::Vector3d* positions, const std::array<std::uint32_t, 4>* cells,
                                   std::size_t corner, Vectors<Double8>& vectors)
 {
+    std::array<double, classificationLanes> x, y, z;
     for (std::size_t lane = 0; lane < classificationLanes; ++lane) {
         const double* const place = positions[cells[lane][corner]].data();
-        vectors.x[lane] = place[0];
-        vectors.y[lane] = place[1];
-        vectors.z[lane] = place[2];
+        x[lane] = place[0];
+        y[lane] = place[1];
+        z[lane] = place[2];
     }
+    std::memcpy(&vectors.x, x.data(), sizeof vectors.x);
+    std::memcpy(&vectors.y, y.data(), sizeof vectors.y);
+    std::memcpy(&vectors.z, z.data(), sizeof vectors.z);
 }
 
 template <class Lanes>

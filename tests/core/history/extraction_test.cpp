@@ -54,7 +54,7 @@ private slots:
         for (std::uint32_t site = 0; site < model_->siteCount(); ++site) {
             const std::uint64_t point = model_->points()[site];
             const auto c = dataset_.lattice.coordinates(point);
-            QCOMPARE(mesh.positions[site], dataset_.lattice.position(c[0], c[1], c[2]).cast<float>().eval());
+            QCOMPARE(mesh.positions[site], dataset_.lattice.position(c[0], c[1], c[2]));
             QCOMPARE(mesh.values[site], static_cast<float>(dataset_.values.at(point)));
         }
     }
@@ -243,7 +243,7 @@ private slots:
             for (const std::uint64_t index : indices) {
                 const auto c = lattice.coordinates(index);
                 QCOMPARE(points.position(static_cast<std::uint32_t>(index)),
-                         Eigen::Vector3d(c[0], c[1], c[2]).cast<float>().eval());
+                         Eigen::Vector3d(c[0], c[1], c[2]));
             }
         }
     }

@@ -80,7 +80,7 @@ double meanChunkVolume(const TetrahedralMesh& mesh)
     double sum = 0;
     const std::size_t chunks = mesh.tetrahedra.size() / rangedChunkSize;
     for (std::size_t c = 0; c < chunks; ++c) {
-        Eigen::Vector3f low(2, 2, 2), high(-1, -1, -1);
+        Eigen::Vector3d low(2, 2, 2), high(-1, -1, -1);
         for (std::size_t t = c * rangedChunkSize; t < (c + 1) * rangedChunkSize; ++t)
             for (const std::uint32_t vertex : mesh.tetrahedra[t]) {
                 low = low.cwiseMin(mesh.positions[vertex]);
@@ -124,7 +124,7 @@ private slots:
     void keysFollowACurve()
     {
         constexpr std::size_t side = 16;
-        Buffer<Eigen::Vector3f> points;
+        Buffer<Eigen::Vector3d> points;
         for (std::size_t i = 0; i < side * side * side; ++i)
             points.emplace_back(float(i % side), float(i / side % side), float(i / side / side));
         points.emplace_back(side, side, side); // the box ends at a side of a cube
@@ -183,11 +183,11 @@ private slots:
     void strangePositions()
     {
         TetrahedralMesh mesh = shuffledMesh(3, 8);
-        mesh.positions[5] = Eigen::Vector3f::Constant(std::nanf(""));
-        mesh.positions[6] = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
-        mesh.positions[7] = Eigen::Vector3f::Constant(-std::numeric_limits<float>::infinity());
-        mesh.positions[8] = Eigen::Vector3f::Constant(3e38f);
-        mesh.positions[9] = Eigen::Vector3f::Constant(-3e38f);
+        mesh.positions[5] = Eigen::Vector3d::Constant(std::nanf(""));
+        mesh.positions[6] = Eigen::Vector3d::Constant(std::numeric_limits<float>::infinity());
+        mesh.positions[7] = Eigen::Vector3d::Constant(-std::numeric_limits<float>::infinity());
+        mesh.positions[8] = Eigen::Vector3d::Constant(3e38f);
+        mesh.positions[9] = Eigen::Vector3d::Constant(-3e38f);
         QCOMPARE(inSpatialOrder(mesh).value().tetrahedra.size(), mesh.tetrahedra.size());
         for (auto& position : mesh.positions)
             position = {1, 2, 3};

@@ -38,8 +38,8 @@ std::string factsOf(const std::string& figures, const std::string& method = "clo
 std::string packedMesh(const std::string& facts, const std::vector<float>& births, const std::vector<float>& deaths)
 {
     TetrahedralMesh mesh;
-    for (const Eigen::Vector3f& place :
-         {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(1, 0, 0), Eigen::Vector3f(0, 1, 0), Eigen::Vector3f(0, 0, 1)}) {
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)}) {
         mesh.positions.push_back(place);
         mesh.values.push_back(1);
     }

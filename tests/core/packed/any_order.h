@@ -13,7 +13,7 @@
 namespace tetra {
 
 /// A corner as bits, and a tetrahedron with what belongs to it.
-using CornerBits = std::array<std::uint32_t, 4>;
+using CornerBits = std::array<std::uint64_t, 4>;
 struct TetrahedronBits {
     std::array<CornerBits, 4> corners;
     std::array<std::uint32_t, 2> life{};
@@ -22,9 +22,9 @@ struct TetrahedronBits {
 
 inline CornerBits bitsOf(const TetrahedralMesh& mesh, std::uint32_t vertex)
 {
-    const Eigen::Vector3f& position = mesh.positions[vertex];
-    return {std::bit_cast<std::uint32_t>(position[0]), std::bit_cast<std::uint32_t>(position[1]),
-            std::bit_cast<std::uint32_t>(position[2]), std::bit_cast<std::uint32_t>(mesh.values[vertex])};
+    const Eigen::Vector3d& position = mesh.positions[vertex];
+    return {std::bit_cast<std::uint64_t>(position[0]), std::bit_cast<std::uint64_t>(position[1]),
+            std::bit_cast<std::uint64_t>(position[2]), std::bit_cast<std::uint32_t>(mesh.values[vertex])};
 }
 
 /// The mesh whatever the order of its vertices, its tetrahedra and, but for the sign, their corners.

@@ -23,9 +23,9 @@ namespace {
 
 /// The bytes that the mesh was packed to; none if it does not come back.
 std::vector<std::byte> thereAndBack(const TetrahedralMesh& mesh, std::span<const float> births = {},
-                                    std::span<const float> deaths = {})
+                                    std::span<const float> deaths = {}, const PlaceScale& scale = {})
 {
-    const auto packed = packMesh(mesh, births, deaths, "facts");
+    const auto packed = packMesh(mesh, births, deaths, "facts", scale);
     if (!packed) {
         qWarning("%s", packed.error().text().c_str());
         return {};
@@ -138,6 +138,41 @@ private slots:
         QVERIFY(!thereAndBack(mesh).empty());
     }
 
+    void everyBitOfADoubleComesBack()
+    {
+        std::mt19937_64 random(12);
+        std::mt19937 soup(12);
+        for (const PlaceScale& scale :
+             {PlaceScale{}, PlaceScale{{1e9, -3, 0}, {1e-3, 7, 1}}, PlaceScale{{0, 0, 0}, {1e-300, 1e300, 0.1}}}) {
+            TetrahedralMesh mesh = randomSoup(soup, 600, 900);
+            for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+                mesh.positions[i] = {std::bit_cast<double>(random()), mesh.positions[i][1] + 1e-12,
+                                     std::array{0.0, -0.0, 0.1, 1e300}[i % 4]};
+            QVERIFY(!thereAndBack(mesh, {}, {}, scale).empty());
+        }
+    }
+
+    /// A lattice takes as little anywhere as where its coordinates are small integers.
+    void latticesTakeAsLittleAnywhere()
+    {
+        const auto lattice = std::ranges::find_if(models_, [](const SomeModel& some) {
+            return some.model->description().domain == DomainClass::RegularLattice;
+        });
+        QVERIFY(lattice != models_.end());
+        const auto found = MeshExtractor(lattice->model).extract({.error = 1});
+        QVERIFY(found.ok());
+        const Lattice& near = lattice->model->description().lattice;
+        const PlaceScale scale{{339385.3, 4264212.7, -1e-3}, {0.05, 0.05, 0.1}};
+        TetrahedralMesh here = (*found)->mesh, there = here;
+        for (std::size_t i = 0; i < here.positions.size(); ++i) {
+            here.positions[i] = ((here.positions[i] - near.origin).array() / near.spacing.array()).round();
+            there.positions[i] = scale.origin + scale.unit.cwiseProduct(here.positions[i]);
+        }
+        const auto few = thereAndBack(here), many = thereAndBack(there, {}, {}, scale);
+        QVERIFY(!few.empty() && !many.empty());
+        QVERIFY2(many.size() < 1.1 * few.size() + 100, qPrintable(QString("%1, %2").arg(few.size()).arg(many.size())));
+    }
+
     void whatDoesNotBelongTogetherIsRefused()
     {
         std::mt19937 random(9);
@@ -162,7 +197,7 @@ private slots:
         stop.request_stop();
         const auto large = packMesh(randomSoup(random, 10, 5000), {}, {}, "");
         QCOMPARE(unpackMesh(*large, 5000, Progress(stop.get_token(), {})).error().kind, ErrorKind::Cancelled);
-        QCOMPARE(packMesh(randomSoup(random, 10, 5000), {}, {}, "", Progress(stop.get_token(), {})).error().kind,
+        QCOMPARE(packMesh(randomSoup(random, 10, 5000), {}, {}, "", {}, Progress(stop.get_token(), {})).error().kind,
                  ErrorKind::Cancelled);
     }
 

@@ -15,9 +15,9 @@ using namespace tetra::testing;
 
 namespace {
 
-using Place = std::array<float, 3>;
+using Place = std::array<double, 3>;
 
-Place placeOf(const Eigen::Vector3f& position)
+Place placeOf(const Eigen::Vector3d& position)
 {
     return {position.x(), position.y(), position.z()};
 }
@@ -80,7 +80,7 @@ TetrahedralMesh prism(std::uint32_t sides)
         mesh.tetrahedra.push_back({low, top, top + a, top + b});
     }
     for (auto& t : mesh.tetrahedra) {
-        const auto edge = [&](std::size_t corner) -> Eigen::Vector3f {
+        const auto edge = [&](std::size_t corner) -> Eigen::Vector3d {
             return mesh.positions[t[corner]] - mesh.positions[t[0]];
         };
         if (edge(1).dot(edge(2).cross(edge(3))) < 0)
@@ -159,7 +159,7 @@ private slots:
         const auto isRadial = [](const TriangleMesh& surface) {
             std::size_t radial = 0;
             for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-                const Eigen::Vector2f across = surface.positions[v].head<2>();
+                const Eigen::Vector2f across = surface.positions[v].head<2>().cast<float>();
                 radial += across.norm() > 0.5f && (surface.normals[v].head<2>() - across).norm() < 1e-3f ? 1 : 0;
             }
             return radial;

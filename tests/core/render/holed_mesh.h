@@ -20,10 +20,10 @@ inline TetrahedralMesh holedMesh(unsigned seed, std::uint32_t cells = 7)
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> place(-0.2f, 2.2f), size(0.2f, 0.6f);
     for (int hole = 0; hole < 8; ++hole) {
-        const Eigen::Vector3f centre(place(random), place(random), place(random));
+        const Eigen::Vector3d centre(place(random), place(random), place(random));
         const float radius = size(random);
         std::erase_if(mesh.tetrahedra, [&](const auto& t) {
-            const Eigen::Vector3f middle =
+            const Eigen::Vector3d middle =
                 (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]] + mesh.positions[t[3]]) / 4;
             return (middle - centre).norm() < radius;
         });

@@ -85,7 +85,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> edgesOf(const Triangl
     return edges;
 }
 
-bool onSameSideOfBox(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float extent)
+bool onSameSideOfBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b, float extent)
 {
     for (int axis = 0; axis < 3; ++axis)
         if (a[axis] == b[axis] && (a[axis] == 0 || a[axis] == extent))
@@ -93,9 +93,9 @@ bool onSameSideOfBox(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float e
     return false;
 }
 
-bool isLatticePoint(const Eigen::Vector3f& point)
+bool isLatticePoint(const Eigen::Vector3d& point)
 {
-    return point == Eigen::Vector3f(point.array().round());
+    return point == Eigen::Vector3d(point.array().round());
 }
 
 /// A field on the unit lattice with `levels` different integer values: with few, most vertices lie on an integer
@@ -187,8 +187,8 @@ private slots:
         const TriangleMesh surface = extracted(mesh, 0);
         QVERIFY(!surface.triangles.empty());
         for (const auto& [edge, use] : edgesOf(surface)) {
-            const Eigen::Vector3f a = surface.positions[edge.first].array() - 1e6f;
-            const Eigen::Vector3f b = surface.positions[edge.second].array() - 1e6f;
+            const Eigen::Vector3d a = surface.positions[edge.first].array() - 1e6f;
+            const Eigen::Vector3d b = surface.positions[edge.second].array() - 1e6f;
             if (!onSameSideOfBox(a, b, cells))
                 QCOMPARE(use.forwards, use.backwards);
         }

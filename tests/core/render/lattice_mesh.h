@@ -24,7 +24,7 @@ TetrahedralMesh latticeMesh(std::uint32_t cells, double extent, Split split, Fie
         for (std::uint32_t j = 0; j < size; ++j)
             for (std::uint32_t i = 0; i < size; ++i) {
                 const Eigen::Vector3d point = Eigen::Vector3d(i, j, k) * (extent / cells);
-                mesh.positions.push_back(point.cast<float>());
+                mesh.positions.push_back(point);
                 mesh.values.push_back(static_cast<float>(field(point)));
             }
 

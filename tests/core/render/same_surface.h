@@ -11,11 +11,11 @@
 namespace tetra::testing {
 
 /// The places of a surface's triangles, each from its smallest corner on, all sorted.
-inline std::vector<std::array<float, 9>> sortedTriangles(const TriangleMesh& surface)
+inline std::vector<std::array<double, 9>> sortedTriangles(const TriangleMesh& surface)
 {
-    std::vector<std::array<float, 9>> triangles;
+    std::vector<std::array<double, 9>> triangles;
     for (const auto& triangle : surface.triangles) {
-        std::array<std::array<float, 3>, 3> corners{};
+        std::array<std::array<double, 3>, 3> corners{};
         for (std::size_t i = 0; i < 3; ++i)
             for (int axis = 0; axis < 3; ++axis)
                 corners[i][std::size_t(axis)] = surface.positions[triangle[i]][axis];
@@ -29,9 +29,9 @@ inline std::vector<std::array<float, 9>> sortedTriangles(const TriangleMesh& sur
 }
 
 /// The normals by the places of their vertices.
-inline std::vector<std::array<float, 6>> sortedNormals(const TriangleMesh& surface)
+inline std::vector<std::array<double, 6>> sortedNormals(const TriangleMesh& surface)
 {
-    std::vector<std::array<float, 6>> vertices;
+    std::vector<std::array<double, 6>> vertices;
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
         const auto& p = surface.positions[v];
         const auto& n = surface.normals[v];
@@ -51,7 +51,7 @@ inline bool sameSurface(const TriangleMesh& one, const TriangleMesh& other)
 inline bool sameNormals(const TriangleMesh& one, const TriangleMesh& other)
 {
     return std::ranges::equal(sortedNormals(one), sortedNormals(other), [](const auto& a, const auto& b) {
-        return std::ranges::equal(a, b, [](float p, float q) { return std::abs(p - q) < 1e-3f; });
+        return std::ranges::equal(a, b, [](double p, double q) { return std::abs(p - q) < 1e-3; });
     });
 }
 

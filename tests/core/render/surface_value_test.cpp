@@ -127,7 +127,7 @@ private slots:
         const BallField ball{0.6, 0.2, 1, 0};
         TetrahedralMesh mesh = latticeMesh(cells, extent, Split::Six, ball);
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        for (const Eigen::Vector3f& place : {Eigen::Vector3f(0, 0, 0), {2, 0, 1e-4F}, {2, 2, 0}, {0, 2, 1e-4F}})
+        for (const Eigen::Vector3d& place : {Eigen::Vector3d(0, 0, 0), {2, 0, 1e-4F}, {2, 2, 0}, {0, 2, 1e-4F}})
             mesh.positions.push_back(place);
         for (const float value : {0.97F, 0.99F, 0.97F, 0.99F})
             mesh.values.push_back(value);

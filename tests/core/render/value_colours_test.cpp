@@ -105,14 +105,14 @@ private slots:
     /// Neighbours are cut at the same places, bit for bit, so no crack opens.
     void theSurfaceStaysClosed()
     {
-        using Place = std::array<float, 3>;
+        using Place = std::array<double, 3>;
         for (unsigned seed = 0; seed < 4; ++seed) {
             const TriangleMesh coloured = colouredByValue(extractBoundary(holedMesh(seed)).value(), steps());
             std::map<std::pair<Place, Place>, int> edges;
             for (const auto& triangle : coloured.triangles)
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     const auto placeOf = [&](std::size_t number) -> Place {
-                        const Eigen::Vector3f& place = coloured.positions[triangle[number % 3]];
+                        const Eigen::Vector3d& place = coloured.positions[triangle[number % 3]];
                         return {place.x(), place.y(), place.z()};
                     };
                     ++edges[{placeOf(corner), placeOf(corner + 1)}];

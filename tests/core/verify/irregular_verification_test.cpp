@@ -71,7 +71,7 @@ QString pictureFault(const Model& model)
         if (!boundary || !volume)
             return "no boundary or no volume";
         Scene scene;
-        for (const Eigen::Vector3f& position : mesh->positions)
+        for (const Eigen::Vector3d& position : mesh->positions)
             scene.bounds.extend(position.cast<double>());
         scene.drawables.push_back({.id = "boundary", .shape = *boundary});
         scene.drawables.push_back({.id = "volume", .shape = *volume});

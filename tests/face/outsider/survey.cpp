@@ -148,7 +148,7 @@ std::shared_ptr<const ExtractedMesh> ask(const std::shared_ptr<const Model>& mod
     MeshQuery windowed = query;
     windowed.window = Window{{about.bounds.min(), middle}, WindowBorder::Clipped};
     const auto part = taken(extractor.extract(windowed), "window");
-    for (const Eigen::Vector3f& place : part->mesh.positions)
+    for (const Eigen::Vector3d& place : part->mesh.positions)
         require((place.cast<double>() - middle).maxCoeff() < 1e-5, "a clipped mesh ends at its window");
 
     MeshQuery ranged = query;

@@ -55,7 +55,7 @@ struct RandomMesh {
                 .facts = {{"error", 0.1}, {"model", "engine \"1\" <&>.tan"}, {"note", std::string(200, 'x')}}};
     }
 
-    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3d> positions;
     std::vector<float> values;
     std::vector<std::uint32_t> sites;
     std::vector<Tetrahedron> tetrahedra;
@@ -109,7 +109,10 @@ private slots:
         QCOMPARE(read.told()["points"].toInt(), vertices);
         QCOMPARE(read.told()["cells"].toInt(), cells);
         QCOMPARE(read.told()["cell types"].toArray(), cells > 0 ? QJsonArray{10} : QJsonArray{});
-        QCOMPARE(read.array<float>("points"), numbersIn<float>(std::as_bytes(std::span(mesh.positions))));
+        std::vector<float> places;
+        for (const Eigen::Vector3d& position : mesh.positions)
+            places.insert(places.end(), {float(position[0]), float(position[1]), float(position[2])});
+        QCOMPARE(read.array<float>("points"), places);
         QCOMPARE(read.array<std::uint32_t>("cells"),
                  numbersIn<std::uint32_t>(std::as_bytes(std::span(mesh.tetrahedra))));
         const QJsonObject types = read.told()["arrays"].toObject();

@@ -37,7 +37,8 @@ struct RandomSurface {
         return result;
     }
 
-    std::vector<Eigen::Vector3f> positions, normals;
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<Eigen::Vector3f> normals;
     std::vector<float> values;
     std::vector<Colour> colours;
     std::vector<std::array<std::uint32_t, 3>> triangles;

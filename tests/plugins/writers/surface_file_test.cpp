@@ -36,7 +36,8 @@ struct Expected {
     {
         for (const SurfacePart& part : content.parts) {
             const auto first = static_cast<std::uint32_t>(positions.size());
-            positions.insert(positions.end(), part.positions.begin(), part.positions.end());
+            for (const Eigen::Vector3d& position : part.positions)
+                positions.emplace_back(position.cast<float>());
             normals.insert(normals.end(), part.normals.begin(), part.normals.end());
             const auto* each = std::get_if<std::span<const float>>(&part.values);
             for (std::size_t i = 0; i < part.positions.size(); ++i)
@@ -180,10 +181,10 @@ private slots:
             const QJsonObject indices = accessor(primitive["indices"]);
             QCOMPARE(indices["count"].toInteger(), static_cast<qint64>(3 * surface.triangles.size()));
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                float least = surface.positions[0][long(axis)], most = least;
+                auto least = float(surface.positions[0][long(axis)]), most = least;
                 for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
                     const auto number = numberAt<float>(bytes, offset(positions) + qsizetype(12 * vertex + 4 * axis));
-                    QCOMPARE(number, surface.positions[vertex][long(axis)]);
+                    QCOMPARE(number, float(surface.positions[vertex][long(axis)]));
                     least = std::min(least, number);
                     most = std::max(most, number);
                 }
@@ -290,12 +291,12 @@ private slots:
                                      numberAt<float>(bytes, 92));
         const auto corner = [&](int i) { return one.positions[one.triangles[0][std::size_t(i)]]; };
         QVERIFY(std::abs(normal.norm() - 1) < 1e-6F);
-        QVERIFY((corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(normal) > 0);
+        QVERIFY((corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(normal.cast<double>()) > 0);
         for (qsizetype triangle = 0; triangle < 4; ++triangle) { // both parts have the same two
             const qsizetype at = 84 + 50 * triangle;
             for (qsizetype i = 0; i < 9; ++i)
                 QCOMPARE(numberAt<float>(bytes, at + 12 + 4 * i),
-                         one.positions[one.triangles[std::size_t(triangle % 2)][std::size_t(i / 3)]][i % 3]);
+                         float(one.positions[one.triangles[std::size_t(triangle % 2)][std::size_t(i / 3)]][i % 3]));
             QCOMPARE(numberAt<std::uint16_t>(bytes, at + 48), std::uint16_t(0)); // programs take others for colours
         }
     }
@@ -344,7 +345,7 @@ private slots:
         QFETCH(QString, ending);
         QFETCH(QString, part);
         const std::size_t count = 30'000'000;
-        const Buffer<Eigen::Vector3f> positions(count); // memory that nobody touches
+        const Buffer<Eigen::Vector3d> positions(count); // memory that nobody touches
         const std::vector<std::array<std::uint32_t, 3>> triangle(1);
         const SurfacePart large{.name = "large", .positions = positions, .normals = {}, .triangles = triangle};
         SurfaceContent content{"isosurfaces", "isovalue", std::vector<SurfacePart>(80, large), {}};

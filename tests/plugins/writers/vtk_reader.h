@@ -86,6 +86,15 @@ public:
             std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
         return values;
     }
+    /// Three coordinates for each point, whether the file has floats or doubles.
+    std::vector<double> places() const
+    {
+        std::vector<double> doubles = array<double>("points");
+        if (static_cast<qint64>(doubles.size()) == 3 * told_["points"].toInteger())
+            return doubles;
+        const std::vector<float> floats = array<float>("points");
+        return {floats.begin(), floats.end()};
+    }
 
 private:
     QTemporaryDir folder_;

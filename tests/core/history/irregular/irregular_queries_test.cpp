@@ -333,7 +333,7 @@ private slots:
                 sizes[static_cast<std::size_t>(border)] = (*part)->mesh.tetrahedra.size();
                 if (border != WindowBorder::Clipped)
                     continue;
-                for (const Eigen::Vector3f& place : (*part)->mesh.positions)
+                for (const Eigen::Vector3d& place : (*part)->mesh.positions)
                     QVERIFY(Eigen::AlignedBox3d(query.window->box.least, query.window->box.largest)
                                 .squaredExteriorDistance(place.cast<double>()) < 1e-9);
             }

@@ -64,7 +64,7 @@ std::vector<double> BruteForce::scalesOf(const MeshQuery& query) const
         ValueRange values{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
         for (int i = 0; i < 4; ++i) {
             const std::uint32_t site = corners(t)[i];
-            places[i] = model_.position(site).cast<float>().cast<double>();
+            places[i] = model_.position(site);
             values.minimum = std::min(values.minimum, static_cast<double>(static_cast<float>(valueOf(model_, site))));
             values.maximum = std::max(values.maximum, static_cast<double>(static_cast<float>(valueOf(model_, site))));
         }

@@ -39,7 +39,7 @@ double volumeOf(const TetrahedralMesh& mesh)
 Box boundsOf(const TetrahedralMesh& mesh)
 {
     Box box{Vector3d::Constant(1e30), Vector3d::Constant(-1e30)};
-    for (const Eigen::Vector3f& position : mesh.positions) {
+    for (const Eigen::Vector3d& position : mesh.positions) {
         box.least = box.least.cwiseMin(position.cast<double>());
         box.largest = box.largest.cwiseMax(position.cast<double>());
     }
@@ -284,7 +284,7 @@ private slots:
         std::mt19937 random(5);
         for (const auto& [name, isBox, mesh] : meshes_) {
             TetrahedralMesh kept = mesh;
-            const auto linear = [](const Eigen::Vector3f& p) { return 2 * p.x() - p.y() + 0.5f * p.z() + 3; };
+            const auto linear = [](const Eigen::Vector3d& p) { return 2 * p.x() - p.y() + 0.5f * p.z() + 3; };
             std::ranges::transform(kept.positions, kept.values.begin(), linear);
             QVERIFY(keepWindow(kept, {randomWindow(mesh, random), WindowBorder::Clipped}).ok());
             for (std::size_t vertex = 0; vertex < kept.positions.size(); ++vertex)

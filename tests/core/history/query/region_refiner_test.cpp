@@ -22,7 +22,7 @@ std::vector<Tetrahedron> byPoints(const Model& model, const ExtractedMesh& mesh)
 {
     const Lattice& lattice = model.description().lattice;
     std::vector<std::uint32_t> points;
-    for (const Eigen::Vector3f& position : mesh.mesh.positions) {
+    for (const Eigen::Vector3d& position : mesh.mesh.positions) {
         const Eigen::Vector3d place = (position.cast<double>() - lattice.origin).cwiseQuotient(lattice.spacing);
         points.push_back(static_cast<std::uint32_t>(lattice.index(std::uint32_t(std::lround(place[0])),
                                                                   std::uint32_t(std::lround(place[1])),

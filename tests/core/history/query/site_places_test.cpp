@@ -24,11 +24,11 @@ private slots:
     {
         for (const auto& [name, model] : models_)
             for (const std::uint32_t sites : {0u, 1u, model->siteCount() / 2, model->siteCount()}) {
-                Buffer<Eigen::Vector3f> positions(3);
+                Buffer<Eigen::Vector3d> positions(3);
                 QVERIFY(placeSites(*model, sites, positions).ok());
                 QCOMPARE(positions.size(), std::size_t(sites));
                 for (std::uint32_t site = 0; site < sites; ++site)
-                    QVERIFY2(positions[site] == model->position(site).cast<float>(), name.c_str());
+                    QVERIFY2(positions[site] == model->position(site), name.c_str());
             }
     }
 
@@ -41,7 +41,7 @@ private slots:
         writeBytes(path, parts.content);
         const auto model = Model::open(path);
         QVERIFY(model.ok());
-        Buffer<Eigen::Vector3f> positions;
+        Buffer<Eigen::Vector3d> positions;
         QVERIFY(placeSites(**model, 12, positions).ok());
         QVERIFY(!placeSites(**model, 13, positions).ok());
     }

@@ -43,7 +43,7 @@ TetrahedralMesh delaunayMesh(const std::vector<Vector3d>& points)
         }
     TetrahedralMesh mesh;
     for (const Vector3d& point : points)
-        mesh.positions.push_back(point.cast<float>());
+        mesh.positions.push_back(point);
     mesh.values.assign(points.size(), 0.5f);
     for (const auto& [slot, cell] : cells)
         mesh.tetrahedra.push_back(cell);
@@ -97,8 +97,8 @@ std::vector<EyePoint> eyesAround(const Eigen::AlignedBox3d& bounds, std::size_t 
 TetrahedralMesh boxLattice(std::uint32_t cells, Split split)
 {
     TetrahedralMesh mesh = latticeMesh(cells, cells, split, [](const Vector3d&) { return 0; });
-    for (Eigen::Vector3f& position : mesh.positions)
-        position = position.cwiseProduct(Eigen::Vector3f(1, 1.5f, 0.3f));
+    for (Eigen::Vector3d& position : mesh.positions)
+        position = position.cwiseProduct(Eigen::Vector3d(1, 1.5f, 0.3f));
     return mesh;
 }
 
@@ -107,8 +107,8 @@ TetrahedralMesh shakenLattice(float most)
     TetrahedralMesh mesh = latticeMesh(10, 10, Split::Six, [](const Vector3d&) { return 0; });
     std::mt19937 random(3);
     std::uniform_real_distribution<float> shift(-most, most);
-    for (Eigen::Vector3f& position : mesh.positions)
-        for (float& coordinate : position)
+    for (Eigen::Vector3d& position : mesh.positions)
+        for (double& coordinate : position)
             if (coordinate > 0 && coordinate < 10)
                 coordinate += shift(random);
     return mesh;

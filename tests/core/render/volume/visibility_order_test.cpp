@@ -60,15 +60,15 @@ TetrahedralMesh pinwheel()
 {
     TetrahedralMesh mesh;
     for (int blade = 0; blade < 3; ++blade) {
-        const Eigen::AngleAxisf turn(static_cast<float>(blade) * 2.0943951f, Eigen::Vector3f::UnitY());
+        const Eigen::AngleAxisd turn(blade * 2.0943951, Eigen::Vector3d::UnitY());
         const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-        for (const Eigen::Vector3f& corner :
-             {Eigen::Vector3f(-1, -0.3f, 0.4f), {1.2f, 0.3f, 0.4f}, {1.2f, 0.35f, 0.6f}, {1.2f, 0.5f, 0.4f}})
+        for (const Eigen::Vector3d& corner :
+             {Eigen::Vector3d(-1, -0.3f, 0.4f), {1.2f, 0.3f, 0.4f}, {1.2f, 0.35f, 0.6f}, {1.2f, 0.5f, 0.4f}})
             mesh.positions.push_back(turn * corner);
         mesh.tetrahedra.push_back({base, base + 1, base + 2, base + 3});
     }
     for (auto& cell : mesh.tetrahedra) {
-        const auto edge = [&](std::size_t i) -> Eigen::Vector3f {
+        const auto edge = [&](std::size_t i) -> Eigen::Vector3d {
             return mesh.positions[cell[i]] - mesh.positions[cell[0]];
         };
         if (edge(1).dot(edge(2).cross(edge(3))) < 0)
@@ -238,7 +238,7 @@ void VisibilityOrderTest::besideAVertexAtTheOrigin()
         const unsigned facing = classifyFaces(mesh, {{eye[0], eye[1], eye[2]}, true})[0];
         for (std::size_t face = 0; face < 4; ++face) {
             const auto at = [&](std::size_t i) {
-                const Eigen::Vector3f& p = mesh.positions[cornersOfFace[face][i]];
+                const Eigen::Vector3d& p = mesh.positions[cornersOfFace[face][i]];
                 return std::array<double, 3>{p.x(), p.y(), p.z()};
             };
             const int side = orientationSign(at(0), at(1), at(2), eye);
@@ -258,7 +258,7 @@ void VisibilityOrderTest::tellsConvexDomains()
 
     TetrahedralMesh two = oneCell();
     for (std::size_t i = 0; i < 4; ++i) {
-        two.positions.push_back(two.positions[i] + Eigen::Vector3f(5, 0, 0));
+        two.positions.push_back(two.positions[i] + Eigen::Vector3d(5, 0, 0));
         two.values.push_back(0);
     }
     two.tetrahedra.push_back({4, 5, 6, 7});
@@ -329,7 +329,7 @@ void VisibilityOrderTest::cyclesAreCut()
     QFETCH(bool, fromBehind);
     std::mt19937 random(23);
     TetrahedralMesh mesh = pinwheel();
-    const auto field = [](const Eigen::Vector3f& at) { return 0.5f + at.dot(Eigen::Vector3f(0.3f, -0.2f, 0.1f)); };
+    const auto field = [](const Eigen::Vector3d& at) { return 0.5f + at.dot(Eigen::Vector3d(0.3f, -0.2f, 0.1f)); };
     std::ranges::transform(mesh.positions, mesh.values.begin(), field);
     const VolumeMesh volume = volumeOf(mesh);
     const EyePoint eye{{0, 0, (perspective ? 5.0 : 1.0) * (fromBehind ? 1 : -1)}, perspective};
@@ -381,8 +381,8 @@ void VisibilityOrderTest::onlyWhatCyclesHoldBackIsSearched()
         for (std::uint32_t cell = 3; cell < 3 + more; ++cell) {
             const auto base = static_cast<std::uint32_t>(mesh.positions.size());
             const float z = (behind ? 2.0f : -2.0f) + 0.001f * static_cast<float>(behind ? cell : more - cell);
-            for (const Eigen::Vector3f& corner : {Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 0.0005f}})
-                mesh.positions.emplace_back(corner + Eigen::Vector3f(0, 0, z));
+            for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 0.0005f}})
+                mesh.positions.emplace_back(corner + Eigen::Vector3d(0, 0, z));
             mesh.values.insert(mesh.values.end(), 4, 0.5f);
             mesh.tetrahedra.push_back({base, base + 1, base + 2, base + 3});
             const std::uint32_t last = cell == 3 ? 0 : cell - 1;
@@ -425,7 +425,7 @@ void VisibilityOrderTest::overlapsAreCounted()
         for (const bool perspective : {true, false}) {
             TetrahedralMesh two = oneCell();
             for (std::size_t i = 0; i < 4; ++i) {
-                two.positions.push_back(two.positions[i] + Eigen::Vector3f(0, 0, nearer));
+                two.positions.push_back(two.positions[i] + Eigen::Vector3d(0, 0, nearer));
                 two.values.push_back(two.values[i]);
             }
             two.tetrahedra.push_back({4, 5, 6, 7});

@@ -55,7 +55,7 @@ TetrahedralMesh irregularWithHole()
     std::mt19937 random(4);
     std::uniform_real_distribution<float> jitter(-0.03f, 0.03f);
     for (auto& position : mesh.positions)
-        position += Eigen::Vector3f(jitter(random), jitter(random), jitter(random));
+        position += Eigen::Vector3d(jitter(random), jitter(random), jitter(random));
     // Six tetrahedra a cube, cubes along x first. A tunnel along x, a slit, and what it cuts off.
     decltype(mesh.tetrahedra) kept;
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
@@ -125,7 +125,7 @@ void addCell(TetrahedralMesh& mesh, Corners corners)
         std::swap(corners[2], corners[3]);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const Eigen::Vector3d& corner : corners) {
-        mesh.positions.push_back(corner.cast<float>());
+        mesh.positions.push_back(corner);
         mesh.values.push_back(static_cast<float>(0.5 + 0.5 * std::sin(3 * corner.x() + 2 * corner.y() - corner.z())));
     }
     mesh.tetrahedra.push_back({first, first + 1, first + 2, first + 3});

@@ -322,7 +322,7 @@ void VolumePictureTest::flatCellsAndHolesInTheValues()
     TetrahedralMesh mesh = meshNamed("random lattice");
     mesh.values[21] = std::numeric_limits<float>::quiet_NaN();
     mesh.values[5] = std::numeric_limits<float>::infinity();
-    mesh.positions[60] = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+    mesh.positions[60] = Eigen::Vector3d::Constant(std::numeric_limits<float>::quiet_NaN());
     mesh.tetrahedra.push_back({0, 1, 2, 3}); // on a line
     mesh.tetrahedra.push_back({0, 1, 4, 5}); // in a plane
     mesh.tetrahedra.push_back({0, 0, 0, 0}); // a point
